@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "geometry/polygon.hpp"
+
+namespace flying {
+
+/// A polygon cut into convex polygons along straight lines between its own vertices: the parts overlap nowhere,
+/// together they cover the polygon and its holes stay free. A polygon that is convex to rounding comes back
+/// as its only part.
+///
+/// Holes are joined to the outer ring by bridges, the ring is cut into triangles ear by ear, and triangles are put
+/// together again wherever the result stays convex (Hertel, Mehlhorn, "Fast triangulation of simple polygons", 1983):
+/// at most four times as many parts as the fewest possible. All decisions are exact (math/orientation.hpp), so that
+/// vertices on one line do no harm. The time grows with the square of the number of vertices.
+///
+/// polygon  as `make_polygon` returns it; the parts lie in its frame
+[[nodiscard]] std::vector<Polygon> convex_parts(const Polygon& polygon);
+
+} // namespace flying
