@@ -1,0 +1,269 @@
+#include "collide/manifold.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "collide/separating_axis.hpp"
+
+namespace flying {
+
+namespace {
+
+// [collide.manifold.feature]
+/// The number of a pair of features: vertex `vertex` of one body on edge `edge` of the other.
+std::uint32_t feature_number(Owner of_vertex, int vertex, int edge)
+{
+    const std::uint32_t is_of_b = of_vertex == Owner::b ? 1u : 0u;
+    return is_of_b | (static_cast<std::uint32_t>(vertex) & 0x7fffu) << 1 |
+           (static_cast<std::uint32_t>(edge) & 0xffffu) << 16;
+}
+// [collide.manifold.feature]
+
+// [collide.manifold.at]
+/// One contact of two surfaces: `point` lies on the second, `separation` away from the first along the normal.
+Contact contact_at(const Vec2& point, const Vec2& normal, double separation, std::uint32_t feature)
+{
+    return {point - 0.5 * separation * normal, normal, separation, feature};
+}
+// [collide.manifold.at]
+
+// [collide.manifold.add]
+void add(Manifold& manifold, const Contact& contact)
+{
+    manifold.contacts[manifold.count] = contact;
+    ++manifold.count;
+}
+// [collide.manifold.add]
+
+// [collide.manifold.swapped]
+/// The same contacts with A and B exchanged. Features name their owners, and are renamed.
+Manifold swapped(Manifold manifold)
+{
+    for (int k = 0; k < manifold.count; ++k) {
+        Contact& contact = manifold.contacts[k];
+        contact.normal = -contact.normal;
+        if (contact.feature != 0) contact.feature ^= 1u;
+    }
+    return manifold;
+}
+// [collide.manifold.swapped]
+
+// [collide.manifold.end]
+/// An end of the clipped edge.
+struct ClippedEnd
+{
+    Vec2 point = Vec2::Zero(); ///< in the reference polygon's frame
+    double along = 0.0;        ///< along the reference edge, from its start [m]
+    bool is_cut = false;       ///< the end lies at the end of the reference edge, not at a vertex of its own
+    int vertex = 0;            ///< the incident polygon's vertex; where cut, the reference polygon's
+};
+// [collide.manifold.end]
+
+// [collide.manifold.cut]
+/// Where the straight line between two ends stands at `along`.
+ClippedEnd cut_at(const ClippedEnd& from, const ClippedEnd& to, double along, int vertex)
+{
+    const double part = (along - from.along) / (to.along - from.along);
+    return {from.point + part * (to.point - from.point), along, true, vertex};
+}
+// [collide.manifold.cut]
+
+// [collide.manifold.incident]
+/// Of the two edges at the vertex furthest behind the reference edge, the one that faces it more.
+int facing_edge(const Polygon& incident, int vertex, const Vec2& normal_in_incident)
+{
+    const int before = incident.previous(vertex);
+    const double faces_before = normal_in_incident.dot(incident.edges()[before].normal);
+    const double faces_after = normal_in_incident.dot(incident.edges()[vertex].normal);
+    return faces_before < faces_after ? before : vertex;
+}
+// [collide.manifold.incident]
+
+// [collide.manifold.polygons]
+/// Contacts of two convex polygons, normals from the reference polygon to the other.
+Manifold clip(const Polygon& reference, const Pose& world_from_reference, const Polygon& incident,
+              const Pose& reference_from_incident, const Axis& axis, double margin)
+{
+    const Edge& edge = reference.edges()[axis.edge];
+    const Vec2& start = reference.vertices()[edge.from];
+    const Vec2 normal_in_incident = inverse(reference_from_incident.rotation) * edge.normal;
+    const int facing = facing_edge(incident, axis.vertex, normal_in_incident);
+
+    // [collide.manifold.polygons.ends]
+    // Write down the facing edge as the reference edge sees it: it runs the other way
+    const auto end_at = [&](int vertex) {
+        const Vec2 point = reference_from_incident * incident.vertices()[vertex];
+        return ClippedEnd{point, edge.tangent.dot(point - start), false, vertex};
+    };
+    ClippedEnd low = end_at(incident.edges()[facing].to);
+    ClippedEnd high = end_at(incident.edges()[facing].from);
+    if (low.along > high.along) std::swap(low, high);
+    // [collide.manifold.polygons.ends]
+
+    // [collide.manifold.polygons.cut]
+    // Cut off what sticks out beyond the ends of the reference edge
+    const bool misses = high.along < 0.0 || low.along > edge.length;
+    if (misses) {
+        if (axis.separation > 0.0) return {};
+        low = high = end_at(axis.vertex);
+    } else {
+        const ClippedEnd whole_low = low;
+        const ClippedEnd whole_high = high;
+        if (whole_low.along < 0.0) low = cut_at(whole_low, whole_high, 0.0, edge.from);
+        if (whole_high.along > edge.length) high = cut_at(whole_low, whole_high, edge.length, edge.to);
+    }
+    // [collide.manifold.polygons.cut]
+
+    // [collide.manifold.polygons.keep]
+    // Keep the ends that reach the reference edge, within the margin
+    Manifold manifold;
+    const Vec2 normal = world_from_reference.rotation * edge.normal;
+    for (const ClippedEnd& end : {low, high}) {
+        if (manifold.count == 1 && end.point == low.point) break;
+        const double separation = edge.normal.dot(end.point - start);
+        if (separation > margin) continue;
+        const std::uint32_t feature =
+            end.is_cut ? feature_number(Owner::a, end.vertex, facing) : feature_number(Owner::b, end.vertex, axis.edge);
+        add(manifold, contact_at(world_from_reference * end.point, normal, separation, feature));
+    }
+    // [collide.manifold.polygons.keep]
+    return manifold;
+}
+// [collide.manifold.polygons]
+
+// [collide.manifold.pair]
+Manifold between(const Polygon& a, const Pose& world_from_a, const Polygon& b, const Pose& world_from_b, double margin)
+{
+    const Pose a_from_b = relative_pose(world_from_a, world_from_b);
+    const Axis axis = greatest_separation(a, b, a_from_b);
+    if (axis.separation > margin) return {};
+    if (axis.owner == Owner::a) return clip(a, world_from_a, b, a_from_b, axis, margin);
+    return swapped(clip(b, world_from_b, a, relative_pose(world_from_b, world_from_a), axis, margin));
+}
+// [collide.manifold.pair]
+
+// [collide.manifold.discs]
+Manifold between(const Disc& a, const Pose& world_from_a, const Disc& b, const Pose& world_from_b, double margin)
+{
+    const Vec2 way = world_from_b.position - world_from_a.position;
+    const double distance = way.norm();
+    const double separation = distance - (a.radius + b.radius);
+    if (separation > margin) return {};
+
+    // Discs with one centre can part in any direction
+    const Vec2 normal = distance > 0.0 ? Vec2(way / distance) : Vec2(1.0, 0.0);
+    Manifold manifold;
+    add(manifold, contact_at(world_from_b.position - b.radius * normal, normal, separation, 0));
+    return manifold;
+}
+// [collide.manifold.discs]
+
+// [collide.manifold.polygon_disc]
+Manifold between(const Polygon& a, const Pose& world_from_a, const Disc& b, const Pose& world_from_b, double margin)
+{
+    // [collide.manifold.polygon_disc.outside]
+    // Find the edge whose line the centre is furthest outside of
+    const Vec2 centre = inverse(world_from_a.rotation) * Vec2(world_from_b.position - world_from_a.position);
+    int nearest = 0;
+    double outside = -std::numeric_limits<double>::infinity();
+    for (int k = 0; k < static_cast<int>(a.edges().size()); ++k) {
+        const double height = a.edges()[k].normal.dot(centre - a.vertices()[k]);
+        if (height > outside) {
+            outside = height;
+            nearest = k;
+        }
+    }
+    // [collide.manifold.polygon_disc.outside]
+
+    // [collide.manifold.polygon_disc.corner]
+    // Inside, the shortest way out leads over that edge; outside, the nearest point of any edge decides
+    Vec2 normal = a.edges()[nearest].normal;
+    double distance = outside;
+    std::uint32_t feature = feature_number(Owner::b, 0, nearest);
+    if (outside > 0.0) {
+        double least = std::numeric_limits<double>::infinity();
+        for (int k = 0; k < static_cast<int>(a.edges().size()); ++k) {
+            const Edge& edge = a.edges()[k];
+            const Vec2 from_start = centre - a.vertices()[k];
+            const double along = edge.tangent.dot(from_start);
+            const bool is_corner = along <= 0.0;
+            if (along >= edge.length) continue; // the next edge's start
+            const double way = is_corner ? from_start.norm() : edge.normal.dot(from_start);
+            if ((!is_corner && way < 0.0) || way >= least) continue;
+            least = distance = way;
+            normal = is_corner ? Vec2(from_start / way) : edge.normal;
+            feature = is_corner ? feature_number(Owner::a, k, 0) : feature_number(Owner::b, 0, k);
+        }
+    }
+    // [collide.manifold.polygon_disc.corner]
+    const double separation = distance - b.radius;
+    if (separation > margin) return {};
+
+    const Vec2 normal_in_world = world_from_a.rotation * normal;
+    Manifold manifold;
+    add(manifold, contact_at(world_from_b.position - b.radius * normal_in_world, normal_in_world, separation, feature));
+    return manifold;
+}
+// [collide.manifold.polygon_disc]
+
+// [collide.manifold.half_plane]
+Manifold between(const HalfPlane& a, const Pose&, const Disc& b, const Pose& world_from_b, double margin)
+{
+    const double separation = (a.normal.dot(world_from_b.position) - a.offset) - b.radius;
+    Manifold manifold;
+    if (separation > margin) return manifold;
+    add(manifold, contact_at(world_from_b.position - b.radius * a.normal, a.normal, separation, 0));
+    return manifold;
+}
+// [collide.manifold.half_plane]
+
+// [collide.manifold.half_plane_polygon]
+Manifold between(const HalfPlane& a, const Pose&, const Polygon& b, const Pose& world_from_b, double margin)
+{
+    const Vec2 normal = inverse(world_from_b.rotation) * a.normal;
+    const double height = a.normal.dot(world_from_b.position) - a.offset;
+    int lowest = 0;
+    for (int v = 1; v < static_cast<int>(b.vertices().size()); ++v) {
+        if (normal.dot(b.vertices()[v]) < normal.dot(b.vertices()[lowest])) lowest = v;
+    }
+
+    // The lowest vertex, and its neighbour along the edge that faces the wall more
+    const int facing = facing_edge(b, lowest, normal);
+    const int other = facing == lowest ? b.edges()[lowest].to : facing;
+    Manifold manifold;
+    for (const int vertex : {lowest, other}) {
+        const double separation = height + normal.dot(b.vertices()[vertex]);
+        if (separation > margin) continue;
+        add(manifold,
+            contact_at(world_from_b * b.vertices()[vertex], a.normal, separation, feature_number(Owner::b, vertex, 0)));
+    }
+    return manifold;
+}
+// [collide.manifold.half_plane_polygon]
+
+} // namespace
+
+// [collide.manifold]
+Manifold make_manifold(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b,
+                       double margin)
+{
+    const auto* disc_a = std::get_if<Disc>(&a);
+    const auto* disc_b = std::get_if<Disc>(&b);
+    const auto* polygon_a = std::get_if<Polygon>(&a);
+    const auto* polygon_b = std::get_if<Polygon>(&b);
+    if (disc_a && disc_b) return between(*disc_a, world_from_a, *disc_b, world_from_b, margin);
+    if (polygon_a && polygon_b) return between(*polygon_a, world_from_a, *polygon_b, world_from_b, margin);
+    if (polygon_a && disc_b) return between(*polygon_a, world_from_a, *disc_b, world_from_b, margin);
+
+    const auto* plane_a = std::get_if<HalfPlane>(&a);
+    if (plane_a && disc_b) return between(*plane_a, world_from_a, *disc_b, world_from_b, margin);
+    if (plane_a && polygon_b) return between(*plane_a, world_from_a, *polygon_b, world_from_b, margin);
+
+    // What is left has its kinds the other way round
+    const bool is_left = (disc_a && !disc_b) || (polygon_a && std::holds_alternative<HalfPlane>(b));
+    return is_left ? swapped(make_manifold(b, world_from_b, a, world_from_a, margin)) : Manifold{};
+}
+// [collide.manifold]
+
+} // namespace flying

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "collide/contact.hpp"
+#include "geometry/shape.hpp"
+#include "math/rotation.hpp"
+
+namespace flying {
+
+// [collide.manifold.declared]
+/// The points at which two convex shapes touch or overlap, with the normal from A to B.
+///
+/// Two polygons: the axis of greatest separation chooses a reference edge; the edge of the other that faces it most is
+/// clipped to the reference edge's width, and what remains of it makes one or two contacts. Their separations are
+/// measured along the reference edge's normal. Everything else makes one contact, a polygon on a half-plane up to two:
+/// its lowest vertices.
+///
+/// a, b                        discs, convex polygons, half-planes; not two half-planes
+/// world_from_a, world_from_b  where they are
+/// margin                      points further apart than this make no contact, >= 0 [m]
+///
+/// Contact::feature holds, from its lowest bit: whether the vertex is B's, the vertex (15 bits), the edge (16 bits).
+/// Numbers are distinct as long as polygons have fewer than 32768 vertices. 0 where smooth surfaces meet.
+[[nodiscard]] Manifold make_manifold(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b,
+                                     double margin);
+// [collide.manifold.declared]
+
+} // namespace flying

@@ -1,0 +1,135 @@
+#include "collide/separating_axis.hpp"
+
+namespace flying {
+
+// [collide.relative_pose]
+Pose relative_pose(const Pose& world_from_a, const Pose& world_from_b)
+{
+    const Rotation a_from_world = inverse(world_from_a.rotation);
+    const Vec2 offset = world_from_b.position - world_from_a.position;
+    return {a_from_world * offset, a_from_world * world_from_b.rotation};
+}
+// [collide.relative_pose]
+
+namespace {
+
+// [collide.separating_axis.back]
+/// The pose that leads back.
+Pose inverse(const Pose& a_from_b)
+{
+    const Rotation b_from_a = flying::inverse(a_from_b.rotation);
+    return {b_from_a * Vec2(-a_from_b.position), b_from_a};
+}
+// [collide.separating_axis.back]
+
+// [collide.separating_axis.project]
+/// Separation of one vertex of the other polygon from the line of the owner's edge.  [m]
+double separation_of(const Polygon& owner, const Edge& edge, const Vec2& vertex, const Pose& owner_from_other)
+{
+    const Vec2 from_edge = owner_from_other * vertex - owner.vertices()[edge.from];
+    return edge.normal.dot(from_edge);
+}
+// [collide.separating_axis.project]
+
+// [collide.separating_axis.normal]
+/// Normal of the owner's edge in the other's frame.
+Vec2 normal_in_other(const Edge& edge, const Pose& owner_from_other)
+{
+    return flying::inverse(owner_from_other.rotation) * edge.normal;
+}
+// [collide.separating_axis.normal]
+
+// [collide.separating_axis.lowest]
+/// The vertex furthest against a direction.
+int lowest_vertex(const Polygon& polygon, const Vec2& direction)
+{
+    int lowest = 0;
+    double least = direction.dot(polygon.vertices()[0]);
+    for (int v = 1; v < static_cast<int>(polygon.vertices().size()); ++v) {
+        const double height = direction.dot(polygon.vertices()[v]);
+        if (height < least) {
+            least = height;
+            lowest = v;
+        }
+    }
+    return lowest;
+}
+// [collide.separating_axis.lowest]
+
+// [collide.separating_axis.walk]
+/// The axis of greatest separation among the owner's edges. Going round the owner, normals turn one way; so does the
+/// vertex furthest behind, and going round the other once finds it for every edge.
+Axis greatest_of_owner(const Polygon& owner, const Polygon& other, const Pose& owner_from_other)
+{
+    Axis best = axis_of_edge(owner, 0, other, owner_from_other);
+    int vertex = best.vertex;
+    int steps_left = 2 * static_cast<int>(other.vertices().size());
+    for (int k = 1; k < static_cast<int>(owner.edges().size()); ++k) {
+        const Edge& edge = owner.edges()[k];
+
+        // Follow the other's edges as long as they lead further behind
+        const Vec2 normal = normal_in_other(edge, owner_from_other);
+        while (normal.dot(other.edges()[vertex].tangent) < 0.0 && steps_left > 0) {
+            vertex = other.edges()[vertex].to;
+            --steps_left;
+        }
+
+        const double separation = separation_of(owner, edge, other.vertices()[vertex], owner_from_other);
+        if (separation > best.separation) best = {Owner::a, k, vertex, separation};
+    }
+    return best;
+}
+// [collide.separating_axis.walk]
+
+} // namespace
+
+// [collide.separating_axis.edge]
+Axis axis_of_edge(const Polygon& owner, int edge, const Polygon& other, const Pose& owner_from_other)
+{
+    const Edge& side = owner.edges()[edge];
+    const int vertex = lowest_vertex(other, normal_in_other(side, owner_from_other));
+    return {Owner::a, edge, vertex, separation_of(owner, side, other.vertices()[vertex], owner_from_other)};
+}
+// [collide.separating_axis.edge]
+
+// [collide.separating_axis.greatest]
+Axis greatest_separation(const Polygon& a, const Polygon& b, const Pose& a_from_b)
+{
+    const Axis of_a = greatest_of_owner(a, b, a_from_b);
+    Axis of_b = greatest_of_owner(b, a, inverse(a_from_b));
+    of_b.owner = Owner::b;
+    return of_b.separation > of_a.separation ? of_b : of_a;
+}
+// [collide.separating_axis.greatest]
+
+// [collide.separating_axis.find]
+std::optional<Axis> find_separating_axis(const Polygon& a, const Polygon& b, const Pose& a_from_b,
+                                         const std::optional<Axis>& guess)
+{
+    const Pose b_from_a = inverse(a_from_b);
+    const auto try_edge = [&](Owner owner, int edge) {
+        Axis axis = owner == Owner::a ? axis_of_edge(a, edge, b, a_from_b) : axis_of_edge(b, edge, a, b_from_a);
+        axis.owner = owner;
+        return axis;
+    };
+
+    // [collide.separating_axis.find.guess]
+    // What parted the two a moment ago most often parts them still
+    if (guess) {
+        const Axis axis = try_edge(guess->owner, guess->edge);
+        if (axis.separation > 0.0) return axis;
+    }
+    // [collide.separating_axis.find.guess]
+
+    for (const Owner owner : {Owner::a, Owner::b}) {
+        const int count = static_cast<int>(owner == Owner::a ? a.edges().size() : b.edges().size());
+        for (int k = 0; k < count; ++k) {
+            const Axis axis = try_edge(owner, k);
+            if (axis.separation > 0.0) return axis;
+        }
+    }
+    return std::nullopt;
+}
+// [collide.separating_axis.find]
+
+} // namespace flying
