@@ -1,0 +1,82 @@
+#include "broadphase/grid.hpp"
+
+#include <algorithm>
+#include <bit>
+
+namespace flying {
+
+Grid::Grid(double cell_size, int columns, int rows, int bodies)
+    : cell_size_(cell_size), column_mask_(static_cast<std::uint64_t>(columns) - 1),
+      row_mask_(static_cast<std::uint64_t>(rows) - 1), row_shift_(std::countr_zero(static_cast<unsigned>(columns))),
+      head_(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), -1), next_(bodies, -1), cell_of_(bodies),
+      statics_(head_.size())
+{
+}
+
+Cell Grid::cell_at(const Vec2& point) const
+{
+    constexpr double k_farthest = 0x1p50;
+    const auto number = [&](double x) {
+        return static_cast<std::int64_t>(std::clamp(std::floor(x / cell_size_), -k_farthest, k_farthest));
+    };
+    return {number(point.x()), number(point.y())};
+}
+
+// [grid.move]
+void Grid::insert(int body, const Cell& cell)
+{
+    int& head = head_[index(cell)];
+    cell_of_[body] = cell;
+    next_[body] = head;
+    head = body;
+}
+
+void Grid::move(int body, const Cell& to)
+{
+    // Find who points at the body: cells hold one or two
+    int* link = &head_[index(cell_of_[body])];
+    while (*link != body) link = &next_[*link];
+    *link = next_[body];
+    insert(body, to);
+}
+// [grid.move]
+
+// [grid.statics]
+void Grid::insert_static(int body, const Aabb& box, double margin)
+{
+    // A cell's width more on each side, for bodies that stand on a border by rounding
+    const Vec2 reach = Vec2::Constant(margin + cell_size_);
+    const Cell low = cell_at(box.min - reach);
+    const Cell high = cell_at(box.max + reach);
+
+    // A box wider than the torus reaches every column once
+    const std::int64_t last_column = std::min(high.column, low.column + static_cast<std::int64_t>(column_mask_));
+    const std::int64_t last_row = std::min(high.row, low.row + static_cast<std::int64_t>(row_mask_));
+    for (std::int64_t row = low.row; row <= last_row; ++row) {
+        for (std::int64_t column = low.column; column <= last_column; ++column) {
+            statics_[index({column, row})].push_back(body);
+        }
+    }
+}
+// [grid.statics]
+
+// [grid.make]
+Grid make_grid(const Aabb& extent, double largest_radius, int bodies, int movers)
+{
+    constexpr double k_clear = 2.125;    // [radii] a diameter, and room for the rounding of borders
+    constexpr double k_bodies_a_cell = 1.0;
+    const Vec2 size = extent.max - extent.min;
+    const double share = std::sqrt(k_bodies_a_cell * (size.x() * size.y()) / std::max(movers, 1));
+    const double cell_size = std::max(k_clear * largest_radius, share);
+
+    // Powers of two wrap without a division
+    const double most = std::sqrt(4.0 * bodies + 16.0);
+    const auto count = [&](double length) {
+        const double wanted = std::clamp(std::ceil(length / cell_size) + 1.0, 4.0, std::max(4.0, most));
+        return static_cast<int>(std::bit_ceil(static_cast<unsigned>(wanted)));
+    };
+    return Grid(cell_size, count(size.x()), count(size.y()), bodies);
+}
+// [grid.make]
+
+} // namespace flying

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/aabb.hpp"
+
+namespace flying {
+
+/// A square cell of the plane, by column and row; cell (0, 0) has its lower left corner at the origin.
+struct Cell
+{
+    std::int64_t column = 0;
+    std::int64_t row = 0;
+
+    friend bool operator==(const Cell&, const Cell&) = default;
+};
+
+/// Which body lies in which square cell. The plane is wrapped round a torus of cells, so that it has no border: bodies a
+/// whole turn apart share a cell, which costs a needless look and never an overlooked pair.
+///
+/// Two bodies whose centres lie in cells that don't touch are at least one cell size apart; with cells no smaller than the
+/// largest moving body, they can't meet before one of them changes its cell.
+class Grid
+{
+public:
+    /// cell_size  at least the diameter of the largest body that moves, and finite  [m]
+    /// columns, rows  of the torus: powers of two, >= 4
+    /// bodies     how many there are; their ids are 0 ... bodies - 1
+    Grid(double cell_size, int columns, int rows, int bodies);
+
+    [[nodiscard]] double cell_size() const { return cell_size_; }
+
+    /// The cell that holds a point; |coordinates| below 2^50 cells.
+    [[nodiscard]] Cell cell_at(const Vec2& point) const;
+
+    /// Put a body into its first cell.
+    void insert(int body, const Cell& cell);
+    /// Move a body from its cell to another.
+    void move(int body, const Cell& to);
+    [[nodiscard]] const Cell& cell_of(int body) const { return cell_of_[body]; }
+
+    /// Name a static body to all who come within `margin` of its box.
+    /// box     may be infinite in one direction or both
+    /// margin  bounding radius of the largest body that moves  [m]
+    void insert_static(int body, const Aabb& box, double margin);
+
+    /// Static bodies that a body with its centre in this cell may meet.
+    [[nodiscard]] std::span<const int> statics_near(const Cell& cell) const { return statics_[index(cell)]; }
+
+    /// Call visit(other) for every body in this very cell.
+    template <typename Visit>
+    void for_each_in(const Cell& cell, Visit&& visit) const
+    {
+        for (int other = head_[index(cell)]; other >= 0; other = next_[other]) visit(other);
+    }
+
+    /// Call visit(other) for every body in the nine cells about this one.
+    template <typename Visit>
+    void for_each_near(const Cell& cell, Visit&& visit) const
+    {
+        for (std::int64_t row = cell.row - 1; row <= cell.row + 1; ++row) {
+            for (std::int64_t column = cell.column - 1; column <= cell.column + 1; ++column) {
+                for_each_in({column, row}, visit);
+            }
+        }
+    }
+
+private:
+    [[nodiscard]] std::size_t index(const Cell& cell) const
+    {
+        const auto column = static_cast<std::uint64_t>(cell.column) & column_mask_;
+        const auto row = static_cast<std::uint64_t>(cell.row) & row_mask_;
+        return static_cast<std::size_t>((row << row_shift_) | column);
+    }
+
+    double cell_size_;
+    std::uint64_t column_mask_;
+    std::uint64_t row_mask_;
+    int row_shift_;
+    std::vector<int> head_; // first body of each cell, -1 where there is none
+    std::vector<int> next_; // of each body, in its cell
+    std::vector<Cell> cell_of_;
+    std::vector<std::vector<int>> statics_;
+};
+
+/// A grid fit for bodies spread over `extent`: about one body to a cell, no cell smaller than a body.
+/// largest_radius  bounding radius of the largest body that moves [m]
+/// bodies          how many there are
+/// movers          how many of them move
+[[nodiscard]] Grid make_grid(const Aabb& extent, double largest_radius, int bodies, int movers);
+
+} // namespace flying

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "broadphase/grid.hpp"
+#include "toi/prediction.hpp"
+
+namespace flying {
+
+/// When a body leaves its cell, and for which.
+struct CellExit
+{
+    double time = k_never; ///< [s]
+    Cell to;
+};
+
+// [events.cell-exit]
+/// First time, not before `now`, at which a flyer crosses a border of its cell outwards. Only the direction of crossing
+/// counts, so that a body that stands on the border by rounding is not sent back and forth.
+[[nodiscard]] inline CellExit next_cell_exit(const Flyer& flyer, const Cell& cell, double cell_size, double now)
+{
+    CellExit exit;
+    const auto consider = [&](double room, double speed, double acceleration, Cell to) {
+        // `room` is the distance to the border; it falls through zero when the body crosses
+        double time = flyer.state.time + falling_root(room, -speed, -acceleration);
+
+        // A crossing in the past was undone by a later one, or it is still under way
+        if (time < now) {
+            const bool outwards = speed + acceleration * (now - flyer.state.time) > 0.0;
+            time = outwards ? now : k_never;
+        }
+        if (time < exit.time) exit = {time, to};
+    };
+    const auto column = static_cast<double>(cell.column);
+    const auto row = static_cast<double>(cell.row);
+    const Vec2& x = flyer.state.position;
+    const Vec2& v = flyer.state.velocity;
+    const Vec2& a = flyer.acceleration;
+    consider((column + 1.0) * cell_size - x.x(), v.x(), a.x(), {cell.column + 1, cell.row});
+    consider(x.x() - column * cell_size, -v.x(), -a.x(), {cell.column - 1, cell.row});
+    consider((row + 1.0) * cell_size - x.y(), v.y(), a.y(), {cell.column, cell.row + 1});
+    consider(x.y() - row * cell_size, -v.y(), -a.y(), {cell.column, cell.row - 1});
+    return exit;
+}
+// [events.cell-exit]
+
+} // namespace flying

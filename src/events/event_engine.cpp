@@ -1,0 +1,238 @@
+#include "events/event_engine.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "events/stage_timer.hpp"
+#include "math/tolerance.hpp"
+#include "motion/flight.hpp"
+#include "toi/gap_tolerance.hpp"
+
+namespace flying {
+
+EventEngine::EventEngine(std::vector<EventBody> bodies, const EventEngineOptions& options) : options_(options)
+{
+    for (EventBody& body : bodies) {
+        const BodyState& state = body.flyer.state;
+        const bool is_disc = std::holds_alternative<Disc>(body.shape);
+        const Kind kind = body.is_static ? Kind::is_static : is_disc ? Kind::disc : Kind::polygon;
+        rows_.push_back({state.position, state.velocity, state.time, bounding_radius(body.shape), 0, kind});
+        sheets_.push_back({state.angle, state.spin, body.inertia, body.material, 0});
+        if (!body.is_static) acceleration_ = body.flyer.acceleration;
+        if (body.flyer.central) central_ = *body.flyer.central;
+        shapes_.push_back(std::move(body.shape));
+    }
+    set_up_grid();
+    predict_all();
+}
+
+Flyer EventEngine::flyer(int body) const
+{
+    const Row& row = rows_[body];
+    const Sheet& sheet = sheets_[body];
+    const BodyState state{row.position, row.velocity, sheet.angle, sheet.spin, row.time};
+    if (row.kind == Kind::is_static) return {state};
+    return {state, acceleration_, central_ ? &*central_ : nullptr};
+}
+
+Pose EventEngine::pose(int body) const { return {rows_[body].position, Rotation::of(sheets_[body].angle)}; }
+
+/// Bound on the speed of any point of a body.  [m/s]
+double EventEngine::top_speed(int body) const
+{
+    const double spin = sheets_[body].spin;
+    return rows_[body].velocity.norm() + (spin == 0.0 ? 0.0 : std::abs(spin) * rows_[body].radius);
+}
+
+EventEngine::Resume EventEngine::resume() const
+{
+    Resume resume{now_, log_.value(), max_overlap_, {}};
+    for (const Sheet& sheet : sheets_) resume.crowding.push_back(sheet.crowding);
+    return resume;
+}
+
+void EventEngine::go_on_from(const Resume& resume, const std::vector<BodyState>& states)
+{
+    now_ = resume.time;
+    log_ = Hash(resume.log_hash);
+    max_overlap_ = resume.max_overlap;
+    for (std::size_t k = 0; k < sheets_.size(); ++k) sheets_[k].crowding = resume.crowding[k];
+    for (std::size_t k = 0; k < states.size(); ++k) {
+        rows_[k].position = states[k].position;
+        rows_[k].time = states[k].time;
+        set_motion(static_cast<int>(k), states[k].velocity, states[k].spin);
+        sheets_[k].angle = states[k].angle;
+    }
+
+    // Put the bodies into the cells in which they are by now, and foresee all anew
+    queue_.clear();
+    set_up_grid();
+    predict_all();
+}
+
+// [events.advance]
+std::optional<EventFailure> EventEngine::advance(double time, long most)
+{
+    for (long handled = 0; !queue_.empty() && queue_.next().time <= time;) {
+        if (handled == most) return std::nullopt;
+        const Event event = queue_.next();
+        queue_.pop();
+        if (!is_current(event)) {
+            ++counts_.stale;
+            continue;
+        }
+        now_ = std::max(now_, event.time);
+        ++counts_.events;
+        ++handled;
+        if (auto failure = handle(event)) return failure;
+    }
+    now_ = std::max(now_, time);
+    return std::nullopt;
+}
+
+std::optional<EventFailure> EventEngine::handle(const Event& event)
+{
+    switch (event.kind) {
+    case Event::Kind::impact: return handle_impact(event);
+    case Event::Kind::look: handle_look(event); return std::nullopt;
+    case Event::Kind::cell: handle_cell(event); return std::nullopt;
+    }
+    return std::nullopt;
+}
+// [events.advance]
+
+// [events.impact]
+std::optional<EventFailure> EventEngine::handle_impact(const Event& event)
+{
+    const int a = event.a;
+    const int b = event.b;
+    bool ended = true;
+    {
+        const StageTimer timer(options_.seconds, seconds_.impact);
+
+        // Bring the two bodies, and no other, to the moment of the impact
+        const bool a_moved = move_to(a, event.time);
+        const bool b_moved = move_to(b, event.time);
+        if (has_spun_out(a) || has_spun_out(b)) return EventFailure{EventFailure::Kind::spun_out, event.time, a, b};
+        const double touch = find_points(a, b, event.time);
+
+        // Bodies that go nowhere between impacts, or creep into each other, are being crowded
+        const bool creeps = is_creeping(a, b, touch);
+        sheets_[a].crowding = creeps || !a_moved ? sheets_[a].crowding + 1 : 0;
+        sheets_[b].crowding = creeps || !b_moved ? sheets_[b].crowding + 1 : 0;
+
+        // Push them apart
+        const ImpactResult result =
+            resolve_impact({rows_[a].velocity, sheets_[a].spin, sheets_[a].inertia},
+                           {rows_[b].velocity, sheets_[b].spin, sheets_[b].inertia}, points_,
+                           combine(sheets_[a].material, sheets_[b].material));
+        set_motion(a, result.velocity_a, result.spin_a);
+        set_motion(b, result.velocity_b, result.spin_b);
+        ended = result.ended;
+        if (result.any_push) ++counts_.impacts;
+        log_impact(event);
+    }
+    if (!ended) return EventFailure{EventFailure::Kind::unresolved, event.time, a, b};
+
+    constexpr int k_crowd = 1000; // impacts in a row of one body that leave it no room to move
+    const int crowding_a = is_static(a) ? 0 : sheets_[a].crowding;
+    const int crowding_b = is_static(b) ? 0 : sheets_[b].crowding;
+    if (std::max(crowding_a, crowding_b) > k_crowd) {
+        return EventFailure{EventFailure::Kind::crowded, event.time, a, b};
+    }
+
+    predict_after_impact(a, -1);
+    predict_after_impact(b, rows_[a].kind == Kind::is_static ? -1 : a);
+    if (queue_.size() > sweep_at_) sweep_queue();
+    return std::nullopt;
+}
+
+/// Bring a body to a moment; tells whether it went anywhere since its last impact.
+bool EventEngine::move_to(int body, double time)
+{
+    Row& row = rows_[body];
+    if (row.kind == Kind::is_static) return true;
+    const double way = top_speed(body) * (time - row.time);
+
+    const BodyState after = state_at(flyer(body), time);
+    row.position = after.position;
+    row.velocity = after.velocity;
+    row.time = time;
+    sheets_[body].angle = after.angle;
+    return way > tolerance::k_touch * row.radius;
+}
+
+/// The pair approaches no faster than what presses it together brings about within the tolerance of touching: its hops
+/// can't be told from contact that lasts, however fast it slides or rolls.
+bool EventEngine::is_creeping(int a, int b, double touch) const
+{
+    double press = acceleration_.norm();
+    for (const int body : {a, b}) {
+        const double spin = sheets_[body].spin;
+        if (spin != 0.0 && !is_static(body)) press += spin * spin * rows_[body].radius;
+    }
+    double approach = 0.0;
+    for (const ImpactPoint& point : points_) {
+        const Vec2 velocity_a = rows_[a].velocity + cross(sheets_[a].spin, point.r_a);
+        const Vec2 velocity_b = rows_[b].velocity + cross(sheets_[b].spin, point.r_b);
+        approach = std::max(approach, point.normal.dot(velocity_a - velocity_b));
+    }
+    constexpr double k_hop = 16.0; // tolerances of touching
+    return approach * approach <= 2.0 * press * (k_hop * touch);
+}
+
+/// New velocities, which make all that was foreseen of the body stale.
+void EventEngine::set_motion(int body, const Vec2& velocity, double spin)
+{
+    Row& row = rows_[body];
+    if (row.kind == Kind::is_static) return;
+    row.velocity = velocity;
+    sheets_[body].spin = spin;
+    ++row.stamp;
+}
+
+void EventEngine::log_impact(const Event& event)
+{
+    log_.add(static_cast<std::uint64_t>(event.a) << 32 | static_cast<std::uint32_t>(event.b));
+    const Row& a = rows_[event.a];
+    const Row& b = rows_[event.b];
+    const Sheet& sheet_a = sheets_[event.a];
+    const Sheet& sheet_b = sheets_[event.b];
+    log_.add(std::array{event.time, a.position.x(), a.position.y(), a.velocity.x(), a.velocity.y(), sheet_a.angle,
+                        sheet_a.spin, b.position.x(), b.position.y(), b.velocity.x(), b.velocity.y(), sheet_b.angle,
+                        sheet_b.spin});
+}
+// [events.impact]
+
+// [events.points]
+/// All points at which a pair touches at the time of its impact; where rounding hides even the one that was foreseen, the
+/// search is widened until it shows.
+/// Returns the tolerance of touching.  [m]
+double EventEngine::find_points(int a, int b, double time)
+{
+    const double radius_a = std::isinf(rows_[a].radius) ? rows_[b].radius : rows_[a].radius;
+    const double radius_b = std::isinf(rows_[b].radius) ? rows_[a].radius : rows_[b].radius;
+    const double reach = std::max(rows_[a].position.norm(), rows_[b].position.norm());
+    const GapTolerance tolerance = gap_tolerance(std::min(radius_a, radius_b), std::max(radius_a, radius_b), reach,
+                                                 top_speed(a) + top_speed(b), time);
+    const Pose pose_a = pose(a);
+    const Pose pose_b = pose(b);
+    constexpr double k_gather = 16.0; // the depth that a prediction accepts, and rounding on either side of it
+    constexpr double k_widen = 16.0;
+    constexpr int k_most_tries = 8;
+    double slack = k_gather * tolerance.touch;
+    for (int k = 0; k < k_most_tries; ++k, slack *= k_widen) {
+        find_touches(shapes_[a], pose_a, shapes_[b], pose_b, slack, touches_);
+        if (!touches_.empty()) break;
+    }
+    points_.clear();
+    for (const Touch& touch : touches_) {
+        points_.push_back({touch.r_a, touch.r_b, touch.normal});
+        max_overlap_ = std::max(max_overlap_, -touch.separation);
+    }
+    return tolerance.touch;
+}
+// [events.points]
+
+} // namespace flying

@@ -1,0 +1,185 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "broadphase/grid.hpp"
+#include "broadphase/pair_finder.hpp"
+#include "collide/touching.hpp"
+#include "events/event_queue.hpp"
+#include "math/hash.hpp"
+#include "response/impact.hpp"
+#include "toi/predict.hpp"
+
+namespace flying {
+
+/// One body as the event engine is given it.
+struct EventBody
+{
+    Shape shape;
+    Flyer flyer;
+    Inertia inertia;
+    Material material;
+    bool is_static = false; ///< never moves: no velocity, no spin, no acceleration, infinite mass
+};
+
+struct EventEngineOptions
+{
+    PairFinder pair_finder = PairFinder::grid;
+    bool skips_static_pairs = true; ///< static bodies are not compared with each other
+    bool skips_far_features = true; ///< turning features wait until bounding circles meet
+    double (*seconds)() = nullptr;  ///< a clock, lent to measure the stages; null to measure nothing [s]
+};
+
+/// Why an engine can't go on.
+struct EventFailure
+{
+    enum class Kind {
+        crowded,    ///< impacts follow each other without end, with no time between them
+        unresolved, ///< an impact's points could not all be made to part
+        spun_out,   ///< a body turned through so large an angle that its sine is lost
+    };
+    Kind kind = Kind::crowded;
+    double time = 0.0; ///< [s]
+    int a = -1;        ///< the two bodies of the last impact
+    int b = -1;
+};
+
+/// Work done so far, and work left out.
+struct EventCounts
+{
+    long events = 0;               ///< all that were handled
+    long impacts = 0;              ///< in which some point was pushed
+    long cells = 0;                ///< cells left
+    long looks = 0;                ///< pairs looked at again
+    long predictions = 0;          ///< pairs predicted, all told
+    long stale = 0;                ///< events that had been overtaken
+    long static_pairs_skipped = 0;
+    long far_pairs_skipped = 0;    ///< pairs that the grid left alone, compared with all pairs
+    long far_features_skipped = 0; ///< predictions of turning pairs whose bounding circles never meet
+};
+
+/// Seconds spent, where a clock was lent.
+struct EventSeconds
+{
+    double predict = 0.0;
+    double look = 0.0;
+    double impact = 0.0;
+    double cells = 0.0;
+};
+
+/// Moves bodies from event to event. Every body has a clock of its own, set at its last impact, and nothing moves between:
+/// what happens does not depend on who looks, or when.
+///
+/// Bodies must not overlap at their start, beyond touching. Those that move share one acceleration, one centre or none.
+class EventEngine
+{
+public:
+    EventEngine(std::vector<EventBody> bodies, const EventEngineOptions& options);
+
+    /// Handle every event up to `time`, or `most` of them.  [s]
+    [[nodiscard]] std::optional<EventFailure> advance(double time, long most);
+
+    [[nodiscard]] double time() const { return now_; }
+    [[nodiscard]] int body_count() const { return static_cast<int>(rows_.size()); }
+    /// A body's flight since its last impact.
+    [[nodiscard]] Flyer flyer(int body) const;
+    [[nodiscard]] const Shape& shape(int body) const { return shapes_[body]; }
+    [[nodiscard]] const Inertia& inertia(int body) const { return sheets_[body].inertia; }
+    [[nodiscard]] bool is_static(int body) const { return rows_[body].kind == Kind::is_static; }
+
+    [[nodiscard]] std::uint64_t log_hash() const { return log_.value(); }
+    [[nodiscard]] double max_overlap() const { return max_overlap_; }
+    [[nodiscard]] const EventCounts& counts() const { return counts_; }
+    [[nodiscard]] const EventSeconds& seconds() const { return seconds_; }
+    void set_clock(double (*clock)()) { options_.seconds = clock; }
+
+    /// What a later engine needs to go on with the same bits, beside the bodies.
+    struct Resume
+    {
+        double time = 0.0;
+        std::uint64_t log_hash = 0;
+        double max_overlap = 0.0;
+        std::vector<int> crowding;
+    };
+    [[nodiscard]] Resume resume() const;
+    /// states  of the first bodies, each at the time of its last impact; the rest stay as they are
+    void go_on_from(const Resume& resume, const std::vector<BodyState>& states);
+
+private:
+    enum class Kind : std::int32_t { disc, polygon, is_static };
+
+    static constexpr double k_largest_angle = 0x1p53; // beyond it, sine_cosine has no answer [rad]
+
+    /// What predictions read: one line of the fast memory for each body.
+    struct Row
+    {
+        Vec2 position = Vec2::Zero(); // at `time`, like the velocity
+        Vec2 velocity = Vec2::Zero();
+        double time = 0.0;
+        double radius = 0.0; // of the bounding circle; infinite for a half-plane
+        std::uint32_t stamp = 0;
+        Kind kind = Kind::disc;
+    };
+
+    /// What only impacts and turning pairs read.
+    struct Sheet
+    {
+        double angle = 0.0; // at the row's time
+        double spin = 0.0;
+        Inertia inertia;
+        Material material;
+        int crowding = 0; // impacts in a row without room between them
+    };
+
+    [[nodiscard]] bool is_current(const Event& event) const
+    {
+        return event.stamp_a == rows_[event.a].stamp && (event.b < 0 || event.stamp_b == rows_[event.b].stamp);
+    }
+    [[nodiscard]] std::optional<EventFailure> handle(const Event& event);
+    [[nodiscard]] std::optional<EventFailure> handle_impact(const Event& event);
+    void handle_look(const Event& event);
+    void handle_cell(const Event& event);
+
+    void set_up_grid();
+    void predict_all();
+    void predict_after_impact(int body, int partner);
+    template <typename Wants>
+    void predict_partners(int body, const Wants& wants);
+    void predict_pair(int p, int q);
+    void predict_movers(int a, int b);
+    void predict_general(int a, int b, double from, int windows);
+    void predict_cell(int body, double now);
+
+    double find_points(int a, int b, double time);
+    [[nodiscard]] bool is_creeping(int a, int b, double touch) const;
+    bool move_to(int body, double time);
+    [[nodiscard]] bool has_spun_out(int body) const { return !(std::abs(sheets_[body].angle) <= k_largest_angle); }
+    void set_motion(int body, const Vec2& velocity, double spin);
+    void log_impact(const Event& event);
+    [[nodiscard]] double top_speed(int body) const;
+    [[nodiscard]] Pose pose(int body) const;
+    void sweep_queue();
+
+    EventEngineOptions options_;
+    std::vector<Row> rows_;
+    std::vector<Sheet> sheets_;
+    std::vector<Shape> shapes_;
+    std::vector<int> everywhere_;     // static bodies that no cell can hold
+    Vec2 acceleration_ = Vec2::Zero(); // of all that move [m/s^2]
+    std::optional<CentralField> central_; // round whose centre all fly that move
+    std::optional<Grid> grid_;
+    EventQueue queue_;
+    std::size_t sweep_at_ = 0;
+    double now_ = 0.0;
+    double max_overlap_ = 0.0;
+    Hash log_;
+    EventCounts counts_;
+    EventSeconds seconds_;
+    std::vector<Touch> touches_;      // workspace of one impact
+    std::vector<ImpactPoint> points_; // workspace of one impact
+};
+
+} // namespace flying

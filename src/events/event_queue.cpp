@@ -1,0 +1,112 @@
+#include "events/event_queue.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace flying {
+namespace {
+
+/// The standard heap keeps the largest in front. A type rather than a function, so that heaps compile it in.
+struct HappensAfter
+{
+    [[nodiscard]] bool operator()(const Event& p, const Event& q) const { return happens_before(q, p); }
+};
+
+/// Events of one day: few enough for the heap to stay in the fast cache, many enough for the days to be few.
+constexpr std::size_t k_events_a_day = 2048;
+
+} // namespace
+
+// [queue.heap]
+void EventQueue::push_today(const Event& event)
+{
+    today_.push_back(event);
+    std::push_heap(today_.begin(), today_.end(), HappensAfter{});
+}
+
+void EventQueue::pop()
+{
+    if (today_.empty()) turn_page();
+    std::pop_heap(today_.begin(), today_.end(), HappensAfter{});
+    today_.pop_back();
+    --size_;
+}
+// [queue.heap]
+
+// [queue.days]
+void EventQueue::push_later(const Event& event)
+{
+    const double day = day_of(event.time);
+    if (day < static_cast<double>(days_.size())) days_[static_cast<std::size_t>(day)].push_back(event);
+    else far_.push_back(event);
+}
+
+/// Make the next day that holds anything today. Only where not empty.
+void EventQueue::turn_page()
+{
+    while (today_.empty()) {
+        if (next_day_ == days_.size()) {
+            gather_all();
+            lay_out();
+            return;
+        }
+        today_.swap(days_[next_day_]);
+        ++next_day_;
+    }
+    std::make_heap(today_.begin(), today_.end(), HappensAfter{});
+}
+// [queue.days]
+
+// [queue.layout]
+void EventQueue::gather_all()
+{
+    for (std::size_t day = next_day_; day < days_.size(); ++day) {
+        today_.insert(today_.end(), days_[day].begin(), days_[day].end());
+        days_[day].clear();
+    }
+    today_.insert(today_.end(), far_.begin(), far_.end());
+    far_.clear();
+    next_day_ = days_.size();
+}
+
+/// Spread what `today_` holds, all of it, over days of about equal weight.
+void EventQueue::lay_out()
+{
+    size_ = today_.size();
+    days_.clear();
+    next_day_ = 0;
+    if (size_ >= 2 * k_events_a_day) {
+        // The median tells how dense the near half lies
+        std::vector<Event> all;
+        all.swap(today_);
+        const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
+        const auto earlier = [](const Event& p, const Event& q) { return p.time < q.time; };
+        std::nth_element(all.begin(), middle, all.end(), earlier);
+        const double start = std::min_element(all.begin(), middle, earlier)->time;
+        const double half = middle->time - start;
+        const double day_count = static_cast<double>(all.size() / 2) / static_cast<double>(k_events_a_day);
+        days_a_second_ = day_count / half;
+
+        if (std::isfinite(days_a_second_) && days_a_second_ > 0.0) {
+            first_day_starts_ = start;
+            days_.resize(static_cast<std::size_t>(4.0 * day_count) + 1);
+            for (const Event& event : all) push_later(event);
+            turn_page();
+            return;
+        }
+        today_.swap(all);
+    }
+    std::make_heap(today_.begin(), today_.end(), HappensAfter{});
+}
+// [queue.layout]
+
+void EventQueue::clear()
+{
+    today_.clear();
+    days_.clear();
+    far_.clear();
+    next_day_ = 0;
+    size_ = 0;
+}
+
+} // namespace flying

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace flying {
+
+/// Something that will happen, if its bodies are left alone until then.
+struct Event
+{
+    enum class Kind : std::uint32_t {
+        cell,   ///< body a leaves its cell
+        look,   ///< the pair must be looked at again
+        impact, ///< the pair meets
+    };
+
+    double time = 0.0;         ///< [s]
+    int a = -1;                ///< lower id
+    int b = -1;                ///< higher id; -1 for a cell
+    std::uint32_t stamp_a = 0; ///< how often a had been pushed when this was foreseen
+    std::uint32_t stamp_b = 0;
+    Kind kind = Kind::impact;
+};
+
+// [events.order]
+/// The order in which events happen: by time; at one time, what may foresee more impacts before the impacts; then by the
+/// lower id, then by the higher. No two events that count are equal in all of these.
+[[nodiscard]] inline bool happens_before(const Event& p, const Event& q)
+{
+    if (p.time != q.time) return p.time < q.time;
+    const bool p_strikes = p.kind == Event::Kind::impact;
+    const bool q_strikes = q.kind == Event::Kind::impact;
+    if (p_strikes != q_strikes) return q_strikes;
+    if (p.a != q.a) return p.a < q.a;
+    return p.b < q.b;
+}
+// [events.order]
+
+/// Events by the order in which they happen. The near future is a heap; what lies farther off waits in days, unordered,
+/// until its day comes (a calendar: Paul, "A complexity O(1) priority queue for event driven molecular dynamics
+/// simulations", 2007). Events that are overtaken stay until they come up, or until `keep_if` sweeps them out.
+class EventQueue
+{
+public:
+    void push(const Event& event)
+    {
+        // Every event finds its day by the same rounding, so that no two change their order over a midnight
+        if (days_.empty() || day_of(event.time) < static_cast<double>(next_day_)) push_today(event);
+        else push_later(event);
+        ++size_;
+    }
+
+    /// The first event; only where not empty.
+    [[nodiscard]] const Event& next()
+    {
+        if (today_.empty()) turn_page();
+        return today_.front();
+    }
+    void pop();
+
+    [[nodiscard]] bool empty() const { return size_ == 0; }
+    [[nodiscard]] std::size_t size() const { return size_; }
+    void clear();
+
+    /// Drop all events for which keep(event) is false, and fit the days to what is left.
+    template <typename Keep>
+    void keep_if(Keep&& keep)
+    {
+        gather_all();
+        std::size_t kept = 0;
+        for (const Event& event : today_) {
+            if (keep(event)) today_[kept++] = event;
+        }
+        today_.resize(kept);
+        lay_out();
+    }
+
+private:
+    /// Days since the first one, never decreasing with time.
+    [[nodiscard]] double day_of(double time) const { return (time - first_day_starts_) * days_a_second_; }
+    void push_today(const Event& event);
+    void push_later(const Event& event);
+    void turn_page();
+    void gather_all();
+    void lay_out();
+
+    std::vector<Event> today_;             // heap
+    std::vector<std::vector<Event>> days_; // from tomorrow on, all of one length; empty while there is only today
+    std::vector<Event> far_;               // after the last day
+    std::size_t next_day_ = 0;             // tomorrow, in days_
+    double first_day_starts_ = 0.0;        // [s]
+    double days_a_second_ = 0.0;           // [1/s]
+    std::size_t size_ = 0;
+};
+
+} // namespace flying

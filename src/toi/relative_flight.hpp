@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cmath>
+
+#include "motion/flight.hpp"
+#include "toi/prediction.hpp"
+
+namespace flying {
+
+// [toi.relative-flight]
+/// How one body flies as seen from another that doesn't turn. Differences are taken once, so that nothing is lost far
+/// from the world's origin.
+struct RelativeFlight
+{
+    double start = 0.0;                ///< [s]
+    Vec2 offset = Vec2::Zero();        ///< from B's position to A's, at the start [m]
+    Vec2 rate = Vec2::Zero();          ///< velocity of A relative to B, at the start [m/s]
+    Vec2 acceleration = Vec2::Zero();  ///< of A relative to B [m/s^2]
+
+    [[nodiscard]] Vec2 offset_at(double time) const
+    {
+        const double t = time - start;
+        return offset + t * (rate + (0.5 * t) * acceleration);
+    }
+    [[nodiscard]] Vec2 rate_at(double time) const { return rate + (time - start) * acceleration; }
+};
+
+/// Bounds on the relative acceleration, and on its part along a normal; both are exact here.  [m/s^2]
+[[nodiscard]] inline double acceleration_bound(const RelativeFlight& relative) { return relative.acceleration.norm(); }
+[[nodiscard]] inline double acceleration_bound(const RelativeFlight& relative, const Vec2& normal)
+{
+    return std::abs(normal.dot(relative.acceleration));
+}
+
+/// start  common_start of the two, or any other moment  [s]
+[[nodiscard]] inline RelativeFlight relative_flight(const Flyer& a, const Flyer& b, double start)
+{
+    const BodyState at_a = flight(a.state, a.acceleration, start);
+    const BodyState at_b = flight(b.state, b.acceleration, start);
+    return {start, at_a.position - at_b.position, at_a.velocity - at_b.velocity, a.acceleration - b.acceleration};
+}
+// [toi.relative-flight]
+
+// [toi.turning]
+/// How a body turns. One that has no spin has its sines taken once.
+class Turning
+{
+public:
+    explicit Turning(const BodyState& body)
+        : angle_(body.angle), spin_(body.spin), time_(body.time), still_(Rotation::of(body.angle))
+    {
+    }
+
+    [[nodiscard]] Rotation at(double time) const
+    {
+        return spin_ == 0.0 ? still_ : Rotation::of(angle_ + spin_ * (time - time_));
+    }
+    [[nodiscard]] double spin() const { return spin_; }
+
+private:
+    double angle_;
+    double spin_;
+    double time_;
+    Rotation still_;
+};
+// [toi.turning]
+
+} // namespace flying

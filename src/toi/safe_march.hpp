@@ -1,0 +1,103 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "math/roots.hpp"
+#include "toi/gap_tolerance.hpp"
+
+namespace flying {
+
+// [toi.march]
+/// A vertex against an edge at one moment.
+struct EdgeReading
+{
+    double gap = 0.0;        ///< height of the vertex over the edge's line [m]
+    double gap_rate = 0.0;   ///< [m/s]
+    double along = 0.0;      ///< from the edge's start to the foot of the vertex [m]
+    double along_rate = 0.0; ///< [m/s]
+};
+
+/// What bounds one search.
+struct MarchBounds
+{
+    double bend = 0.0;   ///< on the second derivatives of gap and along [m/s^2]
+    double length = 0.0; ///< of the edge; infinite for a wall [m]
+    double depth = 0.0;  ///< how far below the surface still counts as touching it; infinite where nothing is behind it [m]
+    GapTolerance tolerance;
+};
+
+/// The vertex touches the edge.
+[[nodiscard]] inline bool touches(const EdgeReading& now, const MarchBounds& bounds)
+{
+    const double slack = bounds.tolerance.touch;
+    return now.gap <= slack && now.gap >= -bounds.depth && now.along >= -slack && now.along <= bounds.length + slack;
+}
+
+/// The vertex touches the edge and approaches: faster than rounding, or at all where it lies so deep that to wait would
+/// let it sink.
+[[nodiscard]] inline bool strikes(const EdgeReading& now, const MarchBounds& bounds)
+{
+    const bool is_deep = now.gap < -0.5 * bounds.tolerance.touch;
+    return touches(now, bounds) && now.gap_rate < (is_deep ? 0.0 : -bounds.tolerance.approach);
+}
+
+/// A step over which the vertex can't come to touch the edge. Each thing that keeps them apart (height, or standing past
+/// one of the ends) holds for a while of its own, and the longest counts. At least a small step is made where they
+/// touch without approach: one over which the gap changes by less than the tolerance.
+[[nodiscard]] inline double certain_step(const EdgeReading& now, const MarchBounds& bounds)
+{
+    const double slack = bounds.tolerance.touch;
+    double step = 0.0;
+    if (now.gap > 0.0) step = safe_step(now.gap, now.gap_rate, bounds.bend);
+    else if (now.gap < -bounds.depth) step = safe_step(-bounds.depth - now.gap, -now.gap_rate, bounds.bend);
+    else if (now.gap_rate > 0.0) step = safe_step(0.0, now.gap_rate, bounds.bend);
+
+    if (now.along < -slack) step = std::max(step, safe_step(-slack - now.along, -now.along_rate, bounds.bend));
+    const double beyond = now.along - bounds.length;
+    if (beyond > slack) step = std::max(step, safe_step(beyond - slack, now.along_rate, bounds.bend));
+
+    if (now.gap <= slack && now.gap >= -0.5 * slack && now.gap_rate >= -bounds.tolerance.approach) {
+        const double nudge = bounds.bend > 0.0 ? std::sqrt(0.5 * slack / bounds.bend) : k_never;
+        step = std::max(step, nudge);
+    }
+    return step;
+}
+
+/// Where a march ended.
+struct MarchEnd
+{
+    enum class Kind { none, strike, tired };
+    Kind kind = Kind::none;
+    double time = k_never; ///< of the strike, or up to which a tired march has seen nothing [s]
+};
+
+/// First strike of a vertex on an edge in [from, until).
+///
+/// first       the reading at `from`, taken already
+/// read(time)  the reading at a moment of the world's clock
+/// The time found is at or before the root by no more than the rounding of the gap or of the time.
+template <typename Read>
+[[nodiscard]] MarchEnd march(const EdgeReading& first, const Read& read, const MarchBounds& bounds, double from,
+                             double until)
+{
+    constexpr int k_most_steps = 2000;
+    EdgeReading now = first;
+    double time = from;
+    for (int k = 0; k < k_most_steps; ++k) {
+        if (!(time < until)) return {};
+        if (k > 0) now = read(time);
+        const double step = certain_step(now, bounds);
+        const double next = time + step;
+
+        // Stop at a root: the gap, or the time, is at its last digit
+        const bool at_root = now.gap <= bounds.tolerance.noise || next <= next_after(time);
+        if (at_root && strikes(now, bounds)) return {MarchEnd::Kind::strike, time};
+
+        time = std::max(next, next_after(time));
+    }
+    return {MarchEnd::Kind::tired, time};
+}
+// [toi.march]
+
+} // namespace flying

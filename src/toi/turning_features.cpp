@@ -1,0 +1,285 @@
+#include "toi/turning_features.hpp"
+
+#include "math/tolerance.hpp"
+#include "toi/central_flight.hpp"
+
+namespace flying {
+namespace {
+
+/// [touch tolerances] How far below an edge a vertex may lie and still be on it: tolerances differ from window to window,
+/// and what one of them let in must not be behind the edge for the next.
+constexpr double k_depth = 8.0;
+
+// [toi.strike]
+/// Keep the earlier of two ends; of two at one time, the first feature stays.
+void keep_earlier(Strike& strike, const MarchEnd& end, const Feature& feature)
+{
+    if (end.kind != MarchEnd::Kind::none && end.time < strike.time) strike = {end.kind, end.time, feature};
+}
+
+/// Nothing later than this is of interest any more.
+[[nodiscard]] double horizon(const Strike& strike, const Window& window) { return std::min(strike.time, window.until); }
+// [toi.strike]
+
+// [toi.seen]
+/// A point as seen from a turning body: where it is in that body's frame, and how fast it moves there.
+struct Seen
+{
+    Vec2 point = Vec2::Zero();
+    Vec2 rate = Vec2::Zero();
+};
+
+/// offset, rate  of the point relative to the body's position, in the world's frame
+/// spin          of the body [rad/s]
+[[nodiscard]] Seen seen_from(const Rotation& world_from_body, double spin, const Vec2& offset, const Vec2& rate)
+{
+    const Rotation body_from_world = inverse(world_from_body);
+    const Vec2 point = body_from_world * offset;
+    const Vec2 rate_seen = body_from_world * rate - cross(spin, point);
+    return {point, rate_seen};
+}
+
+[[nodiscard]] EdgeReading read_edge(const Seen& seen, const Edge& edge, const Vec2& edge_start)
+{
+    const Vec2 from_start = seen.point - edge_start;
+    return {edge.normal.dot(from_start), edge.normal.dot(seen.rate), edge.tangent.dot(from_start),
+            edge.tangent.dot(seen.rate)};
+}
+// [toi.seen]
+
+// [toi.bend]
+/// Bound on the second derivative of a point of body P as a turning body Q sees it: two bounds hold, the smaller counts.
+///
+/// acceleration  of P relative to Q, its size                     [m/s^2]
+/// speed         bound on the relative speed of their positions   [m/s]
+/// distance      bound on the distance of their positions         [m]
+/// arm           of the point, from P's position                  [m]
+/// spin_p, spin_q                                                 [rad/s]
+[[nodiscard]] double bend_of_point(double acceleration, double speed, double distance, double arm, double spin_p,
+                                   double spin_q)
+{
+    const double p = std::abs(spin_p);
+    const double q = std::abs(spin_q);
+
+    // As a point of its own: its acceleration, and what Coriolis and the centrifugal term add in Q's frame
+    const double as_point = p * p * arm + 2.0 * q * (speed + p * arm) + q * q * (distance + arm);
+
+    // As a position and an arm that turns by the difference of the spins
+    const double turn = spin_p - spin_q;
+    const double as_arm = 2.0 * q * speed + q * q * distance + turn * turn * arm;
+    return (acceleration + std::min(as_point, as_arm)) * (1.0 + tolerance::k_bend_margin);
+}
+// [toi.bend]
+
+/// One polygon whose vertices are looked at, or whose edges are.
+struct Side
+{
+    const Polygon& shape;
+    const Turning& turning;
+    Rotation at_start; ///< of the window
+};
+
+// [toi.in-front]
+/// How long a point stays in front of the edge that it is farthest in front of.  [s]
+[[nodiscard]] double time_in_front(const Seen& seen, const Polygon& polygon, const MarchBounds& bounds)
+{
+    double greatest = bounds.tolerance.touch;
+    const Edge* facing = nullptr;
+    for (const Edge& edge : polygon.edges()) {
+        const double gap = edge.normal.dot(seen.point - polygon.vertices()[edge.from]);
+        if (gap > greatest) {
+            greatest = gap;
+            facing = &edge;
+        }
+    }
+    if (!facing) return 0.0;
+    return safe_step(greatest - bounds.tolerance.touch, facing->normal.dot(seen.rate), bounds.bend);
+}
+// [toi.in-front]
+
+// [toi.vertices-on-edges]
+/// Vertices of P on edges of Q. `sign` is +1 where the relative flight leads from Q to P, -1 where it leads back.
+template <typename Relative>
+void scan_vertices(const Side& p, const Side& q, const Relative& relative, double sign, FeatureKind kind,
+                   const Window& window, Strike& strike)
+{
+    const Vec2 offset = sign * relative.offset_at(window.from);
+    const Vec2 rate = sign * relative.rate_at(window.from);
+    const double acceleration = acceleration_bound(relative);
+    const double spin_p = p.turning.spin();
+    const double spin_q = q.turning.spin();
+    const double distance = offset.norm() + window.speed * (window.until - window.from);
+
+    for (int k = 0; k < static_cast<int>(p.shape.vertices().size()); ++k) {
+        if (p.shape.is_reflex(k)) continue;
+        const Vec2& vertex = p.shape.vertices()[k];
+        const double arm = vertex.norm();
+        const Vec2 r = p.at_start * vertex;
+        const Vec2 point = offset + r;
+        const Vec2 point_rate = rate + cross(spin_p, r);
+
+        // Leave a vertex alone that stays out of the circle about Q
+        const double bend_of_distance = acceleration + spin_p * spin_p * arm;
+        const double reach = point.norm();
+        const double outside = reach - q.shape.radius() * (1.0 + tolerance::k_bounding_margin) - window.tolerance.touch;
+        if (outside > 0.0) {
+            const double clear = safe_step(outside, point.dot(point_rate) / reach, bend_of_distance);
+            if (window.from + clear >= horizon(strike, window)) continue;
+        }
+
+        // Nor one that stays in front of an edge of a convex Q, which lies behind all of its edges
+        const Seen seen = seen_from(q.at_start, spin_q, point, point_rate);
+        MarchBounds bounds;
+        bounds.bend = bend_of_point(acceleration, window.speed, distance, arm, spin_p, spin_q);
+        bounds.depth = k_depth * window.tolerance.touch;
+        bounds.tolerance = window.tolerance;
+        if (q.shape.is_convex() && time_in_front(seen, q.shape, bounds) >= horizon(strike, window) - window.from) continue;
+
+        // March on every edge that the first look doesn't rule out
+        for (const Edge& edge : q.shape.edges()) {
+            const Vec2& edge_start = q.shape.vertices()[edge.from];
+            bounds.length = edge.length;
+            const EdgeReading first = read_edge(seen, edge, edge_start);
+            if (!strikes(first, bounds) && window.from + certain_step(first, bounds) >= horizon(strike, window)) continue;
+
+            const auto read = [&](double time) {
+                const Vec2 r_then = p.turning.at(time) * vertex;
+                const Vec2 point_then = sign * relative.offset_at(time) + r_then;
+                const Vec2 rate_then = sign * relative.rate_at(time) + cross(spin_p, r_then);
+                return read_edge(seen_from(q.turning.at(time), spin_q, point_then, rate_then), edge, edge_start);
+            };
+            keep_earlier(strike, march(first, read, bounds, window.from, horizon(strike, window)),
+                         {kind, k, edge.from});
+        }
+    }
+}
+// [toi.vertices-on-edges]
+
+/// March of the distance between a point and a centre, less a radius. Distance bends upwards by itself, so that the
+/// acceleration alone bounds how fast it can fall.
+template <typename Offset>
+[[nodiscard]] MarchEnd march_distance(const Offset& offset_and_rate, double radius, double acceleration,
+                                      const Window& window, double until)
+{
+    const MarchBounds bounds{acceleration * (1.0 + tolerance::k_bend_margin), k_never, k_never, window.tolerance};
+    const auto read = [&](double time) {
+        const Seen seen = offset_and_rate(time);
+        const double distance = seen.point.norm();
+        return EdgeReading{distance - radius, seen.point.dot(seen.rate) / distance, 0.0, 0.0};
+    };
+    return march(read(window.from), read, bounds, window.from, until);
+}
+
+} // namespace
+
+template <typename Relative>
+Strike first_strike(const Polygon& a, const Turning& turning_a, const Polygon& b, const Turning& turning_b,
+                    const Relative& relative, const Window& window)
+{
+    Strike strike;
+    const Side side_a{a, turning_a, turning_a.at(window.from)};
+    const Side side_b{b, turning_b, turning_b.at(window.from)};
+    scan_vertices(side_a, side_b, relative, 1.0, FeatureKind::vertex_of_a, window, strike);
+    scan_vertices(side_b, side_a, relative, -1.0, FeatureKind::vertex_of_b, window, strike);
+    return strike;
+}
+
+// [toi.disc-on-polygon]
+template <typename Relative>
+Strike first_strike(const Disc& a, const Polygon& b, const Turning& turning_b, const Relative& relative,
+                    const Window& window)
+{
+    Strike strike;
+    const double acceleration = acceleration_bound(relative);
+    const double spin = turning_b.spin();
+    const double distance = relative.offset_at(window.from).norm() + window.speed * (window.until - window.from);
+    MarchBounds bounds;
+    bounds.bend = bend_of_point(acceleration, window.speed, distance, 0.0, 0.0, spin);
+    bounds.depth = k_depth * window.tolerance.touch;
+    bounds.tolerance = window.tolerance;
+
+    const Seen seen = seen_from(turning_b.at(window.from), spin, relative.offset_at(window.from),
+                                relative.rate_at(window.from));
+    for (const Edge& edge : b.edges()) {
+        // The disc's centre against the edge, moved out by the radius
+        bounds.length = edge.length;
+        const Vec2 moved_start = b.vertices()[edge.from] + a.radius * edge.normal;
+        const auto read = [&](double time) {
+            return read_edge(seen_from(turning_b.at(time), spin, relative.offset_at(time), relative.rate_at(time)), edge,
+                             moved_start);
+        };
+        const EdgeReading first = read_edge(seen, edge, moved_start);
+        keep_earlier(strike, march(first, read, bounds, window.from, horizon(strike, window)),
+                     {FeatureKind::vertex_of_a, -1, edge.from});
+
+        // And against the corner at its start
+        if (b.is_reflex(edge.from)) continue;
+        const Vec2& corner = b.vertices()[edge.from];
+        const auto from_corner = [&](double time) {
+            const Vec2 r = turning_b.at(time) * corner;
+            const Vec2 offset = relative.offset_at(time) - r;
+            const Vec2 rate = relative.rate_at(time) - cross(spin, r);
+            return Seen{offset, rate};
+        };
+        const double corner_acceleration = acceleration + spin * spin * corner.norm();
+        keep_earlier(strike,
+                     march_distance(from_corner, a.radius, corner_acceleration, window, horizon(strike, window)),
+                     {FeatureKind::vertex_of_b, edge.from, -1});
+    }
+    return strike;
+}
+// [toi.disc-on-polygon]
+
+template <typename Relative>
+Strike first_strike(const Disc& a, const Disc& b, const Relative& relative, const Window& window)
+{
+    Strike strike;
+    const auto between_centres = [&](double time) { return Seen{relative.offset_at(time), relative.rate_at(time)}; };
+    keep_earlier(strike,
+                 march_distance(between_centres, a.radius + b.radius, acceleration_bound(relative), window, window.until),
+                 {});
+    return strike;
+}
+
+// [toi.polygon-on-wall]
+template <typename Relative>
+Strike first_strike(const Polygon& a, const Turning& turning_a, const HalfPlane& wall, const Relative& relative,
+                    const Window& window)
+{
+    Strike strike;
+    const double spin = turning_a.spin();
+    const double fall = acceleration_bound(relative, wall.normal);
+    for (int k = 0; k < static_cast<int>(a.vertices().size()); ++k) {
+        if (a.is_reflex(k)) continue;
+        const Vec2& vertex = a.vertices()[k];
+        const double bend = (fall + spin * spin * vertex.norm()) * (1.0 + tolerance::k_bend_margin);
+        const MarchBounds bounds{bend, k_never, k_never, window.tolerance};
+        const auto read = [&](double time) {
+            const Vec2 r = turning_a.at(time) * vertex;
+            const double height = wall.normal.dot(relative.offset_at(time)) - wall.offset + wall.normal.dot(r);
+            const Vec2 rate = relative.rate_at(time) + cross(spin, r);
+            return EdgeReading{height, wall.normal.dot(rate), 0.0, 0.0};
+        };
+        keep_earlier(strike, march(read(window.from), read, bounds, window.from, horizon(strike, window)), {FeatureKind::vertex_of_a, k, -1});
+    }
+    return strike;
+}
+// [toi.polygon-on-wall]
+
+// [toi.uniform-searches]
+template Strike first_strike(const Polygon&, const Turning&, const Polygon&, const Turning&, const RelativeFlight&,
+                             const Window&);
+template Strike first_strike(const Disc&, const Polygon&, const Turning&, const RelativeFlight&, const Window&);
+template Strike first_strike(const Disc&, const Disc&, const RelativeFlight&, const Window&);
+template Strike first_strike(const Polygon&, const Turning&, const HalfPlane&, const RelativeFlight&, const Window&);
+// [toi.uniform-searches]
+
+// [toi.central-searches]
+template Strike first_strike(const Polygon&, const Turning&, const Polygon&, const Turning&, const CentralPairFlight&,
+                             const Window&);
+template Strike first_strike(const Disc&, const Polygon&, const Turning&, const CentralPairFlight&, const Window&);
+template Strike first_strike(const Disc&, const Disc&, const CentralPairFlight&, const Window&);
+template Strike first_strike(const Polygon&, const Turning&, const HalfPlane&, const CentralPairFlight&, const Window&);
+// [toi.central-searches]
+
+} // namespace flying
