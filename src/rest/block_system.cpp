@@ -1,0 +1,224 @@
+#include "rest/block_system.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/OrderingMethods>
+#include <Eigen/SparseCore>
+
+namespace flying {
+namespace {
+
+/// target -= a b
+void subtract_product(Block& target, const Block& a, const Block& b)
+{
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+            const double first = a.at[3 * i] * b.at[j];
+            const double second = a.at[3 * i + 1] * b.at[3 + j];
+            const double third = a.at[3 * i + 2] * b.at[6 + j];
+            target.at[3 * i + j] -= (first + second) + third;
+        }
+    }
+}
+
+/// x -= a y
+void subtract_product(double* x, const Block& a, const double* y)
+{
+    for (int i = 0; i < 3; ++i) {
+        const double first = a.at[3 * i] * y[0];
+        const double second = a.at[3 * i + 1] * y[1];
+        const double third = a.at[3 * i + 2] * y[2];
+        x[i] -= (first + second) + third;
+    }
+}
+
+// [rest.block.eliminate]
+/// Replaces a block by its factors: below the diagonal those of the elimination, on and above it what is left. An
+/// explicit inverse would lose what rounding leaves of blocks that hold both masses and stiff points.
+[[nodiscard]] bool eliminate(Block& m)
+{
+    double* at = m.at;
+    if (!(std::abs(at[0]) > 0.0)) return false;
+    at[3] /= at[0];
+    at[6] /= at[0];
+    at[4] -= at[3] * at[1];
+    at[5] -= at[3] * at[2];
+    at[7] -= at[6] * at[1];
+    at[8] -= at[6] * at[2];
+    if (!(std::abs(at[4]) > 0.0)) return false;
+    at[7] /= at[4];
+    at[8] -= at[7] * at[5];
+    return std::abs(at[8]) > 0.0;
+}
+
+/// a := a m^-1, with m eliminated.
+void divide_right(Block& a, const Block& m)
+{
+    const double* at = m.at;
+    for (int i = 0; i < 3; ++i) {
+        double* row = a.at + 3 * i;
+        row[0] /= at[0];
+        row[1] = (row[1] - row[0] * at[1]) / at[4];
+        row[2] = ((row[2] - row[0] * at[2]) - row[1] * at[5]) / at[8];
+        row[1] -= row[2] * at[7];
+        row[0] = (row[0] - row[1] * at[3]) - row[2] * at[6];
+    }
+}
+
+/// x := m^-1 x, with m eliminated.
+void divide_left(const Block& m, double* x)
+{
+    const double* at = m.at;
+    x[1] -= at[3] * x[0];
+    x[2] = (x[2] - at[6] * x[0]) - at[7] * x[1];
+    x[2] /= at[8];
+    x[1] = (x[1] - at[5] * x[2]) / at[4];
+    x[0] = ((x[0] - at[1] * x[1]) - at[2] * x[2]) / at[0];
+}
+// [rest.block.eliminate]
+
+} // namespace
+
+// [rest.block.order]
+void BlockSystem::order(int count, std::span<const Edge> edges)
+{
+    rank_.resize(count);
+    body_.resize(count);
+
+    // A group of a few needs no search
+    if (count <= 4) {
+        for (int k = 0; k < count; ++k) rank_[k] = body_[k] = k;
+        return;
+    }
+
+    // Eliminate first who has the fewest neighbours left (approximate minimum degree)
+    std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(2 * edges.size() + count);
+    for (int k = 0; k < count; ++k) entries.emplace_back(k, k, 1.0);
+    for (const Edge& edge : edges) {
+        entries.emplace_back(edge.first, edge.second, 1.0);
+        entries.emplace_back(edge.second, edge.first, 1.0);
+    }
+    Eigen::SparseMatrix<double> pattern(count, count);
+    pattern.setFromTriplets(entries.begin(), entries.end());
+    Eigen::AMDOrdering<int>::PermutationType permutation;
+    Eigen::AMDOrdering<int>()(pattern, permutation);
+    for (int k = 0; k < count; ++k) {
+        body_[k] = permutation.indices()[k];
+        rank_[body_[k]] = k;
+    }
+}
+// [rest.block.order]
+
+// [rest.block.fill]
+void BlockSystem::fill_in(int count, std::span<const Edge> edges)
+{
+    // Start from who touches whom
+    if (static_cast<int>(columns_.size()) < count) columns_.resize(count);
+    for (int k = 0; k < count; ++k) columns_[k].clear();
+    for (const Edge& edge : edges) {
+        const int low = std::min(rank_[edge.first], rank_[edge.second]);
+        const int high = std::max(rank_[edge.first], rank_[edge.second]);
+        columns_[low].push_back(high);
+    }
+
+    // Eliminating a body couples all its later neighbours: they join the column of the first of them
+    start_.assign(1, 0);
+    row_.clear();
+    for (int k = 0; k < count; ++k) {
+        std::vector<int>& column = columns_[k];
+        std::sort(column.begin(), column.end());
+        column.erase(std::unique(column.begin(), column.end()), column.end());
+        row_.insert(row_.end(), column.begin(), column.end());
+        start_.push_back(static_cast<int>(row_.size()));
+        if (column.size() < 2) continue;
+        std::vector<int>& heir = columns_[column.front()];
+        heir.insert(heir.end(), column.begin() + 1, column.end());
+    }
+}
+// [rest.block.fill]
+
+int BlockSystem::find(int column, int row) const
+{
+    const auto begin = row_.begin() + start_[column];
+    return static_cast<int>(std::lower_bound(begin, row_.begin() + start_[column + 1], row) - row_.begin());
+}
+
+void BlockSystem::set_pattern(int count, std::span<const Edge> edges)
+{
+    order(count, edges);
+    fill_in(count, edges);
+    diagonal_.resize(count);
+    blocks_.resize(2 * row_.size());
+    work_.resize(3 * static_cast<std::size_t>(count));
+    places_.clear();
+    for (const Edge& edge : edges) {
+        const int first = rank_[edge.first];
+        const int second = rank_[edge.second];
+        const int entry = find(std::min(first, second), std::max(first, second));
+        // Block 2 i couples the later equation to the earlier unknown
+        if (first > second) places_.push_back({2 * entry, 2 * entry + 1});
+        else places_.push_back({2 * entry + 1, 2 * entry});
+    }
+}
+
+void BlockSystem::clear()
+{
+    std::fill(diagonal_.begin(), diagonal_.end(), Block{});
+    std::fill(blocks_.begin(), blocks_.end(), Block{});
+}
+
+// [rest.block.factorise]
+bool BlockSystem::factorise()
+{
+    const int count = static_cast<int>(diagonal_.size());
+    for (int k = 0; k < count; ++k) {
+        if (!eliminate(diagonal_[k])) return false;
+        for (int i = start_[k]; i < start_[k + 1]; ++i) divide_right(blocks_[2 * i], diagonal_[k]);
+        for (int i = start_[k]; i < start_[k + 1]; ++i) {
+            const int row = row_[i];
+            subtract_product(diagonal_[row], blocks_[2 * i], blocks_[2 * i + 1]);
+
+            // Walk down this column and that of the row together: the first is part of the second
+            int target = start_[row];
+            for (int j = i + 1; j < start_[k + 1]; ++j) {
+                while (row_[target] != row_[j]) ++target;
+                subtract_product(blocks_[2 * target + 1], blocks_[2 * i], blocks_[2 * j + 1]);
+                subtract_product(blocks_[2 * target], blocks_[2 * j], blocks_[2 * i + 1]);
+            }
+        }
+    }
+    return true;
+}
+// [rest.block.factorise]
+
+// [rest.block.solve]
+void BlockSystem::solve(std::span<double> x)
+{
+    const int count = static_cast<int>(diagonal_.size());
+    for (int k = 0; k < count; ++k) {
+        for (int i = 0; i < 3; ++i) work_[3 * k + i] = x[3 * body_[k] + i];
+    }
+
+    // Downwards: take off what those before have found
+    for (int k = 0; k < count; ++k) {
+        for (int i = start_[k]; i < start_[k + 1]; ++i) {
+            subtract_product(&work_[3 * row_[i]], blocks_[2 * i], &work_[3 * k]);
+        }
+    }
+
+    // Upwards: take off what those after have found, and divide
+    for (int k = count - 1; k >= 0; --k) {
+        for (int i = start_[k]; i < start_[k + 1]; ++i) {
+            subtract_product(&work_[3 * k], blocks_[2 * i + 1], &work_[3 * row_[i]]);
+        }
+        divide_left(diagonal_[k], &work_[3 * k]);
+    }
+    for (int k = 0; k < count; ++k) {
+        for (int i = 0; i < 3; ++i) x[3 * body_[k] + i] = work_[3 * k + i];
+    }
+}
+// [rest.block.solve]
+
+} // namespace flying

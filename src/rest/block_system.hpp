@@ -1,0 +1,72 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace flying {
+
+/// A 3 x 3 matrix, row by row.
+struct Block
+{
+    double at[9] = {0.0};
+};
+
+/// Square systems of equations whose unknowns come in threes, one three for each body of a group, and whose blocks
+/// couple only those bodies that touch. Factorised without pivoting between blocks (the blocks on the diagonal hold the
+/// masses and dominate), in an order that keeps the factors sparse.
+///
+/// Call `set_pattern` once for a group, then fill `diagonal` and `lower`/`upper`, `factorise`, `solve`.
+class BlockSystem
+{
+public:
+    /// count  bodies
+    /// edges  pairs of bodies that touch, first below second; repeated ones allowed
+    struct Edge
+    {
+        int first = 0;
+        int second = 0;
+    };
+    void set_pattern(int count, std::span<const Edge> edges);
+
+    /// Blocks that a pair of bodies adds to: of the equations of `first` on `second`, and the other way round.
+    struct Place
+    {
+        int first_second = 0; ///< index for `block`
+        int second_first = 0; ///< index for `block`
+    };
+    /// Where edge number k of `set_pattern` stands.
+    [[nodiscard]] const Place& place(int edge) const { return places_[edge]; }
+
+    void clear();
+    [[nodiscard]] Block& diagonal(int body) { return diagonal_[rank_[body]]; }
+    [[nodiscard]] Block& block(int index) { return blocks_[index]; }
+
+    /// False where a block on the diagonal is singular.
+    [[nodiscard]] bool factorise();
+
+    /// Replaces right-hand sides, three numbers for each body, by the unknowns.
+    void solve(std::span<double> x);
+
+    /// Blocks beside the diagonal, fill included: the measure of the work.
+    [[nodiscard]] std::size_t size() const { return row_.size(); }
+
+private:
+    void order(int count, std::span<const Edge> edges);
+    void fill_in(int count, std::span<const Edge> edges);
+    [[nodiscard]] int find(int column, int row) const;
+
+    // Everything below is in order of elimination. Column k holds rows row_[start_[k]] ... , sorted; block 2 i of
+    // `blocks_` is (row_[i], k) and block 2 i + 1 is (k, row_[i])
+    std::vector<int> rank_;
+    std::vector<int> body_;
+    std::vector<int> start_;
+    std::vector<int> row_;
+    std::vector<Block> diagonal_;
+    std::vector<Block> blocks_;
+    std::vector<Place> places_;
+    std::vector<double> work_;
+    std::vector<std::vector<int>> columns_; // workspace of the symbolic part
+    std::vector<int> mark_;
+};
+
+} // namespace flying

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstdint>
+
+namespace flying {
+
+// [rest.mover]
+/// What the solver knows of a body: how it moves, and how it resists. A static body has both inverses zero and never
+/// moves, so that no push needs to ask.
+struct Mover
+{
+    double v_x = 0.0;        ///< [m/s]
+    double v_y = 0.0;        ///< [m/s]
+    double spin = 0.0;       ///< [rad/s]
+    double inv_mass = 0.0;   ///< [1/kg]
+    double inv_moment = 0.0; ///< about the centre of mass [1/(kg m^2)]
+};
+// [rest.mover]
+
+// [rest.contact_point]
+/// One point at which two bodies lean on each other, or might before the step ends. Normal n from A to B; tangent: n
+/// turned a quarter counter-clockwise. The arm of a push along n is r x n, that of one along the tangent r . n.
+struct ContactPoint
+{
+    int a = 0;
+    int b = 0;
+    int pair = 0;              ///< the engine's pair that it belongs to
+    std::uint32_t feature = 0; ///< its name within the pair
+    double n_x = 0.0;          ///< unit normal
+    double n_y = 0.0;
+    double normal_arm_a = 0.0;  ///< r_a x n [m]
+    double normal_arm_b = 0.0;  ///< r_b x n [m]
+    double tangent_arm_a = 0.0; ///< r_a . n [m]
+    double tangent_arm_b = 0.0; ///< r_b . n [m]
+    double normal_mass = 0.0;   ///< effective mass along the normal [kg]
+    double tangent_mass = 0.0;  ///< effective mass along the tangent [kg]
+    double friction = 0.0;      ///< mu of the pair
+    double restitution = 0.0;   ///< e of the pair
+    double gap = 0.0;           ///< at the start of the step, negative where the two overlap [m]
+    double bound = 0.0;         ///< least normal velocity with which the step may end [m/s]
+    double normal = 0.0;        ///< impulse along the normal, >= 0 [N s]
+    double tangent = 0.0;       ///< impulse along the tangent, at most mu times the normal one [N s]
+    double fall = 0.0;          ///< normal acceleration of B relative to A that is expected [m/s^2]
+    double impact = 0.0;        ///< of the normal impulse, what ends an approach and throws back, at one moment [N s]
+    double left = 0.0;          ///< from that moment to the end of the step [s]
+};
+// [rest.contact_point]
+
+// [rest.speeds]
+/// Normal velocity of B relative to A.  [m/s]
+[[nodiscard]] inline double normal_speed(const ContactPoint& c, const Mover& a, const Mover& b)
+{
+    const double shift = c.n_x * (b.v_x - a.v_x) + c.n_y * (b.v_y - a.v_y);
+    return shift + (b.spin * c.normal_arm_b - a.spin * c.normal_arm_a);
+}
+
+/// Tangential velocity of B relative to A.  [m/s]
+[[nodiscard]] inline double tangent_speed(const ContactPoint& c, const Mover& a, const Mover& b)
+{
+    const double shift = c.n_x * (b.v_y - a.v_y) - c.n_y * (b.v_x - a.v_x);
+    return shift + (b.spin * c.tangent_arm_b - a.spin * c.tangent_arm_a);
+}
+// [rest.speeds]
+
+// [rest.push]
+/// Push B by j along the normal and q along the tangent, and A by as much the other way.  [N s]
+inline void push(const ContactPoint& c, double j, double q, Mover& a, Mover& b)
+{
+    const double p_x = j * c.n_x - q * c.n_y;
+    const double p_y = j * c.n_y + q * c.n_x;
+    a.v_x -= a.inv_mass * p_x;
+    a.v_y -= a.inv_mass * p_y;
+    a.spin -= a.inv_moment * (j * c.normal_arm_a + q * c.tangent_arm_a);
+    b.v_x += b.inv_mass * p_x;
+    b.v_y += b.inv_mass * p_y;
+    b.spin += b.inv_moment * (j * c.normal_arm_b + q * c.tangent_arm_b);
+}
+// [rest.push]
+
+} // namespace flying

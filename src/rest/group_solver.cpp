@@ -1,0 +1,372 @@
+#include "rest/group_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "rest/push_lines.hpp"
+#include "rest/rest_tolerance.hpp"
+#include "rest/sweeps.hpp"
+
+namespace flying {
+namespace {
+
+/// Newton's steps until the pieces must have been found, and corrections of what rounding leaves.
+constexpr int k_newton_steps = 20;
+/// [worst approach] A point that parts more slowly may still bear.
+constexpr double k_may_bear = 0.25;
+constexpr int k_corrections = 48;
+/// Factorisations that one solve may take, and sweeps that follow where they didn't do.
+constexpr long k_budget = 60;
+constexpr int k_last_sweeps = 64;
+/// Stiffness of the first descents; softer points leave more to the next.
+constexpr double k_descent_stiffness = 0x1p20;
+constexpr double k_stiffer = 0x1p6;
+constexpr double k_softer = 0x1p-4;
+constexpr double k_stiffest = 0x1p40;
+
+/// The most that an impulse changes the velocity of the lightest it pushes.  [m/s]
+[[nodiscard]] double greatest_push(std::span<const ContactPoint> points)
+{
+    double greatest = 0.0;
+    for (const ContactPoint& c : points) greatest = std::max(greatest, c.normal / c.normal_mass);
+    return greatest;
+}
+
+/// What rounding leaves of the content of a group: in proportion to what its greatest impulse does to the lightest it
+/// pushes, for each body through which the load goes.
+[[nodiscard]] double rounding_of(std::span<const ContactPoint> points, std::size_t members)
+{
+    return rest_tolerance::k_content * static_cast<double>(members) * greatest_push(points);
+}
+
+/// block += factor p q^T for the change of a body's motion by a push along each of two lines
+void add_product(Block& block, double factor, const double* p, const double* q)
+{
+    for (int i = 0; i < 3; ++i) {
+        const double row = factor * p[i];
+        for (int j = 0; j < 3; ++j) block.at[3 * i + j] += row * q[j];
+    }
+}
+
+} // namespace
+
+void GroupSolver::prepare(std::span<const int> members, std::span<const ContactPoint> points, std::size_t movers)
+{
+    // Number the members, and find who is coupled to whom
+    if (local_.size() < movers) local_.resize(movers, -1);
+    members_.assign(members.begin(), members.end());
+    for (std::size_t k = 0; k < members.size(); ++k) local_[members[k]] = static_cast<int>(k);
+    edges_.clear();
+    edge_of_.resize(points.size());
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        const int first = local_[points[k].a];
+        const int second = local_[points[k].b];
+        edge_of_[k] = -1;
+        if (first < 0 || second < 0) continue;
+        const bool same = !edges_.empty() && edges_.back().first == first && edges_.back().second == second;
+        if (!same) edges_.push_back({first, second});
+        edge_of_[k] = static_cast<int>(edges_.size()) - 1;
+    }
+    system_.set_pattern(static_cast<int>(members.size()), edges_);
+    delta_.resize(3 * members.size());
+    slip_.resize(2 * points.size());
+    impulse_.resize(2 * points.size());
+    mode_.resize(points.size());
+    mode_factorised_.resize(points.size());
+    grips_.assign(points.size(), 0);
+    factorised_ = false;
+}
+
+void GroupSolver::restore_free(std::span<Mover> movers, std::span<const int> members) const
+{
+    for (std::size_t k = 0; k < members.size(); ++k) movers[members[k]] = free_[k];
+}
+
+void GroupSolver::settle_for_sweeps(std::span<Mover> movers, std::span<ContactPoint> points)
+{
+    // From the best that was met; sweeps never do work, whatever they leave
+    sweep_points_.clear();
+    for (const ContactPoint& c : points) sweep_points_.push_back(sweep_point(c));
+    for (int k = 0; k < k_last_sweeps; ++k) {
+        if (k % 2 == 0) sweep(sweep_points_, movers);
+        else sweep_back(sweep_points_, movers);
+    }
+    counts_.sweeps += k_last_sweeps;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        points[k].normal = sweep_points_[k].normal;
+        points[k].tangent = sweep_points_[k].tangent;
+    }
+}
+
+// [rest.group.sweeps]
+void GroupSolver::sweep_group(std::span<Mover> movers, std::span<const int> members, std::span<ContactPoint> points,
+                              const SweepPlan& plan, std::span<Mover> pushed)
+{
+    warm_start(points, movers);
+    sweep_points_.clear();
+    for (const ContactPoint& c : points) {
+        sweep_points_.push_back(sweep_point(c));
+        if (c.gap < -plan.overlap_kept) {
+            SweepPoint& point = sweep_points_.back();
+            point.bound = std::max(point.bound, plan.push_rate * (-c.gap - plan.overlap_kept));
+        }
+    }
+
+    // With overlap pushed apart, for the places
+    for (int k = 0; k < plan.sweeps; ++k) {
+        if (k % 2 == 0) sweep(sweep_points_, movers);
+        else sweep_back(sweep_points_, movers);
+    }
+    for (const int member : members) pushed[member] = movers[member];
+
+    // Without, for the velocities
+    for (std::size_t k = 0; k < points.size(); ++k) sweep_points_[k].bound = points[k].bound;
+    for (int k = 0; k < plan.calming_sweeps; ++k) {
+        if (k % 2 == 0) sweep_back(sweep_points_, movers);
+        else sweep(sweep_points_, movers);
+    }
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        points[k].normal = sweep_points_[k].normal;
+        points[k].tangent = sweep_points_[k].tangent;
+    }
+    counts_.sweeps += plan.sweeps + plan.calming_sweeps;
+    ++counts_.unsolved;
+}
+// [rest.group.sweeps]
+
+// [rest.group.solve]
+bool GroupSolver::solve(std::span<Mover> movers, std::span<const int> members, std::span<ContactPoint> points,
+                        double tolerance)
+{
+    free_.clear();
+    for (const int member : members) free_.push_back(movers[member]);
+
+    // What was right in the step before most often is right still
+    warm_start(points, movers);
+    if (worst_complaint(points, movers) <=
+        rest_tolerance::k_stagnant * std::max(tolerance, rounding_of(points, members.size()))) {
+        ++counts_.accepted;
+        return true;
+    }
+
+    // Solve for all at once, again and again: each time from the impulses that the last solve found
+    prepare(members, points, movers.size());
+    bool content = false;
+    double before = worst_complaint(points, movers);
+    double best = before;
+    kept_.assign(points.begin(), points.end());
+    bool bold = true;
+    bool swept = false;
+    double descent_stiffness = k_descent_stiffness;
+    const long budget = counts_.factorisations + k_budget;
+    for (int k = 0; k < k_corrections && !content && counts_.factorisations < budget; ++k) {
+        measure_slips(movers, points);
+        stiffness_ = rest_tolerance::k_stiffness;
+        const bool found = bold && newton(movers, points);
+        if (!found && !swept) {
+            // Small groups are swept to rounding in no time, and others nearer to where Newton's method works
+            settle_for_sweeps(movers, points);
+            swept = true;
+            bold = true;
+            before = worst_complaint(points, movers);
+            content = before <= rest_tolerance::k_stagnant * std::max(tolerance, rounding_of(points, members.size()));
+            if (before < best || content) {
+                best = before;
+                kept_.assign(points.begin(), points.end());
+            }
+            continue;
+        }
+        if (!found) {
+            stiffness_ = descent_stiffness;
+            factorised_ = false;
+            const bool settled = descend(movers, points);
+            descent_stiffness =
+                settled ? std::min(descent_stiffness * k_stiffer, k_stiffest) : descent_stiffness * k_softer;
+            if (!settled) continue;
+        }
+        swept = false;
+
+        // Take the trial's impulses, and from them the velocities anew
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            points[i].normal = impulse_[2 * i];
+            points[i].tangent = impulse_[2 * i + 1];
+        }
+        restore_free(movers, members);
+        warm_start(points, movers);
+        const double now = worst_complaint(points, movers);
+        const double rounding = std::max(tolerance, rounding_of(points, members.size()));
+        content = now <= rounding || (now >= 0.5 * before && now <= rest_tolerance::k_stagnant * rounding);
+        if (now < best || content) {
+            best = now;
+            kept_.assign(points.begin(), points.end());
+        }
+        bold = now < 0x1p-6 * before;
+        before = now;
+    }
+    if (!content || best != before) {
+        std::copy(kept_.begin(), kept_.end(), points.begin());
+        restore_free(movers, members);
+        warm_start(points, movers);
+    }
+    if (!content) settle_for_sweeps(movers, points);
+    for (const int member : members) local_[member] = -1;
+    ++(content ? counts_.solved : counts_.unsolved);
+    return content;
+}
+// [rest.group.solve]
+
+// [rest.group.newton]
+void GroupSolver::measure_slips(std::span<const Mover> movers, std::span<const ContactPoint> points)
+{
+    // All that follows is in changes from here, so that rounding takes its share of the changes only
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        const ContactPoint& c = points[k];
+        slip_[2 * k] = normal_speed(c, movers[c.a], movers[c.b]) - c.bound;
+        slip_[2 * k + 1] = tangent_speed(c, movers[c.a], movers[c.b]);
+    }
+}
+
+// [rest.group.guess]
+void GroupSolver::guess(std::span<const ContactPoint> points)
+{
+    // Whoever does not part clearly may bear, and holds; it is easier to let go of some than to find all one by one
+    double worst = 0.0;
+    for (std::size_t k = 0; k < points.size(); ++k) worst = std::max(worst, -slip_[2 * k]);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        const ContactPoint& c = points[k];
+        const bool bears = c.normal > 0.0 || slip_[2 * k] <= k_may_bear * worst;
+        mode_[k] = bears ? Mode::stuck : Mode::apart;
+        if (bears && c.tangent >= c.friction * c.normal && (c.friction == 0.0 || c.tangent > 0.0))
+            mode_[k] = Mode::slips_backwards;
+        if (bears && -c.tangent >= c.friction * c.normal && c.tangent < 0.0) mode_[k] = Mode::slips_forwards;
+    }
+}
+// [rest.group.guess]
+
+bool GroupSolver::newton(std::span<const Mover> movers, std::span<const ContactPoint> points)
+{
+    guess(points);
+    for (int step = 0; step < k_newton_steps; ++step) {
+        if (!assemble(movers, points, Cone::whole)) return false;
+        imbalance(points);
+        system_.solve(delta_);
+
+        // Where all points do as the pieces say, the pieces were right
+        if (!try_points(points)) return true;
+    }
+    return false;
+}
+// [rest.group.newton]
+
+// [rest.group.trial]
+bool GroupSolver::try_points(std::span<const ContactPoint> points)
+{
+    static constexpr double k_still[3] = {0.0, 0.0, 0.0};
+    bool any_change = false;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        const ContactPoint& c = points[k];
+        const double* of_a = local_[c.a] >= 0 ? &delta_[3 * local_[c.a]] : k_still;
+        const double* of_b = local_[c.b] >= 0 ? &delta_[3 * local_[c.b]] : k_still;
+        const Line n = normal_line(c);
+        const double approach = slip_[2 * k] + (along(n.a, of_a) + along(n.b, of_b));
+        const double normal = c.normal - (stiffness_ * c.normal_mass) * approach;
+
+        Mode mode = Mode::apart;
+        double tangent = 0.0;
+        if (normal > 0.0) {
+            const Line t = tangent_line(c);
+            const double slip = slip_[2 * k + 1] + (along(t.a, of_a) + along(t.b, of_b));
+            tangent = c.tangent - (stiffness_ * c.tangent_mass) * slip;
+            const double most = c.friction * normal;
+            mode = Mode::stuck;
+            if (tangent > most || c.friction == 0.0) {
+                mode = Mode::slips_backwards;
+                tangent = most;
+            } else if (tangent < -most) {
+                mode = Mode::slips_forwards;
+                tangent = -most;
+            }
+        }
+        // Between nothing and slip, and between slip and slip the other way, lies holding
+        const Mode last = mode_[k];
+        const bool from_slip = last == Mode::slips_forwards || last == Mode::slips_backwards;
+        const bool to_slip = mode == Mode::slips_forwards || mode == Mode::slips_backwards;
+        any_change = any_change || mode != last;
+        if (mode != last && to_slip && (from_slip || last == Mode::apart) && c.friction > 0.0) mode = Mode::stuck;
+        mode_[k] = mode;
+        impulse_[2 * k] = std::max(normal, 0.0);
+        impulse_[2 * k + 1] = tangent;
+    }
+    return any_change;
+}
+// [rest.group.trial]
+
+// [rest.group.assemble]
+bool GroupSolver::assemble(std::span<const Mover> movers, std::span<const ContactPoint> points, Cone cone)
+{
+    if (cone == Cone::whole && factorised_ && mode_ == mode_factorised_) return true;
+    system_.clear();
+    for (std::size_t k = 0; k < members_.size(); ++k) {
+        Block& block = system_.diagonal(static_cast<int>(k));
+        block.at[0] = block.at[4] = 1.0 / movers[members_[k]].inv_mass;
+        block.at[8] = 1.0 / movers[members_[k]].inv_moment;
+    }
+
+    // A point that bears is a stiff spring along its normal; one that sticks, along its tangent too; one that slips
+    // pushes along its tangent what the spring of the normal says
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        const ContactPoint& c = points[k];
+        const bool grips = cone == Cone::frozen ? grips_[k] != 0 : mode_[k] == Mode::stuck;
+        if (mode_[k] == Mode::apart && !grips) continue;
+        const Line n = normal_line(c);
+        const Line t = tangent_line(c);
+        const double stiffness_n = mode_[k] == Mode::apart ? 0.0 : stiffness_ * c.normal_mass;
+        Line left = n;
+        if (cone == Cone::whole && !grips) {
+            const double share = mode_[k] == Mode::slips_backwards ? c.friction : -c.friction;
+            add(left.a, share, t.a);
+            add(left.b, share, t.b);
+        }
+        const double stiffness_t = grips ? stiffness_ * c.tangent_mass : 0.0;
+        const int a = local_[c.a];
+        const int b = local_[c.b];
+        if (a >= 0) add_product(system_.diagonal(a), stiffness_n, left.a, n.a);
+        if (a >= 0 && stiffness_t > 0.0) add_product(system_.diagonal(a), stiffness_t, t.a, t.a);
+        if (b >= 0) add_product(system_.diagonal(b), stiffness_n, left.b, n.b);
+        if (b >= 0 && stiffness_t > 0.0) add_product(system_.diagonal(b), stiffness_t, t.b, t.b);
+        if (edge_of_[k] < 0) continue;
+        const BlockSystem::Place& place = system_.place(edge_of_[k]);
+        add_product(system_.block(place.first_second), stiffness_n, left.a, n.b);
+        add_product(system_.block(place.second_first), stiffness_n, left.b, n.a);
+        if (stiffness_t == 0.0) continue;
+        add_product(system_.block(place.first_second), stiffness_t, t.a, t.b);
+        add_product(system_.block(place.second_first), stiffness_t, t.b, t.a);
+    }
+    ++counts_.factorisations;
+    mode_factorised_ = mode_;
+    const bool regular = system_.factorise();
+    factorised_ = regular && cone == Cone::whole;
+    return regular;
+}
+// [rest.group.assemble]
+
+// [rest.group.imbalance]
+void GroupSolver::imbalance(std::span<const ContactPoint> points)
+{
+    // What the pieces push at the speeds before the trial, beyond the impulses that are there
+    std::fill(delta_.begin(), delta_.end(), 0.0);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        const ContactPoint& c = points[k];
+        const double bears = c.normal - (stiffness_ * c.normal_mass) * slip_[2 * k];
+        double normal = -c.normal;
+        double tangent = -c.tangent;
+        if (mode_[k] != Mode::apart) normal += bears;
+        if (mode_[k] == Mode::stuck) tangent = -(stiffness_ * c.tangent_mass) * slip_[2 * k + 1];
+        if (mode_[k] == Mode::slips_backwards) tangent += c.friction * bears;
+        if (mode_[k] == Mode::slips_forwards) tangent -= c.friction * bears;
+        push_members(c, normal, tangent, delta_);
+    }
+}
+// [rest.group.imbalance]
+
+} // namespace flying

@@ -1,0 +1,118 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "rest/block_system.hpp"
+#include "rest/contact_point.hpp"
+#include "rest/sweeps.hpp"
+
+namespace flying {
+
+/// What a solve took.
+struct SolveCounts
+{
+    long accepted = 0; ///< groups whose impulses of the step before were right already
+    long solved = 0;   ///< groups that were solved to rounding
+    long unsolved = 0; ///< groups that ended with what sweeps could do
+    long sweeps = 0;   ///< over all points of a group
+    long factorisations = 0;
+};
+
+/// Finds the impulses of one group of bodies that lean on each other, so that every point is content:
+///
+///     normal    0 <= j,  u_n >= bound,  and j > 0 only where u_n = bound
+///     tangent   |q| <= mu j,  and where the point slips, q = -mu j times the sign of the slip
+///
+/// exactly, to rounding, for stacks of any height and masses of any ratio: by Newton's method on these conditions,
+/// which are linear in pieces (semismooth Newton), each step a sparse system with one 3 x 3 block for each body.
+class GroupSolver
+{
+public:
+    /// movers   all bodies; those of the group hold the velocities that they would have without contacts
+    /// members  the group's bodies that can move, ascending
+    /// points   the group's points with impulses to start from, not yet applied; on return those found, applied
+    /// tolerance  velocities below this are content enough; rounding of the impulses adds its own share [m/s]
+    /// True where all points are content to rounding; else the impulses are the best that were met.
+    bool solve(std::span<Mover> movers, std::span<const int> members, std::span<ContactPoint> points, double tolerance);
+
+    [[nodiscard]] const SolveCounts& counts() const { return counts_; }
+
+    /// How a group too large to factorise in each step is swept.
+    struct SweepPlan
+    {
+        int sweeps = 6;            ///< with overlap being pushed apart
+        int calming_sweeps = 2;    ///< after, without
+        double push_rate = 0.0;    ///< share of an overlap taken off in a step, over the step [1/s]
+        double overlap_kept = 0.0; ///< [m]
+    };
+    /// pushed  filled for the members: the velocities by which places move, those that push overlap apart included
+    void sweep_group(std::span<Mover> movers, std::span<const int> members, std::span<ContactPoint> points,
+                     const SweepPlan& plan, std::span<Mover> pushed);
+
+private:
+    /// What a point does under the next trial.
+    enum class Mode : unsigned char
+    {
+        apart,
+        stuck,
+        slips_forwards,
+        slips_backwards
+    };
+
+    void prepare(std::span<const int> members, std::span<const ContactPoint> points, std::size_t movers);
+    void settle_for_sweeps(std::span<Mover> movers, std::span<ContactPoint> points);
+    void restore_free(std::span<Mover> movers, std::span<const int> members) const;
+    /// What friction may bear: mu times the normal impulse that is sought with it, or that was there before.
+    enum class Cone
+    {
+        whole,
+        frozen
+    };
+    struct Slips
+    {
+        double normal = 0.0;
+        double tangent = 0.0;
+    };
+    struct FrozenImpulse
+    {
+        double normal = 0.0;
+        double tangent = 0.0;
+    };
+
+    void guess(std::span<const ContactPoint> points);
+    void measure_slips(std::span<const Mover> movers, std::span<const ContactPoint> points);
+    [[nodiscard]] bool newton(std::span<const Mover> movers, std::span<const ContactPoint> points);
+    [[nodiscard]] bool descend(std::span<const Mover> movers, std::span<const ContactPoint> points);
+    [[nodiscard]] Slips slips_after(std::size_t k, const ContactPoint& c, std::span<const double> delta) const;
+    [[nodiscard]] FrozenImpulse frozen_impulse(const ContactPoint& c, const Slips& slips) const;
+    [[nodiscard]] Mode frozen_mode(const ContactPoint& c, const Slips& slips, std::size_t k);
+    void frozen_force(std::span<const Mover> movers, std::span<const ContactPoint> points);
+    [[nodiscard]] double slope(std::span<const Mover> movers, std::span<const ContactPoint> points, double part);
+    void push_members(const ContactPoint& c, double normal, double tangent, std::span<double> force) const;
+    [[nodiscard]] bool assemble(std::span<const Mover> movers, std::span<const ContactPoint> points, Cone cone);
+    bool try_points(std::span<const ContactPoint> points);
+    void imbalance(std::span<const ContactPoint> points);
+
+    BlockSystem system_;
+    SolveCounts counts_;
+    std::vector<int> local_; // of each mover, its number in the group; -1 for static ones
+    std::vector<int> members_;
+    std::vector<BlockSystem::Edge> edges_;
+    std::vector<int> edge_of_;    // of each point; -1 where one of the two is static
+    std::vector<Mover> free_;     // the members, without contacts
+    std::vector<double> slip_;    // normal and tangential speeds before the trial, less what is asked for [m/s]
+    std::vector<double> impulse_; // trial impulses, normal and tangential [N s]
+    std::vector<Mode> mode_;
+    std::vector<Mode> mode_factorised_;
+    bool factorised_ = false;
+    std::vector<char> grips_;   // points whose frozen friction holds
+    std::vector<double> step_;  // of the descent
+    std::vector<double> trial_; // changes part of the way
+    std::vector<double> delta_; // change of the members' velocities
+    std::vector<SweepPoint> sweep_points_;
+    std::vector<ContactPoint> kept_; // the best that was met
+    double stiffness_ = 1.0;         // of a bearing point against the inertia it moves
+};
+
+} // namespace flying

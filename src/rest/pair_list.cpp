@@ -1,0 +1,161 @@
+#include "rest/pair_list.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "response/impact.hpp"
+
+namespace flying {
+namespace {
+
+// [radii] and [reaches] of room that a box gets: more room, fewer looks and more pairs
+constexpr double k_room_radii = 0.0625;
+constexpr double k_room_reaches = 3.0;
+
+[[nodiscard]] auto key(const RestPair& pair)
+{
+    return std::tie(pair.a, pair.b, pair.part_a, pair.part_b);
+}
+
+/// A box reaches into a half-plane.
+[[nodiscard]] bool overlap(const Aabb& box, const HalfPlane& wall)
+{
+    const double x = wall.normal.x() > 0.0 ? box.min.x() : box.max.x();
+    const double y = wall.normal.y() > 0.0 ? box.min.y() : box.max.y();
+    const double height = wall.normal.x() * x + wall.normal.y() * y;
+    return height <= wall.offset;
+}
+
+} // namespace
+
+bool PairList::all_inside(std::span<const RestBody> bodies, std::span<const double> radius,
+                          std::span<const double> reach) const
+{
+    for (std::size_t k = 0; k < bodies.size(); ++k) {
+        const RestBody& body = bodies[k];
+        if (body.is_static || !body.is_active) continue;
+        const double moved = (body.state.position - homes_[k].position).norm();
+        const double turned = std::abs(body.state.angle - homes_[k].angle) * radius[k];
+        if (moved + turned + reach[k] > homes_[k].room) return false;
+    }
+    return true;
+}
+
+// [rest.pairs.update]
+bool PairList::update(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes,
+                      std::span<const double> radius, std::span<const double> reach)
+{
+    if (valid_ && all_inside(bodies, radius, reach)) return false;
+
+    homes_.resize(bodies.size());
+    boxes_.resize(bodies.size());
+    for (std::size_t k = 0; k < bodies.size(); ++k) {
+        const RestBody& body = bodies[k];
+        const bool moves = !body.is_static && body.is_active;
+        const double room = moves ? k_room_reaches * reach[k] + k_room_radii * radius[k] : 0.0;
+        homes_[k] = {body.state.position, body.state.angle, room};
+        const Aabb box = bounding_box(body.shape, pose_of(body.state));
+        boxes_[k] = {box.min - Vec2(room, room), box.max + Vec2(room, room)};
+    }
+    find_partners(bodies);
+    add_pairs(bodies, shapes);
+    valid_ = true;
+    return true;
+}
+// [rest.pairs.update]
+
+// [rest.pairs.sweep]
+void PairList::find_partners(std::span<const RestBody> bodies)
+{
+    // Line up along the axis on which the bodies are spread furthest
+    const int count = static_cast<int>(bodies.size());
+    Aabb spread{Vec2::Zero(), Vec2::Zero()};
+    bool any = false;
+    std::vector<int>& order = order_;
+    order.clear();
+    for (int k = 0; k < count; ++k) {
+        if (!bodies[k].is_active || std::holds_alternative<HalfPlane>(bodies[k].shape)) continue;
+        order.push_back(k);
+        if (bodies[k].is_static) continue;
+        const Vec2& x = bodies[k].state.position;
+        spread = any ? Aabb{spread.min.cwiseMin(x), spread.max.cwiseMax(x)} : Aabb{x, x};
+        any = true;
+    }
+    const Vec2 size = spread.max - spread.min;
+    const int axis = size.x() >= size.y() ? 0 : 1;
+    const int other = 1 - axis;
+    std::sort(order.begin(), order.end(),
+              [&](int j, int k) { return std::tuple(boxes_[j].min[axis], j) < std::tuple(boxes_[k].min[axis], k); });
+
+    // Sweep along it, over boxes that lie side by side
+    line_.clear();
+    for (const int k : order) {
+        line_.push_back({boxes_[k].min[axis], boxes_[k].max[axis], boxes_[k].min[other], boxes_[k].max[other], k,
+                         bodies[k].is_static});
+    }
+    found_.clear();
+    for (std::size_t i = 0; i < line_.size(); ++i) {
+        const Span one = line_[i];
+        for (std::size_t l = i + 1; l < line_.size() && line_[l].low <= one.high; ++l) {
+            const Span& two = line_[l];
+            if (two.bottom > one.top || one.bottom > two.top) continue;
+            if (one.is_static && two.is_static) continue;
+            found_.emplace_back(std::min(one.body, two.body), std::max(one.body, two.body));
+        }
+    }
+
+    // Walls without end meet whoever reaches into them
+    for (int w = 0; w < count; ++w) {
+        const auto* wall = std::get_if<HalfPlane>(&bodies[w].shape);
+        if (!wall || !bodies[w].is_active) continue;
+        for (const int k : order) {
+            if (!bodies[k].is_static && overlap(boxes_[k], *wall)) found_.emplace_back(std::min(w, k), std::max(w, k));
+        }
+    }
+
+    // Sort by the first body, then each few by the second
+    partner_start_.assign(count + 1, 0);
+    for (const auto& [a, b] : found_) ++partner_start_[a + 1];
+    for (int k = 0; k < count; ++k) partner_start_[k + 1] += partner_start_[k];
+    partners_.resize(found_.size());
+    for (const auto& [a, b] : found_) partners_[partner_start_[a]++] = b;
+    for (int k = count; k > 0; --k) partner_start_[k] = partner_start_[k - 1];
+    partner_start_[0] = 0;
+    for (int k = 0; k < count; ++k) {
+        std::sort(partners_.begin() + partner_start_[k], partners_.begin() + partner_start_[k + 1]);
+    }
+}
+// [rest.pairs.sweep]
+
+// [rest.pairs.merge]
+void PairList::add_pairs(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes)
+{
+    old_.swap(pairs_);
+    pairs_.clear();
+    starts_.clear();
+    std::size_t next = 0;
+    for (int a = 0; a < static_cast<int>(bodies.size()); ++a) {
+        starts_.push_back(static_cast<int>(pairs_.size()));
+        for (int i = partner_start_[a]; i < partner_start_[a + 1]; ++i) {
+            RestPair pair;
+            pair.a = a;
+            pair.b = partners_[i];
+            const Material material = combine(bodies[a].material, bodies[pair.b].material);
+            pair.friction = material.friction;
+            pair.restitution = material.restitution;
+            for (pair.part_a = 0; pair.part_a < static_cast<int>(shapes[a].parts.size()); ++pair.part_a) {
+                for (pair.part_b = 0; pair.part_b < static_cast<int>(shapes[pair.b].parts.size()); ++pair.part_b) {
+                    // Both lists are in order: what the pair bore is found by walking along
+                    while (next < old_.size() && key(old_[next]) < key(pair)) ++next;
+                    const bool known = next < old_.size() && key(old_[next]) == key(pair);
+                    pairs_.push_back(known ? old_[next] : pair);
+                }
+            }
+        }
+    }
+    starts_.push_back(static_cast<int>(pairs_.size()));
+}
+// [rest.pairs.merge]
+
+} // namespace flying

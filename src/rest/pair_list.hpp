@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "collide/separation.hpp"
+#include "geometry/aabb.hpp"
+#include "rest/rest_body.hpp"
+
+namespace flying {
+
+/// Two convex parts of two bodies that are near each other, and what their contact bore in the step before.
+struct RestPair
+{
+    int a = 0; ///< body, below b
+    int b = 0; ///< body
+    int part_a = 0;
+    int part_b = 0;
+    double friction = 0.0;
+    double restitution = 0.0;
+    int count = 0;                                ///< points that the last look found
+    std::uint32_t feature[2] = {0, 0};            ///< their names
+    Vec2 place[2] = {Vec2::Zero(), Vec2::Zero()}; ///< their places, in the frame of the one of the two that moves [m]
+    double normal[2] = {0.0, 0.0};                ///< impulses that lasted to the end of the step [N s]
+    double tangent[2] = {0.0, 0.0};               ///< [N s]
+};
+
+/// Which pairs may touch soon, kept from step to step. Every body has a box with room to spare; as long as all stay
+/// within theirs, the list stays as it is. Pairs are in the order of (a, b, part of a, part of b).
+class PairList
+{
+public:
+    /// reach   how far each body may get in the coming step, whatever it turns or is pushed [m]
+    /// radius  of each body's bounding circle; infinite for half-planes [m]
+    /// Looks again only where a body has left its box, or `invalidate` was called. True if it looked.
+    bool update(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes,
+                std::span<const double> radius, std::span<const double> reach);
+
+    void invalidate() { valid_ = false; }
+
+    [[nodiscard]] std::span<RestPair> pairs() { return pairs_; }
+    [[nodiscard]] std::span<const RestPair> pairs() const { return pairs_; }
+
+    /// Where the pairs with a given first body begin; one entry more than there are bodies.
+    [[nodiscard]] std::span<const int> starts() const { return starts_; }
+
+private:
+    [[nodiscard]] bool all_inside(std::span<const RestBody> bodies, std::span<const double> radius,
+                                  std::span<const double> reach) const;
+    void find_partners(std::span<const RestBody> bodies);
+    void add_pairs(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes);
+
+    struct Home
+    {
+        Vec2 position = Vec2::Zero(); ///< where the body was when its box was made
+        double angle = 0.0;
+        double room = 0.0; ///< by which the box is larger than the body [m]
+    };
+    /// A box on the line: its ends along the line, and across.
+    struct Span
+    {
+        double low;
+        double high;
+        double bottom;
+        double top;
+        int body;
+        bool is_static;
+    };
+    bool valid_ = false;
+    std::vector<Span> line_;
+    std::vector<Home> homes_;
+    std::vector<Aabb> boxes_;
+    std::vector<int> order_; // bodies by the lower end of their boxes
+    std::vector<int> partner_start_;
+    std::vector<int> partners_;
+    std::vector<std::pair<int, int>> found_;
+    std::vector<RestPair> pairs_;
+    std::vector<RestPair> old_;
+    std::vector<int> starts_;
+};
+
+} // namespace flying

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "rest/contact_point.hpp"
+
+namespace flying {
+
+/// A push on both bodies as six numbers: force and moment on A, the same on B.
+struct Line
+{
+    double a[3];
+    double b[3];
+};
+
+[[nodiscard]] inline Line normal_line(const ContactPoint& c)
+{
+    return {{-c.n_x, -c.n_y, -c.normal_arm_a}, {c.n_x, c.n_y, c.normal_arm_b}};
+}
+
+[[nodiscard]] inline Line tangent_line(const ContactPoint& c)
+{
+    return {{c.n_y, -c.n_x, -c.tangent_arm_a}, {-c.n_y, c.n_x, c.tangent_arm_b}};
+}
+
+[[nodiscard]] inline double along(const double* line, const double* motion)
+{
+    return (line[0] * motion[0] + line[1] * motion[1]) + line[2] * motion[2];
+}
+
+inline void add(double* target, double factor, const double* line)
+{
+    for (int i = 0; i < 3; ++i) target[i] += factor * line[i];
+}
+
+} // namespace flying

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "geometry/shape.hpp"
+#include "motion/body.hpp"
+
+namespace flying {
+
+/// One body as the resting integrator knows it.
+struct RestBody
+{
+    Shape shape;
+    BodyState state; ///< `state.time` is set by the engine
+    Inertia inertia; ///< both zero for a static body
+    Material material;
+    Vec2 acceleration = Vec2::Zero(); ///< of the field, constant [m/s^2]
+    bool is_static = false;           ///< never moves
+    bool is_active = true;            ///< false: not here for now; touches nothing, and keeps its state
+};
+
+} // namespace flying

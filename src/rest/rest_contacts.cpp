@@ -1,0 +1,248 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "response/push_line.hpp"
+#include "rest/rest_engine.hpp"
+#include "rest/rest_tolerance.hpp"
+
+namespace flying {
+namespace {
+
+/// [sizes] A pair that overlaps by more is put right first, before anyone looks ahead.
+constexpr double k_deep = 0x1p-10;
+/// Looks at a pair that closes, each at the moment that the last one foresaw.
+constexpr int k_looks = 5;
+/// [sine] Normals this near are those of one edge.
+constexpr double k_same_normal = 0x1p-10;
+
+/// Time until a gap closes that changes at speed u and acceleration a; more than `within` where it doesn't by then. [s]
+[[nodiscard]] double time_to_close(double gap, double u, double a, double within)
+{
+    if (gap + within * (u + 0.5 * a * within) > 0.0) return 2.0 * within;
+    const double square = u * u - 2.0 * a * gap;
+    const double root = std::sqrt(std::max(square, 0.0));
+    return root > u ? 2.0 * gap / (root - u) : 2.0 * within;
+}
+
+// [rest.known]
+/// The point of the last look that a point continues: that of the same features, or where corners lie on corners and
+/// the features' names change with rounding, the one at the same place. -1 where there is none.
+[[nodiscard]] int known_point(const RestPair& pair, std::uint32_t feature, const Vec2& place, double near)
+{
+    for (int i = 0; i < pair.count; ++i) {
+        if (pair.feature[i] == feature) return i;
+    }
+    for (int i = 0; i < pair.count; ++i) {
+        if ((pair.place[i] - place).squaredNorm() < near * near) return i;
+    }
+    return -1;
+}
+// [rest.known]
+
+} // namespace
+
+// [rest.collide]
+void RestEngine::collide()
+{
+    found_.clear();
+    const std::span<const RestPair> pairs = pairs_.pairs();
+    for (int k = 0; k < static_cast<int>(pairs.size()); ++k) {
+        const bool a_rests = bodies_[pairs[k].a].is_static || asleep_[pairs[k].a];
+        const bool b_rests = bodies_[pairs[k].b].is_static || asleep_[pairs[k].b];
+        if (!(a_rests && b_rests)) collide_pair(k);
+    }
+}
+
+void RestEngine::collide_pair(int index)
+{
+    RestPair& pair = pairs_.pairs()[index];
+
+    // Leave out those too far from each other for this step
+    const ConvexPart& part_a = shapes_[pair.a].parts[pair.part_a];
+    const ConvexPart& part_b = shapes_[pair.b].parts[pair.part_b];
+    const double size = std::min(radius_[pair.a], radius_[pair.b]);
+    const double margin = reach_[pair.a] + reach_[pair.b] + rest_tolerance::k_watch * size;
+    const Pose& pose_a = poses_[pair.a];
+    const Pose& pose_b = poses_[pair.b];
+    const double clear = part_a.radius + part_b.radius + margin;
+    const Vec2 way =
+        (pose_b.position - pose_a.position) + (pose_b.rotation * part_b.centre - pose_a.rotation * part_a.centre);
+    Manifold manifold;
+    if (!(way.squaredNorm() > clear * clear)) {
+        ++counts_.manifolds;
+        manifold = make_manifold(part_a.shape, pose_a, part_b.shape, pose_b, margin);
+    }
+
+    // A gap that would close within the step is looked at when it does; bodies turn, so that one look may not do
+    Closing closing{{0, 0}, 0, touch_gap(pair.a, pair.b)};
+    double moment = 0.0;
+    bool overlaps = false;
+    for (int k = 0; k < manifold.count; ++k) overlaps = overlaps || manifold.contacts[k].separation < -k_deep * size;
+    for (int look = 0; look < k_looks && !overlaps; ++look) {
+        const double wait = next_closing(pair, manifold, moment, closing);
+        if (!(moment + wait <= options_.step) || wait == 0.0) break;
+        moment += wait;
+        ++counts_.manifolds;
+        manifold = make_manifold(part_a.shape, pose_at(pair.a, moment), part_b.shape, pose_at(pair.b, moment), margin);
+        closing.closed = rest_tolerance::k_closed * size;
+    }
+    if (moment > 0.0 && manifold.count == 0) pair.count = 0;
+    add_points(index, manifold, moment);
+}
+
+/// Where a body will be at a moment of the step, if it goes on as it did.
+Pose RestEngine::pose_at(int body, double moment) const
+{
+    if (bodies_[body].is_static) return poses_[body];
+    const BodyState& s = bodies_[body].state;
+    return {s.position + moment * (s.velocity + (0.5 * moment) * pull_[body]),
+            Rotation::of(s.angle + moment * (s.spin + (0.5 * moment) * turn_pull_[body]))};
+}
+
+/// Time from a moment until the first gap closes; 0 where one that was open has closed by then, infinite where none
+/// does.
+double RestEngine::next_closing(const RestPair& pair, const Manifold& manifold, double moment, Closing& closing) const
+{
+    const double left = options_.step - moment;
+    double wait = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < manifold.count; ++k) {
+        const Contact& contact = manifold.contacts[k];
+        const bool was_open =
+            std::find(closing.open, closing.open + closing.count, contact.feature) != closing.open + closing.count;
+        if (contact.separation <= closing.closed) {
+            if (was_open) return 0.0;
+            continue;
+        }
+        if (moment == 0.0) closing.open[closing.count++] = contact.feature;
+        const auto velocity = [&](int index) {
+            const BodyState& s = bodies_[index].state;
+            const Vec2 r = contact.point - pose_at(index, moment).position;
+            return Vec2(s.velocity + moment * pull_[index] + cross(s.spin + moment * turn_pull_[index], r));
+        };
+        const double u = (velocity(pair.b) - velocity(pair.a)).dot(contact.normal);
+        const double fall = fall_at(pair, contact, moment);
+        const double time = time_to_close(contact.separation, u, fall, left);
+        if (time <= left) wait = std::min(wait, time);
+    }
+    return wait;
+}
+
+/// Normal acceleration of B relative to A at a contact, if they go on as they did.
+double RestEngine::fall_at(const RestPair& pair, const Contact& contact, double moment) const
+{
+    const auto pull = [&](int index) {
+        const Vec2 r = contact.point - pose_at(index, moment).position;
+        return Vec2(pull_[index] + cross(turn_pull_[index], r));
+    };
+    return (pull(pair.b) - pull(pair.a)).dot(contact.normal);
+}
+// [rest.collide]
+
+// [rest.points]
+void RestEngine::add_points(int index, const Manifold& manifold, double moment)
+{
+    RestPair& pair = pairs_.pairs()[index];
+    const RestBody& a = bodies_[pair.a];
+    const double size = std::min(radius_[pair.a], radius_[pair.b]);
+    RestPair after = pair;
+    after.count = 0;
+    for (int k = 0; k < manifold.count; ++k) {
+        const Contact& contact = manifold.contacts[k];
+        if (!is_real(pair, contact)) continue;
+
+        // Arms lead from where the centres are at the moment
+        const Vec2 r_a = contact.point - (moment > 0.0 ? pose_at(pair.a, moment).position : poses_[pair.a].position);
+        const Vec2 r_b = contact.point - (moment > 0.0 ? pose_at(pair.b, moment).position : poses_[pair.b].position);
+        ContactPoint point;
+        point.a = pair.a;
+        point.b = pair.b;
+        point.pair = index;
+        point.feature = contact.feature;
+        point.gap = contact.separation;
+        point.left = options_.step - moment;
+        point.fall = fall_at(pair, contact, moment);
+        if (moment > 0.0 && point.gap <= rest_tolerance::k_closed * size) point.gap = std::min(point.gap, 0.0);
+        max_overlap_ = moment > 0.0 ? max_overlap_ : std::max(max_overlap_, -contact.separation);
+        point.friction = pair.friction;
+        point.restitution = pair.restitution;
+        set_arms(point, contact.normal, r_a, r_b);
+        const Vec2 place =
+            a.is_static ? inverse(poses_[pair.b].rotation) * r_b : inverse(poses_[pair.a].rotation) * r_a;
+        const int known = known_point(pair, point.feature, place, rest_tolerance::k_same_place * size);
+        if (known >= 0) {
+            point.normal = pair.normal[known];
+            point.tangent = pair.tangent[known];
+        }
+        found_.push_back(point);
+        after.feature[after.count] = point.feature;
+        after.place[after.count] = place;
+        after.normal[after.count] = point.normal;
+        after.tangent[after.count] = point.tangent;
+        ++after.count;
+    }
+    pair = after;
+}
+
+void RestEngine::set_arms(ContactPoint& c, const Vec2& n, const Vec2& r_a, const Vec2& r_b) const
+{
+    const Mover& a = movers_[c.a];
+    const Mover& b = movers_[c.b];
+    c.n_x = n.x();
+    c.n_y = n.y();
+    c.normal_arm_a = normal_arm(r_a, n);
+    c.normal_arm_b = normal_arm(r_b, n);
+    c.tangent_arm_a = r_a.dot(n);
+    c.tangent_arm_b = r_b.dot(n);
+    const double shift = a.inv_mass + b.inv_mass;
+    c.normal_mass =
+        1.0 /
+        (shift + (a.inv_moment * (c.normal_arm_a * c.normal_arm_a) + b.inv_moment * (c.normal_arm_b * c.normal_arm_b)));
+    c.tangent_mass = 1.0 / (shift + (a.inv_moment * (c.tangent_arm_a * c.tangent_arm_a) +
+                                     b.inv_moment * (c.tangent_arm_b * c.tangent_arm_b)));
+}
+// [rest.points]
+
+// [rest.real_edges]
+bool RestEngine::is_real(const RestPair& pair, const Contact& contact) const
+{
+    // A normal that stands on a cut through a shape belongs to no side of it
+    const auto stands_on_cut = [&](int body, int part, const Vec2& normal) {
+        const std::vector<char>& real = real_edges_[body];
+        if (real.empty()) return false;
+        std::size_t first = 0;
+        for (int p = 0; p < part; ++p) first += std::get<Polygon>(shapes_[body].parts[p].shape).edges().size();
+        const Polygon& polygon = std::get<Polygon>(shapes_[body].parts[part].shape);
+        const Vec2 local = inverse(poses_[body].rotation) * normal;
+        for (std::size_t k = 0; k < polygon.edges().size(); ++k) {
+            if (!real[first + k] && (polygon.edges()[k].normal - local).cwiseAbs().maxCoeff() < k_same_normal)
+                return true;
+        }
+        return false;
+    };
+    return !stands_on_cut(pair.a, pair.part_a, contact.normal) && !stands_on_cut(pair.b, pair.part_b, -contact.normal);
+}
+// [rest.real_edges]
+
+// [rest.wake]
+bool RestEngine::wake_touched()
+{
+    bool any = false;
+    for (const ContactPoint& point : found_) {
+        for (const int body : {point.a, point.b}) {
+            if (!asleep_[body]) continue;
+            const int group = sleep_group_[body];
+            for (std::size_t k = 0; k < bodies_.size(); ++k) {
+                if (sleep_group_[k] != group) continue;
+                asleep_[k] = 0;
+                sleep_group_[k] = -1;
+            }
+            any = true;
+        }
+    }
+    if (any) measure_reach();
+    return any;
+}
+// [rest.wake]
+
+} // namespace flying

@@ -1,0 +1,195 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "collide/manifold.hpp"
+#include "rest/group_solver.hpp"
+#include "rest/pair_list.hpp"
+#include "rest/rest_body.hpp"
+
+namespace flying {
+
+struct RestOptions
+{
+    double step = 1.0 / 60.0; ///< > 0 [s]
+    bool sleeps = true;       ///< groups that a step leaves as they are, to the bit, are left out of the next
+    int most_solved = 400;    ///< bodies in the largest group that is solved to rounding in every step; more are swept
+    int sweeps = 6;           ///< over larger groups, with overlap being pushed apart
+    int calming_sweeps = 2;   ///< over larger groups, after
+    double (*seconds)() = nullptr; ///< a clock, lent to measure the stages; null to measure nothing [s]
+};
+
+/// Work done so far.
+struct RestCounts
+{
+    long steps = 0;
+    long looks = 0;     ///< searches for pairs
+    long manifolds = 0; ///< pairs whose points were sought
+    long points = 0;    ///< points solved for
+    long groups = 0;    ///< groups solved for
+    long impacts = 0;   ///< points at which an approach was ended
+    long asleep = 0;    ///< bodies left out, over all steps
+    long placed = 0;    ///< groups whose overlap was taken off
+};
+
+/// Seconds spent, where a clock was lent.
+struct RestSeconds
+{
+    double pairs = 0.0;
+    double collide = 0.0;
+    double solve = 0.0;
+    double move = 0.0;
+};
+
+/// One point of contact as the last step left it.
+struct RestContact
+{
+    int a = 0;
+    int b = 0;
+    Vec2 normal = Vec2::Zero(); ///< from A to B
+    double gap = 0.0;           ///< at the start of the step [m]
+    double normal_force = 0.0;  ///< mean over the step [N]
+    double tangent_force = 0.0; ///< mean over the step, along the normal turned a quarter counter-clockwise [N]
+};
+
+/// Moves bodies that lean on each other, by steps of one length. What happens depends on the bodies and the step alone:
+/// not on who looks, when, or where the bodies lie in memory.
+///
+/// Between changes of contact, motion under constant forces is exact whatever the step: places move by the mean of
+/// the velocities before and after. An impact acts at its own moment within the step. Pushes end an approach or hold a
+/// load and never do work, so that energy doesn't rise; overlap that the turning of bodies brings is taken off by
+/// moving them apart, which adds no velocity.
+class RestEngine
+{
+public:
+    /// bodies  not overlapping, beyond touching
+    /// time    of their states [s]
+    explicit RestEngine(std::vector<RestBody> bodies, const RestOptions& options = {}, double time = 0.0);
+
+    /// Step as long as whole steps fit before `time`.  [s]
+    void advance(double time);
+    void step();
+
+    /// Moment that the steps have reached.  [s]
+    [[nodiscard]] double time() const { return start_ + static_cast<double>(steps_) * options_.step; }
+
+    [[nodiscard]] std::span<const RestBody> bodies() const { return bodies_; }
+    [[nodiscard]] BodyState state(int body) const
+    {
+        BodyState state = bodies_[body].state;
+        state.time = time();
+        return state;
+    }
+
+    /// Put a body elsewhere, or give it another motion; it wakes, and whatever touches it.
+    void set_state(int body, const BodyState& state);
+    /// Take a body out, or put it back where its state says.
+    void set_active(int body, bool active);
+
+    /// Contacts of the last step, in the order of (a, b); those of sleeping groups included.
+    [[nodiscard]] std::vector<RestContact> contacts() const;
+    /// For each body, the number of its group: bodies that touch, by whatever chain of moving bodies, share one, which
+    /// is its lowest body. -1 for static bodies and those not active.
+    [[nodiscard]] std::vector<int> groups() const;
+    [[nodiscard]] bool is_asleep(int body) const { return asleep_[body] != 0; }
+    /// The last step changed nothing of the body.
+    [[nodiscard]] bool is_still(int body) const { return still_[body] != 0; }
+
+    [[nodiscard]] const RestCounts& counts() const { return counts_; }
+    [[nodiscard]] const SolveCounts& solve_counts() const { return solver_.counts(); }
+    [[nodiscard]] const RestSeconds& seconds() const { return seconds_; }
+    void set_clock(double (*clock)()) { options_.seconds = clock; }
+    /// Deepest overlap that any step has begun with.  [m]
+    [[nodiscard]] double max_overlap() const { return max_overlap_; }
+    /// Fingerprint of all states.
+    [[nodiscard]] std::uint64_t hash() const;
+
+private:
+    struct Group
+    {
+        int first_member = 0;
+        int member_count = 0;
+        int first_point = 0;
+        int point_count = 0;
+    };
+
+    void measure_reach();
+    void expect_flight(int body);
+    void expect_same(int body);
+    void collide();
+    void collide_pair(int pair);
+    /// The points of a pair that were open when the step began, and below which gap they count as closed.
+    struct Closing
+    {
+        std::uint32_t open[2];
+        int count;
+        double closed; // [m]
+    };
+    [[nodiscard]] double next_closing(const RestPair& pair, const Manifold& manifold, double moment,
+                                      Closing& closing) const;
+    [[nodiscard]] double fall_at(const RestPair& pair, const Contact& contact, double moment) const;
+    [[nodiscard]] Pose pose_at(int body, double moment) const;
+    void add_points(int pair, const Manifold& manifold, double moment);
+    [[nodiscard]] bool is_real(const RestPair& pair, const Contact& contact) const;
+    [[nodiscard]] bool wake_touched();
+    void wake_all_with(int group);
+    void gather_groups();
+    void solve_group(Group& group);
+    void take_off_overlap(const Group& group);
+    [[nodiscard]] bool set_bounds(Group& group);
+    void move_as_pushed(const Group& group);
+    void set_free(const Group& group, double time);
+    void find_impulses(const Group& group, double time);
+    [[nodiscard]] double work_of_contacts(const Group& group, double& energy);
+    void limit_rebound(const Group& group);
+    void part_where_slip_ends(const Group& group);
+    [[nodiscard]] bool any_slip_ended(const Group& group, double still) const;
+    [[nodiscard]] const Mover& start_of_part(int member) const;
+    void scale_impulses(const Group& group, double factor);
+    void add_part(const Group& group, double time);
+    void calm(const Group& group);
+    void move_group(const Group& group);
+    void set_arms(ContactPoint& point, const Vec2& normal, const Vec2& r_a, const Vec2& r_b) const;
+    [[nodiscard]] double field_speed(const Group& group) const;
+    [[nodiscard]] double top_speed(const Group& group) const;
+    [[nodiscard]] double touch_gap(int a, int b) const;
+
+    std::vector<RestBody> bodies_;
+    RestOptions options_;
+    double start_ = 0.0;
+    long steps_ = 0;
+    std::vector<CollisionShape> shapes_;
+    std::vector<std::vector<char>>
+        real_edges_;             // of each body: for each part's edges in turn, whether it is a side of the shape
+    std::vector<double> radius_; // bounding radii [m]
+    std::vector<double> reach_;  // how far each may get in a step [m]
+    std::vector<Pose> poses_;
+    std::vector<Mover> movers_;
+    std::vector<Mover> before_;
+    std::vector<Vec2> shift_; // places' share of impacts [m], and turns
+    std::vector<double> turn_;
+    std::vector<Vec2> pull_;        // accelerations that are expected: of the last step, or the field's
+    std::vector<double> turn_pull_; // the same of spins [1/s^2]
+    PairList pairs_;
+    std::vector<ContactPoint> found_;  // in the order of the pairs
+    std::vector<ContactPoint> points_; // by groups
+    std::vector<Group> groups_;
+    std::vector<int> members_;
+    std::vector<int> parent_; // of each body, towards the lowest of its group
+    std::vector<int> slot_;
+    std::vector<char> asleep_;
+    std::vector<char> still_;
+    std::vector<int> sleep_group_;   // of each sleeping body
+    std::vector<Mover> part_movers_; // at the start of a part of the step
+    bool parted_ = false;
+    std::vector<Mover> place_movers_;
+    std::vector<ContactPoint> place_points_;
+    GroupSolver solver_;
+    RestCounts counts_;
+    RestSeconds seconds_;
+    double max_overlap_ = 0.0;
+};
+
+} // namespace flying

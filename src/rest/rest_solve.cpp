@@ -1,0 +1,210 @@
+#include <algorithm>
+#include <cmath>
+
+#include "rest/rest_engine.hpp"
+#include "rest/rest_tolerance.hpp"
+#include "rest/sweeps.hpp"
+
+namespace flying {
+namespace {
+
+/// Points of the largest group whose step is parted where slip ends.
+constexpr int k_most_parted = 12;
+
+/// Share of an overlap that one step takes off a group that is swept.
+constexpr double k_push_share = 0.25;
+
+} // namespace
+
+// [rest.solve]
+void RestEngine::solve_group(Group& group)
+{
+    if (group.point_count == 0) {
+        set_free(group, options_.step);
+        return;
+    }
+    const bool exact = group.member_count <= options_.most_solved;
+    if (exact) take_off_overlap(group);
+    const bool any_bounce = set_bounds(group);
+    find_impulses(group, options_.step);
+    if (!exact) {
+        move_as_pushed(group);
+        return;
+    }
+    if (any_bounce) limit_rebound(group);
+    else if (group.point_count <= k_most_parted) part_where_slip_ends(group);
+    calm(group);
+}
+
+void RestEngine::move_as_pushed(const Group& group)
+{
+    // Places move by the velocities that push overlap apart, which are not kept
+    for (int k = 0; k < group.member_count; ++k) {
+        const int member = members_[group.first_member + k];
+        const Mover& old = before_[member];
+        const Mover& now = movers_[member];
+        const Mover& pushed = place_movers_[member];
+        const Vec2 mean(0.5 * (old.v_x + now.v_x), 0.5 * (old.v_y + now.v_y));
+        shift_[member] += options_.step * (Vec2(pushed.v_x, pushed.v_y) - mean);
+        turn_[member] += options_.step * (pushed.spin - 0.5 * (old.spin + now.spin));
+    }
+}
+
+void RestEngine::set_free(const Group& group, double time)
+{
+    for (int k = 0; k < group.member_count; ++k) {
+        const int member = members_[group.first_member + k];
+        Mover& mover = movers_[member];
+        mover = start_of_part(member);
+        mover.v_x += time * bodies_[member].acceleration.x();
+        mover.v_y += time * bodies_[member].acceleration.y();
+    }
+}
+
+void RestEngine::find_impulses(const Group& group, double time)
+{
+    set_free(group, time);
+    const std::span<ContactPoint> points = std::span(points_).subspan(group.first_point, group.point_count);
+    const std::span<const int> members = std::span(members_).subspan(group.first_member, group.member_count);
+    if (group.member_count <= options_.most_solved) {
+        solver_.solve(movers_, members, points, rest_tolerance::k_content * top_speed(group));
+    } else {
+        GroupSolver::SweepPlan plan;
+        plan.sweeps = options_.sweeps;
+        plan.calming_sweeps = options_.calming_sweeps;
+        plan.push_rate = k_push_share / time;
+        solver_.sweep_group(movers_, members, points, plan, place_movers_);
+    }
+}
+// [rest.solve]
+
+double RestEngine::top_speed(const Group& group) const
+{
+    double top = field_speed(group);
+    for (int k = 0; k < group.member_count; ++k) {
+        const int member = members_[group.first_member + k];
+        const Mover& mover = before_[member];
+        top = std::max({top, std::abs(mover.v_x), std::abs(mover.v_y), std::abs(mover.spin) * radius_[member]});
+    }
+    return top;
+}
+
+double RestEngine::field_speed(const Group& group) const
+{
+    double top = 0.0;
+    for (int k = 0; k < group.member_count; ++k) {
+        const Vec2& g = bodies_[members_[group.first_member + k]].acceleration;
+        top = std::max({top, std::abs(g.x()), std::abs(g.y())});
+    }
+    return options_.step * top;
+}
+
+// [rest.bounds]
+bool RestEngine::set_bounds(Group& group)
+{
+    bool any_bounce = false;
+    for (int k = 0; k < group.point_count; ++k) {
+        ContactPoint& c = points_[group.first_point + k];
+        const double fall = c.fall;
+        const double moment = options_.step - c.left;
+        const double u = normal_speed(c, before_[c.a], before_[c.b]) + moment * fall;
+        const double gap = c.gap > touch_gap(c.a, c.b) ? c.gap : 0.0;
+        c.impact = 0.0;
+
+        // What parts, or is not there yet, may come as near as to touch at the end
+        c.bound = std::min(0.0, -2.0 * gap / c.left - u);
+        if (gap > 0.0 || u >= 0.0) continue;
+
+        // What arrives is thrown back, unless its load would bring it down again before the step ends
+        const double rebound = -c.restitution * u;
+        const bool loaded = 2.0 * rebound * c.normal_mass <= c.normal;
+        const bool falls_back = fall < 0.0 && 2.0 * rebound <= -fall * c.left;
+        const bool rests = loaded || falls_back;
+        c.bound = rests ? 0.0 : rebound + fall * c.left;
+        c.impact = c.normal_mass * (rests ? -u : rebound - u);
+        any_bounce = any_bounce || !rests;
+        if (!rests) ++counts_.impacts;
+    }
+
+    // Where bodies are thrown back in this step, gaps that they may close are left to the next: it throws back by the
+    // speed that they have then
+    if (!any_bounce) return false;
+    const auto begin = points_.begin() + group.first_point;
+    const auto end = std::remove_if(begin, begin + group.point_count, [&](const ContactPoint& c) {
+        return c.restitution > 0.0 && c.normal == 0.0 && c.gap > touch_gap(c.a, c.b);
+    });
+    group.point_count = static_cast<int>(end - begin);
+    return true;
+}
+// [rest.bounds]
+
+// [rest.calm]
+void RestEngine::calm(const Group& group)
+{
+    // Below what the field gives in a step by many orders, motion is the solve's rounding
+    double greatest = 0.0;
+    for (int k = 0; k < group.point_count; ++k) {
+        const ContactPoint& c = points_[group.first_point + k];
+        greatest = std::max(greatest, c.normal / c.normal_mass);
+    }
+    const double still = rest_tolerance::k_still * field_speed(group) +
+                         rest_tolerance::k_stagnant * rest_tolerance::k_content * group.member_count * greatest;
+    for (int k = 0; k < group.member_count; ++k) {
+        const int member = members_[group.first_member + k];
+        const Mover& mover = movers_[member];
+        const double speed =
+            std::max({std::abs(mover.v_x), std::abs(mover.v_y), std::abs(mover.spin) * radius_[member]});
+        if (!(speed <= still)) return;
+    }
+    for (int k = 0; k < group.member_count; ++k) {
+        Mover& mover = movers_[members_[group.first_member + k]];
+        mover.v_x = mover.v_y = mover.spin = 0.0;
+    }
+}
+// [rest.calm]
+
+// [rest.overlap]
+void RestEngine::take_off_overlap(const Group& group)
+{
+    double deepest = 0.0;
+    double tolerance = touch_gap(points_[group.first_point].a, points_[group.first_point].b);
+    for (int k = 0; k < group.point_count; ++k) {
+        const ContactPoint& c = points_[group.first_point + k];
+        const double touch = touch_gap(c.a, c.b);
+        tolerance = std::min(tolerance, touch);
+        if (c.left == options_.step && c.gap < -touch) deepest = std::max(deepest, -c.gap);
+    }
+    if (deepest == 0.0) return;
+    ++counts_.placed;
+
+    // The same conditions for places as for velocities: apart, least by the masses, and no friction
+    place_points_.assign(points_.begin() + group.first_point, points_.begin() + group.first_point + group.point_count);
+    for (ContactPoint& c : place_points_) {
+        const double gap = c.left == options_.step ? c.gap : std::max(c.gap, 0.0);
+        c.bound = -gap;
+        c.normal = c.tangent = 0.0;
+        c.friction = 0.0;
+    }
+    for (int k = 0; k < group.member_count; ++k) {
+        const int member = members_[group.first_member + k];
+        Mover& mover = place_movers_[member];
+        mover = movers_[member];
+        mover.v_x = mover.v_y = mover.spin = 0.0;
+    }
+    const std::span<const int> members = std::span(members_).subspan(group.first_member, group.member_count);
+    solver_.solve(place_movers_, members, place_points_, 0.125 * tolerance);
+
+    for (int k = 0; k < group.point_count; ++k) {
+        ContactPoint& c = points_[group.first_point + k];
+        c.gap += normal_speed(c, place_movers_[c.a], place_movers_[c.b]);
+        if (c.gap < 0.0) c.gap = 0.0;
+    }
+    for (const int member : members) {
+        const Mover& mover = place_movers_[member];
+        shift_[member] += Vec2(mover.v_x, mover.v_y);
+        turn_[member] += mover.spin;
+    }
+}
+// [rest.overlap]
+
+} // namespace flying
