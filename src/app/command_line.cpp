@@ -1,0 +1,183 @@
+#include "app/command_line.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+
+#include "app/commands.hpp"
+#include "app/generate_options.hpp"
+#include "app/messages.hpp"
+#include "scene/fault.hpp"
+
+namespace flying {
+
+namespace {
+
+constexpr const char* k_about = "Discs and polygons that fly and collide, exactly.\n"
+                                "Scenes are TOML files; units are SI, angles in radians, y points up.";
+
+constexpr const char* k_examples = R"(
+Examples:
+  flying generate balls --count 40 > balls.toml
+  flying simulate balls.toml --picture balls.png --video balls.mp4
+  flying simulate balls.toml --until 60 --report balls.json --trace balls.ndjson --every 0.1
+  flying check balls.toml && flying explain balls.toml
+
+Exit status: 0 done; 1 the run failed, or a result could not be written; 2 bad usage or bad scene, and nothing was
+written; 130 stopped by Ctrl-C. "flying COMMAND --help" tells more.
+)";
+
+constexpr const char* k_simulate_notes = R"(
+Output files appear whole or not at all: they take their names when everything is done. A failed run leaves only its
+report, with the key "failure".
+
+Report: JSON, numbers with 17 digits: time, engine, events, collisions, handovers, energy {kinetic, potential, total,
+initial_total}, momentum, angular_momentum, max_overlap, hash, plan, stages, wall_seconds, bodies [{name, position,
+angle, velocity, spin, mass, inertia}].
+Trace: one JSON object a line, at the times 0, DT, 2 DT, ... and at the end:
+  {"time": t, "events": n, "bodies": [[x, y, angle, vx, vy, spin], ...]}     bodies in the scene's order
+Looking never changes a run: the same hash comes out whatever is traced, drawn or filmed.
+
+Examples:
+  flying simulate scene.toml
+  flying simulate scene.toml --until 100 --report run.json --picture end.svg
+  flying simulate scene.toml --trace run.ndjson --every 0.01
+  flying simulate scene.toml --without grid --stats
+)";
+
+/// Read a scene's path: a positional argument that every command but `generate` has.
+void add_scene(CLI::App& command, std::string& path)
+{
+    command.add_option("SCENE", path, "Scene file, TOML; /dev/stdin for a pipe")->required();
+}
+
+void add_without(CLI::App& command, std::vector<std::string>& names)
+{
+    command
+        .add_option("--without", names, "Do the work that this skip leaves out; again for more (names: flying explain)")
+        ->type_name("SKIP")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void add_simulate(CLI::App& app, SimulateOptions& options)
+{
+    CLI::App* command = app.add_subcommand("simulate", "Run a scene and report; on demand trace, draw and film it");
+    command->footer(k_simulate_notes);
+    add_scene(*command, options.scene);
+    command->add_option("--until", options.until, "End of the run in place of the scene's [s]")->type_name("T");
+    command
+        ->add_option("--engine", options.engine,
+                     "events: from impact to impact, exactly; rest: by small steps, for contacts that last; auto: events "
+                     "until impacts crowd without end, then rest")
+        ->type_name("NAME")
+        ->check(CLI::IsMember({"auto", "events", "rest"}));
+    command->add_option("--step", options.step, "Step of the resting engine, 1/60 where not given; the event engine takes none [s]")
+        ->type_name("DT");
+    add_without(*command, options.without);
+    command
+        ->add_option("--seed", options.seed,
+                     "Taken and left unused: a run draws no random numbers, so the same scene always gives the same "
+                     "result. Random scenes come from flying generate --seed N")
+        ->type_name("N");
+    command->add_option("--report", options.report, "Write the report there")->type_name("FILE.json");
+    command->add_option("--trace", options.trace, "Write the motion there, a line for each moment")
+        ->type_name("FILE.ndjson");
+    command
+        ->add_option("--every", options.every, "Time between lines of the trace [s]; by default a hundredth of the run")
+        ->type_name("DT");
+    command->add_option("--picture", options.picture, "Draw the end of the run, with trails")
+        ->type_name("FILE.{png,svg,pdf}");
+    command->add_option("--video", options.video, "Film the run in real time, 60 frames a second (needs ffmpeg)")
+        ->type_name("FILE.mp4");
+    command->add_flag("--explain", options.explain, "Print what was skipped, why, and the work it saved");
+    command->add_flag("--stats", options.stats, "Print what each stage cost");
+    command->add_flag("--quiet", options.quiet, "No report on standard output, no progress");
+}
+
+/// The command line as typed, from the command on.
+std::string as_typed(int argc, char** argv)
+{
+    std::string text = "flying";
+    for (int i = 1; i < argc; ++i) text += std::string(" ") + argv[i];
+    // It becomes a comment of one line
+    for (char& c : text) c = static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+    return text;
+}
+
+/// What to say of a command or an option that doesn't exist, with the one that was meant; nothing where all exist.
+std::optional<std::string> unknown_word(const CLI::App& app, int argc, char** argv)
+{
+    const auto meant = [](const std::string& word, const std::vector<std::string>& known) {
+        const std::string near = nearest_word(word, known);
+        return near.empty() ? "" : fmt::format("; did you mean {}?", near);
+    };
+    const std::string name = argv[1];
+    if (name.starts_with('-')) return std::nullopt;
+    std::vector<std::string> commands;
+    for (const CLI::App* command : app.get_subcommands(nullptr)) commands.push_back(command->get_name());
+    if (std::find(commands.begin(), commands.end(), name) == commands.end()) {
+        return fmt::format("no command {}{} (there are: {})", name, meant(name, commands), fmt::join(commands, ", "));
+    }
+    const CLI::App* command = app.get_subcommand(name);
+    std::vector<std::string> options;
+    for (const CLI::Option* option : command->get_options()) options.push_back(option->get_name());
+    for (int i = 2; i < argc; ++i) {
+        const std::string word = std::string(argv[i]).substr(0, std::string(argv[i]).find('='));
+        if (!word.starts_with("--") || word == "--" || command->get_option_no_throw(word)) continue;
+        return fmt::format("flying {} has no option {}{}", name, word, meant(word, options));
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+int run_command_line(int argc, char** argv)
+{
+    CLI::App app(k_about, "flying");
+    app.set_version_flag("--version", "flying " FLYING_VERSION, "Print the version and exit");
+    app.footer(k_examples);
+    app.require_subcommand(1);
+    app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::Throw);
+
+    SimulateOptions simulate_options;
+    add_simulate(app, simulate_options);
+    std::string scene;
+    std::vector<std::string> without;
+    CLI::App* check_command =
+        app.add_subcommand("check", "Say whether a scene is fit to run, and all that is wrong with it");
+    add_scene(*check_command, scene);
+    CLI::App* explain_command =
+        app.add_subcommand("explain", "Say what a run of this scene skips, and why, without running it");
+    add_scene(*explain_command, scene);
+    add_without(*explain_command, without);
+    GenerateCommand generate_command;
+    add_generate(app, generate_command);
+    CLI::App* window_command = app.add_subcommand("window", "Watch a scene in a window (not in this build)");
+    window_command->add_option("SCENE", scene, "Scene file, TOML");
+
+    if (argc < 2) {
+        std::fputs(app.help().c_str(), stderr);
+        return status::k_usage;
+    }
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == 0) return app.exit(error);
+        complain(unknown_word(app, argc, argv).value_or(error.what()));
+        std::fputs("Run flying --help, or flying COMMAND --help.\n", stderr);
+        return status::k_usage;
+    }
+    if (app.got_subcommand("simulate")) return simulate(simulate_options);
+    if (app.got_subcommand(check_command)) return check(scene);
+    if (app.got_subcommand(explain_command)) return explain(scene, without);
+    if (app.got_subcommand(window_command)) {
+        complain("this build has no window; use flying simulate SCENE --picture FILE.png or --video FILE.mp4");
+        return status::k_usage;
+    }
+    return run_generate(generate_command, as_typed(argc, argv));
+}
+
+} // namespace flying

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/generate.hpp"
+
+namespace flying {
+
+/// Exit status of the program.
+namespace status {
+inline constexpr int k_done = 0;
+inline constexpr int k_failed = 1; ///< the run, or writing its results
+inline constexpr int k_usage = 2;  ///< bad usage or bad scene; nothing is written
+} // namespace status
+
+/// What `flying simulate` was asked for.
+struct SimulateOptions
+{
+    std::string scene;
+    std::optional<double> until; ///< in place of the scene's [s]
+    std::string engine = "auto"; ///< auto, events or rest
+    std::optional<double> step;  ///< of the resting integrator [s]
+    std::vector<std::string> without;
+    std::uint64_t seed = 1;
+    std::string report; ///< this and the next: where to write; empty for nowhere
+    std::string trace;
+    std::optional<double> every; ///< between lines of the trace [s]
+    std::string picture;
+    std::string video;
+    bool explain = false;
+    bool stats = false;
+    bool quiet = false;
+};
+
+/// Each command does all of its work, prints what it has to say, and returns the exit status.
+[[nodiscard]] int simulate(const SimulateOptions& options);
+[[nodiscard]] int check(const std::string& scene_path);
+[[nodiscard]] int explain(const std::string& scene_path, const std::vector<std::string>& without);
+
+/// command  the command line as typed, for the first line of the scene
+[[nodiscard]] int generate_to_stdout(const std::string& kind, const GenerateOptions& options,
+                                     const std::string& command);
+
+} // namespace flying

@@ -1,0 +1,38 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/commands.hpp"
+#include "app/messages.hpp"
+#include "scene/fault.hpp"
+#include "scene/write.hpp"
+
+namespace flying {
+
+namespace {
+
+/// A member's name as an option: "max_spin" is "--max-spin".
+std::string as_option(std::string member)
+{
+    std::replace(member.begin(), member.end(), '_', '-');
+    return "--" + member;
+}
+
+} // namespace
+
+int generate_to_stdout(const std::string& kind, const GenerateOptions& options, const std::string& command)
+{
+    const Expected<Scene> scene = generate(kind, options);
+    if (!scene) {
+        for (Fault fault : scene.faults()) {
+            if (!fault.place.empty()) fault.place = as_option(fault.place);
+            std::replace(fault.expected.begin(), fault.expected.end(), '_', '-');
+            complain(format_fault(fault));
+        }
+        return status::k_usage;
+    }
+    fmt::print("{}", write_scene(scene.value(), command));
+    return status::k_done;
+}
+
+} // namespace flying

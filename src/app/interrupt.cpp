@@ -1,0 +1,65 @@
+#include "app/interrupt.hpp"
+
+#include <array>
+#include <atomic>
+#include <csignal>
+#include <unistd.h>
+
+namespace flying {
+
+namespace {
+
+// A handler may touch only what is lock-free
+static_assert(std::atomic<const char*>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
+std::atomic<int> g_signal{0};
+std::array<std::atomic<const char*>, 16> g_temporaries{};
+
+void note(int signal)
+{
+    if (g_signal.exchange(signal) == 0) return;
+    for (const auto& path : g_temporaries) {
+        if (const char* name = path.load()) unlink(name);
+    }
+    _exit(128 + signal);
+}
+
+void replace(const char* from, const char* to)
+{
+    for (auto& path : g_temporaries) {
+        const char* expected = from;
+        if (path.compare_exchange_strong(expected, to)) return;
+    }
+}
+
+} // namespace
+
+void watch_for_interrupts()
+{
+    struct sigaction action = {};
+    action.sa_handler = note;
+    sigemptyset(&action.sa_mask);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        // A program started under nohup, or in the background by a script, stays deaf
+        struct sigaction before = {};
+        sigaction(signal, nullptr, &before);
+        if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);
+    }
+    std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
+}
+
+int interrupted()
+{
+    return g_signal.load();
+}
+
+void remove_on_interrupt(const char* path)
+{
+    replace(nullptr, path);
+}
+void forget_on_interrupt(const char* path)
+{
+    replace(path, nullptr);
+}
+
+} // namespace flying

@@ -1,0 +1,18 @@
+#pragma once
+
+namespace flying {
+
+/// Take note of the signals that ask for an end (Ctrl-C, TERM, HUP) in place of ending at once, and let writing to what
+/// is closed or full fail by an error in place of a signal. A second such signal ends the program at once, its
+/// temporary files removed.
+void watch_for_interrupts();
+
+/// The signal that asked for an end; 0 while none has.
+[[nodiscard]] int interrupted();
+
+/// Remove this file where a signal ends the program at once.
+/// path  stays where it is until `forget_on_interrupt`
+void remove_on_interrupt(const char* path);
+void forget_on_interrupt(const char* path);
+
+} // namespace flying

@@ -1,0 +1,240 @@
+#include "draw/paint.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "draw/body_path.hpp"
+#include "draw/layout.hpp"
+
+namespace flying {
+
+namespace {
+
+constexpr double k_outline = 0.13;     ///< [units]
+constexpr double k_shadow = 0.26;      ///< [units]
+constexpr double k_wall = 0.9;         ///< [units]
+constexpr double k_corner = 1.2;       ///< [units]
+constexpr double k_letters = 1.75;     ///< [units]
+constexpr double k_smallest_mark = 5.; ///< radius under which a body carries no marks [pixels]
+
+void use(cairo_t* cairo, const Colour& colour, double opacity = 1.0)
+{
+    cairo_set_source_rgba(cairo, colour.red, colour.green, colour.blue, opacity);
+}
+
+void rounded_box(cairo_t* cairo, const PixelBox& box, double radius)
+{
+    const double quarter = 0.5 * std::numbers::pi;
+    cairo_new_sub_path(cairo);
+    cairo_arc(cairo, box.right - radius, box.top + radius, radius, -quarter, 0.0);
+    cairo_arc(cairo, box.right - radius, box.bottom - radius, radius, 0.0, quarter);
+    cairo_arc(cairo, box.left + radius, box.bottom - radius, radius, quarter, 2.0 * quarter);
+    cairo_arc(cairo, box.left + radius, box.top + radius, radius, 2.0 * quarter, 3.0 * quarter);
+    cairo_close_path(cairo);
+}
+
+PixelBox mapped(const Aabb& box, const ViewMap& map)
+{
+    const Vec2 low = map(box.min);
+    const Vec2 high = map(box.max);
+    return {low.x(), high.y(), high.x(), low.y()};
+}
+
+/// Ground, paper and, where the scene has a box, its walls. Leaves the surface clipped to where the world is seen.
+void paint_ground(cairo_t* cairo, const Picture& picture, const Layout& layout, const Theme& theme)
+{
+    use(cairo, theme.ground);
+    cairo_paint(cairo);
+
+    const PixelBox inside = picture.box ? mapped(*picture.box, layout.map) : layout.panel;
+    if (picture.box) {
+        const double wall = k_wall * layout.unit;
+        const PixelBox outside{inside.left - wall, inside.top - wall, inside.right + wall, inside.bottom + wall};
+        rounded_box(cairo, outside, 0.7 * wall);
+        use(cairo, theme.wall);
+        cairo_fill(cairo);
+        cairo_rectangle(cairo, inside.left, inside.top, inside.width(), inside.height());
+    } else {
+        const double corner = std::min({k_corner * layout.unit, 0.5 * inside.width(), 0.5 * inside.height()});
+        rounded_box(cairo, inside, corner);
+    }
+    use(cairo, theme.paper);
+    cairo_fill_preserve(cairo);
+    cairo_clip(cairo);
+}
+
+/// A comet's tail: one union of discs and of the strips between them, so that no overlap shows.
+void paint_trail(cairo_t* cairo, const Trail& trail, const ViewMap& map, const Theme& theme)
+{
+    const std::size_t count = trail.points.size();
+    if (count < 2) return;
+    for (std::size_t i = 0; i + 1 < count; ++i) {
+        const Vec2 from = map(trail.points[i]);
+        const Vec2 to = map(trail.points[i + 1]);
+        const double full = 0.5 * trail.width * map.scale;
+        const double half_from = full * static_cast<double>(i) / static_cast<double>(count - 1);
+        const double half_to = full * static_cast<double>(i + 1) / static_cast<double>(count - 1);
+        const Vec2 way = to - from;
+        const double length = way.norm();
+        if (!(length > 0.0) || length > 1e5) continue;
+        const Vec2 across = perp(way) / length;
+        cairo_new_sub_path(cairo);
+        for (const Vec2& corner : {Vec2(from + half_from * across), Vec2(from - half_from * across),
+                                   Vec2(to - half_to * across), Vec2(to + half_to * across)}) {
+            cairo_line_to(cairo, corner.x(), corner.y());
+        }
+        cairo_close_path(cairo);
+        cairo_new_sub_path(cairo);
+        // Turning the same way as the strip, or the winding rule would cut it out
+        cairo_arc(cairo, to.x(), to.y(), half_to, 0.0, 2.0 * std::numbers::pi);
+        cairo_close_path(cairo);
+    }
+    cairo_set_fill_rule(cairo, CAIRO_FILL_RULE_WINDING);
+    use(cairo, body_colour(trail.colour, theme), 0.22);
+    cairo_fill(cairo);
+}
+
+/// A line from a disc's centre towards its rim, so that a turn shows.
+void paint_radius(cairo_t* cairo, const Vec2& centre, const DrawnBody& body, double radius, double unit,
+                  const Colour& colour)
+{
+    const Vec2 along(body.pose.rotation.cosine, -body.pose.rotation.sine);
+    const Vec2 half = std::min(0.055 * radius, 0.13 * unit) * perp(along);
+    const Vec2 end = centre + 0.8 * radius * along;
+    for (const Vec2& corner : {Vec2(centre + half), Vec2(centre - half), Vec2(end - half), Vec2(end + half)}) {
+        cairo_line_to(cairo, corner.x(), corner.y());
+    }
+    cairo_close_path(cairo);
+    use(cairo, colour);
+    cairo_fill(cairo);
+}
+
+/// Dark fill under a smaller fill: strokes cost three times as much.
+void paint_body(cairo_t* cairo, const DrawnBody& body, const Layout& layout, const Theme& theme)
+{
+    const Colour fill = body.is_static ? theme.body_static : body_colour(body.colour, theme);
+    const Colour dark = outline_of(fill, theme);
+    const double radius = bounding_radius(body.shape) * layout.map.scale;
+
+    // A dot of its own colour is all that a tiny body can show
+    if (radius < 2.0) {
+        const Vec2 at = layout.map(body.pose.position);
+        cairo_arc(cairo, at.x(), at.y(), std::max(radius, 0.8), 0.0, 2.0 * std::numbers::pi);
+        use(cairo, fill);
+        cairo_fill(cairo);
+        return;
+    }
+
+    const double outline = std::min(k_outline * layout.unit, 0.14 * radius);
+    const OutlineKind kind = add_body_path(cairo, body, layout.map, 0.0);
+    use(cairo, dark);
+    if (kind == OutlineKind::by_inset) {
+        cairo_fill(cairo);
+        if (add_body_path(cairo, body, layout.map, outline) == OutlineKind::too_thin) {
+            cairo_new_path(cairo);
+            add_body_path(cairo, body, layout.map, 0.0);
+        }
+        use(cairo, fill);
+        cairo_fill(cairo);
+    } else {
+        // Half of a stroke lies inside: clip away the half outside, which would show the body too large
+        cairo_save(cairo);
+        cairo_path_t* path = cairo_copy_path(cairo);
+        cairo_clip(cairo);
+        use(cairo, fill);
+        cairo_paint(cairo);
+        cairo_append_path(cairo, path);
+        cairo_path_destroy(path);
+        use(cairo, dark);
+        cairo_set_line_width(cairo, 2.0 * outline);
+        cairo_stroke(cairo);
+        cairo_restore(cairo);
+    }
+    if (std::holds_alternative<Disc>(body.shape) && radius >= k_smallest_mark) {
+        paint_radius(cairo, layout.map(body.pose.position), body, radius, layout.unit, mixed(fill, dark, 0.75));
+    }
+}
+
+void paint_shadow(cairo_t* cairo, const DrawnBody& body, const Layout& layout)
+{
+    const double radius = bounding_radius(body.shape) * layout.map.scale;
+    if (radius < k_smallest_mark) return;
+    ViewMap lower = layout.map;
+    lower.origin += Vec2(0.0, std::min(k_shadow * layout.unit, 0.12 * radius));
+    add_body_path(cairo, body, lower, 0.0);
+    cairo_set_source_rgba(cairo, 0.0, 0.0, 0.0, 0.12);
+    cairo_fill(cairo);
+}
+
+bool is_in_sight(const DrawnBody& body, const Aabb& sight)
+{
+    return !std::holds_alternative<HalfPlane>(body.shape) && overlap(bounding_box(body.shape, body.pose), sight);
+}
+
+/// Title above; scale bar and time below.
+void paint_writing(cairo_t* cairo, const Picture& picture, const Layout& layout, SurfaceSize size, const Theme& theme)
+{
+    const double unit = layout.unit;
+    const PixelBox& panel = layout.panel;
+    cairo_select_font_face(cairo, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+    cairo_set_font_size(cairo, k_letters * unit);
+    use(cairo, theme.ink, 0.85);
+
+    if (!picture.title.empty()) {
+        cairo_move_to(cairo, panel.left, panel.top - 2.1 * unit);
+        cairo_show_text(cairo, picture.title.c_str());
+    }
+    const double base = size.height - 1.5 * unit;
+    if (picture.time) {
+        const std::string text = time_text(*picture.time);
+        cairo_text_extents_t extents{};
+        cairo_text_extents(cairo, text.c_str(), &extents);
+        cairo_move_to(cairo, panel.right - extents.x_advance, base);
+        cairo_show_text(cairo, text.c_str());
+    }
+    if (picture.has_scale_bar) {
+        const double length = round_length(0.2 * panel.width() / layout.map.scale);
+        const double width = length * layout.map.scale;
+        const double middle = base - 0.62 * unit;
+        cairo_rectangle(cairo, panel.left, middle - 0.1 * unit, width, 0.2 * unit);
+        cairo_rectangle(cairo, panel.left, middle - 0.6 * unit, 0.2 * unit, 1.2 * unit);
+        cairo_rectangle(cairo, panel.left + width - 0.2 * unit, middle - 0.6 * unit, 0.2 * unit, 1.2 * unit);
+        cairo_fill(cairo);
+        cairo_move_to(cairo, panel.left + width + unit, base);
+        cairo_show_text(cairo, length_text(length).c_str());
+    }
+}
+
+} // namespace
+
+void paint(cairo_t* cairo, const Picture& picture, SurfaceSize size, const Theme& theme)
+{
+    const Layout layout = layout_of(picture, size);
+    const Vec2 low = layout.map.world_at(Vec2(0.0, size.height));
+    const Vec2 high = layout.map.world_at(Vec2(size.width, 0.0));
+    const Aabb sight{low, high};
+
+    cairo_save(cairo);
+    paint_ground(cairo, picture, layout, theme);
+    for (const Trail& trail : picture.trails) paint_trail(cairo, trail, layout.map, theme);
+    for (const DrawnBody& body : picture.bodies) {
+        if (is_in_sight(body, sight)) paint_shadow(cairo, body, layout);
+    }
+    for (const DrawnBody& body : picture.bodies) {
+        if (is_in_sight(body, sight)) paint_body(cairo, body, layout, theme);
+    }
+    cairo_restore(cairo);
+
+    cairo_save(cairo);
+    paint_writing(cairo, picture, layout, size, theme);
+    cairo_restore(cairo);
+}
+
+} // namespace flying
+
+#if defined(__SANITIZE_ADDRESS__)
+/// What fontconfig keeps until the program ends is no leak of ours; the leak checker asks for this by name.
+extern "C" const char* __lsan_default_suppressions();
+extern "C" const char* __lsan_default_suppressions() { return "leak:libfontconfig\n"; }
+#endif

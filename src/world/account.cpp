@@ -1,0 +1,161 @@
+#include "world/account.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <numeric>
+
+namespace flying {
+namespace {
+
+[[nodiscard]] BodyReport report_body(const BodyView& body, const std::string& name)
+{
+    const auto inverse_or_zero = [](double x) { return x > 0.0 ? 1.0 / x : 0.0; };
+    return {name, body.state, inverse_or_zero(body.inertia.inv_mass),
+            inverse_or_zero(body.inertia.inv_moment_of_inertia)};
+}
+
+/// Shortest decimal that reads back to the same number.
+[[nodiscard]] std::string decimal(double number)
+{
+    std::array<char, 32> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), number);
+    return std::string(text.data(), end.ptr);
+}
+
+[[nodiscard]] std::string quoted_label(const Scene& scene, int index)
+{
+    const int walls_start = static_cast<int>(scene.bodies.size());
+    if (index >= walls_start + (scene.world.box ? 4 : 0)) return "the core";
+    if (index >= walls_start) {
+        constexpr std::array<const char*, 4> k_walls = {"the left wall", "the right wall", "the floor", "the ceiling"};
+        return k_walls[static_cast<std::size_t>(index - walls_start)];
+    }
+    const bool named = !scene.bodies[static_cast<std::size_t>(index)].name.empty();
+    return named ? "\"" + body_label(scene, index) + "\"" : body_label(scene, index);
+}
+
+} // namespace
+
+// [account.sums]
+Account take_account(const std::vector<BodyView>& bodies, const Scene& scene)
+{
+    const Vec2 gravity = uniform_acceleration(scene.world.field);
+    const auto* central = std::get_if<CentralField>(&scene.world.field);
+    Account account;
+    for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
+        const BodyReport& body = account.bodies.emplace_back(report_body(bodies[k], scene.bodies[k].name));
+        const BodyState& state = body.state;
+        account.energy.kinetic += 0.5 * body.mass * state.velocity.squaredNorm();
+        account.energy.kinetic += 0.5 * body.moment_of_inertia * (state.spin * state.spin);
+        account.energy.potential -= body.mass * gravity.dot(state.position);
+        if (central && body.mass > 0.0) {
+            account.energy.potential -= body.mass * central->mu / (state.position - central->centre).norm();
+        }
+        account.momentum += body.mass * state.velocity;
+        account.angular_momentum += body.mass * cross(state.position, state.velocity);
+        account.angular_momentum += body.moment_of_inertia * state.spin;
+    }
+    return account;
+}
+// [account.sums]
+
+// [account.overlap]
+double deepest_overlap(const std::vector<BodyView>& bodies, const std::vector<CollisionShape>& shapes)
+{
+    // Sort boxes by their left ends, then compare each with those that start before its right end
+    const int count = static_cast<int>(bodies.size());
+    std::vector<Pose> poses;
+    std::vector<Aabb> boxes;
+    for (const BodyView& body : bodies) {
+        poses.push_back(pose_of(body.state));
+        boxes.push_back(bounding_box(*body.shape, poses.back()));
+    }
+    std::vector<int> order(boxes.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [&](int p, int q) {
+        return boxes[p].min.x() != boxes[q].min.x() ? boxes[p].min.x() < boxes[q].min.x() : p < q;
+    });
+
+    double deepest = 0.0;
+    for (int i = 0; i < count; ++i) {
+        const int p = order[i];
+        for (int j = i + 1; j < count && boxes[order[j]].min.x() <= boxes[p].max.x(); ++j) {
+            const int q = order[j];
+            if ((bodies[p].is_static && bodies[q].is_static) || !overlap(boxes[p], boxes[q])) continue;
+            deepest = std::max(deepest, -separation(shapes[p], poses[p], shapes[q], poses[q]));
+        }
+    }
+    return deepest;
+}
+// [account.overlap]
+
+// [account.hash]
+std::uint64_t final_hash(std::uint64_t log_hash, const std::vector<BodyReport>& bodies)
+{
+    Hash hash(log_hash);
+    for (const BodyReport& body : bodies) {
+        const BodyState& state = body.state;
+        for (const double number : {state.position.x(), state.position.y(), state.velocity.x(), state.velocity.y(),
+                                    state.angle, state.spin, state.time}) {
+            hash.add(number);
+        }
+    }
+    return hash.value();
+}
+// [account.hash]
+
+Plan plan_with_savings(Plan plan, const EventCounts& counts)
+{
+    for (Skip& skip : plan.skips) {
+        if (!skip.active) continue;
+        if (skip.name == "grid") skip.saved = counts.far_pairs_skipped;
+        if (skip.name == "static-pairs") skip.saved = counts.static_pairs_skipped;
+        if (skip.name == "far-features") skip.saved = counts.far_features_skipped;
+    }
+    return plan;
+}
+
+std::vector<StageCost> stage_costs(const EventCounts& counts, const EventSeconds& seconds)
+{
+    return {{"predict", counts.predictions, seconds.predict},
+            {"look again", counts.looks, seconds.look},
+            {"impact", counts.impacts, seconds.impact},
+            {"cell", counts.cells, seconds.cells},
+            {"overtaken", counts.stale, 0.0}};
+}
+
+std::vector<StageCost> stage_costs(const RestCounts& counts, const RestSeconds& seconds)
+{
+    return {{"find pairs", counts.looks, seconds.pairs},
+            {"collide", counts.manifolds, seconds.collide},
+            {"solve", counts.groups, seconds.solve},
+            {"move", counts.steps, seconds.move}};
+}
+
+RunFailure describe(const EventFailure& failure, const Scene& scene)
+{
+    RunFailure described;
+    described.time = failure.time;
+    for (const int body : {failure.a, failure.b}) {
+        if (body < static_cast<int>(scene.bodies.size())) described.bodies.push_back(body);
+    }
+    const std::string pair = quoted_label(scene, failure.a) + " and " + quoted_label(scene, failure.b);
+    const std::string when = " at t = " + decimal(failure.time) + " s";
+    switch (failure.kind) {
+    case EventFailure::Kind::crowded:
+        described.message = "impacts of " + pair + " crowd together without end" + when;
+        break;
+    case EventFailure::Kind::unresolved:
+        described.message = "an impact of " + pair + when + " could not be resolved: some of its points still approach";
+        break;
+    case EventFailure::Kind::spun_out:
+        described.message = "one of " + pair + " has turned through more than 2^53 rad" + when +
+                            ": its angle has lost its meaning";
+        break;
+    }
+    return described;
+}
+
+} // namespace flying

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "motion/body.hpp"
+#include "world/plan.hpp"
+
+namespace flying {
+
+/// Energy of all bodies that move.  [J]
+struct Energy
+{
+    double kinetic = 0.0;
+    double potential = 0.0; ///< in the uniform field, zero at the world's origin
+    [[nodiscard]] double total() const { return kinetic + potential; }
+};
+
+/// One body as a report shows it.
+struct BodyReport
+{
+    std::string name;
+    BodyState state;
+    double mass = 0.0;              ///< 0 for a static body [kg]
+    double moment_of_inertia = 0.0; ///< 0 for a static body [kg m^2]
+};
+
+/// What one stage of the work cost.
+struct StageCost
+{
+    std::string name;     ///< "predict", "impact", ...
+    long count = 0;       ///< how often it was entered
+    double seconds = 0.0; ///< in all; 0 where nobody lent the world a stopwatch [s]
+};
+
+/// Bodies given from one integrator to the other.
+struct Handover
+{
+    double time = 0.0;           ///< [s]
+    std::vector<int> bodies;     ///< scene indices of those whose impacts crowded
+    std::string reason;          ///< one sentence
+    double energy_change = 0.0;  ///< of the whole, by the hand-over itself [J]
+};
+
+/// The world at one moment, and what it took to get there.
+struct Report
+{
+    double time = 0.0;       ///< [s]
+    std::string engine;      ///< "events", "rest", or "events, then rest"
+    long events = 0;         ///< all handled
+    long collisions = 0;     ///< impulses between bodies, walls included
+    std::vector<Handover> handovers; ///< in the order in which they came
+    Energy energy;
+    double initial_total = 0.0; ///< [J]
+    Vec2 momentum = Vec2::Zero(); ///< [kg m/s]
+    double angular_momentum = 0.0; ///< about the world's origin [kg m^2/s]
+    double max_overlap = 0.0; ///< deepest ever met, at events and reports; 0 where nothing overlapped [m]
+    std::uint64_t hash = 0;   ///< of the log of events and the final state
+    Plan plan;
+    std::vector<StageCost> stages;
+    std::vector<BodyReport> bodies; ///< in the scene's order
+};
+
+} // namespace flying

@@ -1,0 +1,324 @@
+#include "world/world.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "broadphase/grid.hpp"
+#include "collide/separation.hpp"
+#include "events/event_engine.hpp"
+#include "mass/polygon.hpp"
+#include "rest/rest_engine.hpp"
+#include "world/account.hpp"
+#include "world/checks.hpp"
+#include "world/make_shape.hpp"
+
+namespace flying {
+namespace {
+
+/// The box as four static half-planes, their normals inwards.
+[[nodiscard]] std::vector<EventBody> make_walls(const WorldDef& world)
+{
+    const Material material{world.restitution, world.friction};
+    std::vector<EventBody> walls;
+    if (!world.box) return walls;
+    const auto add = [&](const Vec2& normal, double offset) {
+        walls.push_back({HalfPlane{normal, offset}, {}, {}, material, true});
+    };
+    add({1.0, 0.0}, world.box->min.x());
+    add({-1.0, 0.0}, -world.box->max.x());
+    add({0.0, 1.0}, world.box->min.y());
+    add({0.0, -1.0}, -world.box->max.y());
+    return walls;
+}
+
+/// The solid core of a central field, a static disc; none where it has none.
+[[nodiscard]] std::optional<EventBody> make_core(const WorldDef& world)
+{
+    const auto* central = std::get_if<CentralField>(&world.field);
+    if (!central || central->radius == 0.0) return std::nullopt;
+    EventBody core{Disc{central->radius}, {}, {}, {world.restitution, world.friction}, true};
+    core.flyer.state.position = central->centre;
+    return core;
+}
+
+/// A body of a valid scene, ready to fly.
+[[nodiscard]] EventBody make_body(const BodyDef& def, const WorldDef& world)
+{
+    EventBody body{make_shape(def.shape).value(), {}, {}, {}, def.is_static};
+    body.material = {def.restitution.value_or(world.restitution), def.friction.value_or(world.friction)};
+    body.flyer.state = {def.position, def.velocity, def.angle, def.spin, 0.0};
+    if (def.is_static) return body;
+
+    // Weigh it; a given mass spreads evenly
+    const MassProperties at_unit_density = mass_of(body.shape, 1.0);
+    const double density = def.mass ? *def.mass / at_unit_density.mass : def.density.value_or(1.0);
+    const double mass = def.mass ? *def.mass : at_unit_density.mass * density;
+    body.inertia = {1.0 / mass, 1.0 / (at_unit_density.moment_of_inertia * density)};
+    body.flyer.acceleration = uniform_acceleration(world.field);
+    body.flyer.central = std::get_if<CentralField>(&world.field);
+    return body;
+}
+
+/// The same bodies for the resting integrator, as they are at a moment.
+[[nodiscard]] std::vector<RestBody> bodies_at_rest(const EventEngine& engine, const std::vector<Material>& materials,
+                                                   double time)
+{
+    std::vector<RestBody> bodies;
+    for (int k = 0; k < engine.body_count(); ++k) {
+        const Flyer flyer = engine.flyer(k);
+        const BodyState state = state_at(flyer, time);
+        bodies.push_back({engine.shape(k), state, engine.inertia(k), materials[static_cast<std::size_t>(k)],
+                          flyer.acceleration, engine.is_static(k), true});
+    }
+    return bodies;
+}
+
+} // namespace
+
+/// What a world is made of.
+struct World::Parts
+{
+    Scene scene;
+    WorldOptions options;
+    Plan plan;
+    EventEngine engine;
+    std::vector<Material> materials;    ///< of the scene's bodies and the walls
+    std::vector<CollisionShape> shapes; ///< of the same, for measuring overlap
+    std::optional<RestEngine> rest{};   ///< moves the bodies where it is there
+    double rest_clock = 0.0;            ///< the moment last asked for, while it does [s]
+    std::vector<Handover> handovers{};
+    double (*seconds)() = nullptr;
+    double initial_total = 0.0;
+    double max_overlap = 0.0;           ///< measured at reports
+    long earlier_events = 0;            ///< before this world was resumed
+    long earlier_collisions = 0;
+    bool failed = false;
+
+    void start_rest(double time);
+    [[nodiscard]] std::vector<BodyView> view() const;
+    [[nodiscard]] std::optional<RunFailure> hand_over(const EventFailure& failure);
+    void advance_rest(double time, long most);
+};
+
+World::World(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+World::World(World&&) noexcept = default;
+World& World::operator=(World&&) noexcept = default;
+World::~World() = default;
+
+// [world.make]
+Expected<World> World::make(const Scene& scene, const WorldOptions& options)
+{
+    Faults faults = validate(scene);
+    if (!(options.step > 0.0) || !std::isfinite(options.step)) {
+        faults.push_back({"step", number_text(options.step), "a positive number of seconds"});
+    }
+    if (options.engine == EngineChoice::rest && std::holds_alternative<CentralField>(scene.world.field)) {
+        faults.push_back({"engine", "rest, in a central field", "events: the resting integrator's steps have one acceleration"});
+    }
+    if (!faults.empty()) return faults;
+
+    // Line up the scene's bodies, then the walls, then the core
+    std::vector<EventBody> bodies;
+    for (const BodyDef& def : scene.bodies) bodies.push_back(make_body(def, scene.world));
+    for (EventBody& wall : make_walls(scene.world)) bodies.push_back(std::move(wall));
+    if (std::optional<EventBody> core = make_core(scene.world)) bodies.push_back(std::move(*core));
+    std::vector<CollisionShape> shapes;
+    std::vector<Material> materials;
+    for (const EventBody& body : bodies) {
+        shapes.push_back(make_collision_shape(body.shape));
+        materials.push_back(body.material);
+    }
+
+    // Do only what this scene needs
+    const Plan plan = make_plan(scene, options.without);
+    EventEngineOptions engine_options;
+    engine_options.pair_finder = plan.pair_finder;
+    engine_options.skips_static_pairs = plan.skips_static_pairs;
+    engine_options.skips_far_features = plan.skips_far_features;
+    EventEngine engine(std::move(bodies), engine_options);
+
+    World world(std::make_unique<Parts>(
+        Parts{scene, options, plan, std::move(engine), std::move(materials), std::move(shapes)}));
+    world.parts_->initial_total = take_account(world.parts_->view(), scene).energy.total();
+    if (options.engine == EngineChoice::rest) world.parts_->start_rest(0.0);
+    return world;
+}
+// [world.make]
+
+// [world.resume]
+Expected<World> World::resume(const Scene& scene, const Snapshot& snapshot, const WorldOptions& options)
+{
+    Expected<World> made = make(scene, options);
+    if (!made) return made;
+    World world = std::move(made).value();
+    Parts& parts = *world.parts_;
+    const auto count = static_cast<std::size_t>(parts.engine.body_count());
+    if (snapshot.bodies.size() != scene.bodies.size() || snapshot.crowding.size() != count) {
+        return Fault{"snapshot", std::to_string(snapshot.bodies.size()) + " bodies",
+                     std::to_string(scene.bodies.size()) + " bodies, those of the scene"};
+    }
+    parts.engine.go_on_from({snapshot.time, snapshot.log_hash, snapshot.max_overlap, snapshot.crowding}, snapshot.bodies);
+    parts.earlier_events = snapshot.events;
+    parts.earlier_collisions = snapshot.collisions;
+    parts.initial_total = snapshot.initial_total;
+    parts.handovers = snapshot.handovers;
+    if (snapshot.is_resting) parts.start_rest(snapshot.time);
+    return world;
+}
+
+Snapshot World::snapshot() const
+{
+    Snapshot snapshot;
+    const EventEngine::Resume resume = parts_->engine.resume();
+    snapshot.time = time();
+    for (int k = 0; k < body_count(); ++k) {
+        snapshot.bodies.push_back(parts_->rest ? parts_->rest->state(k) : parts_->engine.flyer(k).state);
+    }
+    snapshot.log_hash = resume.log_hash;
+    snapshot.events = events();
+    snapshot.collisions = collisions();
+    snapshot.max_overlap = std::max(resume.max_overlap, parts_->max_overlap);
+    snapshot.initial_total = parts_->initial_total;
+    snapshot.crowding = resume.crowding;
+    snapshot.is_resting = parts_->rest.has_value();
+    snapshot.handovers = parts_->handovers;
+    return snapshot;
+}
+// [world.resume]
+
+// [world.hand-over]
+void World::Parts::start_rest(double time)
+{
+    RestOptions rest_options;
+    rest_options.step = options.step;
+    rest_options.seconds = seconds;
+    rest.emplace(bodies_at_rest(engine, materials, time), rest_options, time);
+    rest_clock = time;
+}
+
+/// Give all bodies to the resting integrator, where impacts crowd and the user left the choice to us.
+std::optional<RunFailure> World::Parts::hand_over(const EventFailure& failure)
+{
+    const RunFailure described = describe(failure, scene);
+    const bool is_central = std::holds_alternative<CentralField>(scene.world.field); // not for steps with one acceleration
+    if (failure.kind != EventFailure::Kind::crowded || options.engine != EngineChoice::automatic || is_central) {
+        failed = true;
+        return described;
+    }
+    const double before = take_account(view(), scene).energy.total();
+    start_rest(engine.time());
+    const double after = take_account(view(), scene).energy.total();
+    handovers.push_back({failure.time, described.bodies, described.message, after - before});
+    return std::nullopt;
+}
+// [world.hand-over]
+
+// [world.advance]
+std::optional<RunFailure> World::advance(double time, long max_events)
+{
+    if (parts_->failed) return std::nullopt;
+    if (!parts_->rest) {
+        const std::optional<EventFailure> failure = parts_->engine.advance(time, max_events);
+        if (!failure) return std::nullopt;
+        if (auto fatal = parts_->hand_over(*failure)) return fatal;
+    }
+    parts_->advance_rest(time, max_events);
+    return std::nullopt;
+}
+
+void World::Parts::advance_rest(double time, long most)
+{
+    // A step that ends at `time` but for rounding belongs to it
+    const double whole = time + 1e-9 * options.step;
+    for (long made = 0; rest->time() + options.step <= whole; ++made) {
+        if (made == most) {
+            rest_clock = rest->time();
+            return;
+        }
+        rest->step();
+    }
+    rest_clock = std::max(rest_clock, time);
+}
+// [world.advance]
+
+double World::time() const { return parts_->rest ? parts_->rest_clock : parts_->engine.time(); }
+int World::body_count() const { return static_cast<int>(parts_->scene.bodies.size()); }
+
+BodyState World::state(int index) const
+{
+    if (parts_->rest) return parts_->rest->state(index);
+    const Flyer flyer = parts_->engine.flyer(index);
+    return state_at(flyer, time());
+}
+
+std::vector<BodyView> World::Parts::view() const
+{
+    std::vector<BodyView> bodies;
+    for (int k = 0; k < engine.body_count(); ++k) {
+        const Flyer flyer = engine.flyer(k);
+        const BodyState state = rest ? rest->state(k) : state_at(flyer, engine.time());
+        bodies.push_back({state, engine.inertia(k), &engine.shape(k), engine.is_static(k)});
+    }
+    return bodies;
+}
+
+const Shape& World::shape(int index) const { return parts_->engine.shape(index); }
+bool World::is_static(int index) const { return parts_->engine.is_static(index); }
+const Scene& World::scene() const { return parts_->scene; }
+const std::vector<Handover>& World::handovers() const { return parts_->handovers; }
+
+long World::events() const
+{
+    const long steps = parts_->rest ? parts_->rest->counts().steps : 0;
+    return parts_->earlier_events + parts_->engine.counts().events + steps;
+}
+
+long World::collisions() const
+{
+    const long impacts = parts_->rest ? parts_->rest->counts().impacts : 0;
+    return parts_->earlier_collisions + parts_->engine.counts().impacts + impacts;
+}
+
+std::uint64_t World::log_hash() const { return parts_->engine.log_hash(); }
+
+void World::set_stopwatch(double (*seconds)())
+{
+    parts_->seconds = seconds;
+    parts_->engine.set_clock(seconds);
+    if (parts_->rest) parts_->rest->set_clock(seconds);
+}
+
+// [world.report]
+Report World::report()
+{
+    Parts& parts = *parts_;
+    const std::vector<BodyView> bodies = parts.view();
+    const Account account = take_account(bodies, parts.scene);
+    parts.max_overlap = std::max({parts.max_overlap, parts.engine.max_overlap(), deepest_overlap(bodies, parts.shapes)});
+    if (parts.rest) parts.max_overlap = std::max(parts.max_overlap, parts.rest->max_overlap());
+
+    Report report;
+    report.time = time();
+    const bool only_rest = parts.options.engine == EngineChoice::rest;
+    report.engine = only_rest ? "rest" : parts.rest ? "events, then rest" : "events";
+    report.events = events();
+    report.collisions = collisions();
+    report.handovers = parts.handovers;
+    report.energy = account.energy;
+    report.initial_total = parts.initial_total;
+    report.momentum = account.momentum;
+    report.angular_momentum = account.angular_momentum;
+    report.max_overlap = parts.max_overlap;
+    report.bodies = account.bodies;
+    report.hash = final_hash(parts.engine.log_hash(), report.bodies);
+    report.plan = plan_with_savings(parts.plan, parts.engine.counts());
+    report.stages = stage_costs(parts.engine.counts(), parts.engine.seconds());
+    if (parts.rest) {
+        const std::vector<StageCost> more = stage_costs(parts.rest->counts(), parts.rest->seconds());
+        report.stages.insert(report.stages.end(), more.begin(), more.end());
+    }
+    return report;
+}
+// [world.report]
+
+} // namespace flying

@@ -1,0 +1,106 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "math/expected.hpp"
+#include "motion/body.hpp"
+#include "geometry/shape.hpp"
+#include "world/plan.hpp"
+#include "world/report.hpp"
+#include "world/scene.hpp"
+
+namespace flying {
+
+/// Why a run can't go on.
+struct RunFailure
+{
+    double time = 0.0;        ///< [s]
+    std::vector<int> bodies;  ///< scene indices of those involved; the box's walls are not among them
+    std::string message;      ///< one sentence: which bodies, when, what happened
+};
+
+/// Everything that a run needs to go on with the same bits: the bodies at their own moments, and the counts so far.
+struct Snapshot
+{
+    double time = 0.0;             ///< [s]
+    std::vector<BodyState> bodies; ///< the scene's, each at the time of its last event
+    std::uint64_t log_hash = 0;
+    long events = 0;
+    long collisions = 0;
+    double max_overlap = 0.0;      ///< [m]
+    double initial_total = 0.0;    ///< [J]
+    std::vector<int> crowding;     ///< of each body and wall: impacts in a row without room between them
+    bool is_resting = false;       ///< the resting integrator was at work
+    std::vector<Handover> handovers;
+};
+
+/// Who moves the bodies. Automatic: the event-driven integrator, until impacts crowd together without end; from then on
+/// the resting one.
+enum class EngineChoice { automatic, events, rest };
+
+/// How to run a scene.
+struct WorldOptions
+{
+    std::vector<std::string> without;                 ///< skips to leave inactive, of `skip_names`
+    EngineChoice engine = EngineChoice::automatic;
+    double step = 1.0 / 60.0;                         ///< of the resting integrator, > 0 [s]
+};
+
+/// A scene in motion. Moves forward only. As long as the event-driven integrator moves it, what it answers at a moment
+/// doesn't depend, to the bit, on how often it was asked before; the resting integrator answers with its last whole step.
+class World
+{
+public:
+    /// The one checked door. Faults as `validate` finds them.
+    [[nodiscard]] static Expected<World> make(const Scene& scene, const WorldOptions& options = {});
+
+    World(World&&) noexcept;
+    World& operator=(World&&) noexcept;
+    ~World();
+
+    /// Handle every event up to `time` (included), or make every whole step, and set the clock there. Earlier times do
+    /// nothing.
+    /// max_events  stop early after that many events or steps more, so that the caller can show progress; the clock then
+    ///             stands at the last one
+    /// Returns the failure that stopped the run, if any; the clock then stands at its time, and the world can still be
+    /// asked and reported but moves no more.
+    [[nodiscard]] std::optional<RunFailure> advance(double time, long max_events = -1);
+
+    [[nodiscard]] double time() const;
+    [[nodiscard]] int body_count() const; ///< the scene's bodies, without the box's walls
+
+    /// Body `index` of the scene at the clock.
+    [[nodiscard]] BodyState state(int index) const;
+    /// Its shape about its centre of mass.
+    [[nodiscard]] const Shape& shape(int index) const;
+    [[nodiscard]] bool is_static(int index) const;
+    [[nodiscard]] const Scene& scene() const;
+
+    [[nodiscard]] long events() const; ///< handled, steps of the resting integrator among them
+    [[nodiscard]] long collisions() const;
+    [[nodiscard]] const std::vector<Handover>& handovers() const;
+    [[nodiscard]] std::uint64_t log_hash() const; ///< of all events so far
+    [[nodiscard]] Report report();                ///< measures overlap anew, changes nothing else
+
+    /// Measure the time of each stage from now on. The engine has no clock of its own.
+    /// seconds  a clock that only goes forward [s]; null to stop measuring
+    void set_stopwatch(double (*seconds)());
+
+    [[nodiscard]] Snapshot snapshot() const;
+    /// A world that goes on from a snapshot of a run of the same scene, with the same bits as if it had never stopped; where
+    /// the resting integrator was at work, with the same states, but it has to find its forces anew.
+    /// Faults: those of the scene, and a snapshot that holds another number of bodies.
+    [[nodiscard]] static Expected<World> resume(const Scene& scene, const Snapshot& snapshot,
+                                                const WorldOptions& options = {});
+
+private:
+    struct Parts;
+    explicit World(std::unique_ptr<Parts> parts);
+    std::unique_ptr<Parts> parts_;
+};
+
+} // namespace flying
