@@ -1,0 +1,115 @@
+# What a chapter's CMakeLists.txt may call.
+#
+# flying_chapter(LINK targets... [PROGRAMS names...])
+#     Builds and runs what the chapter's page shows, out of the files of its folder:
+#     demo.cpp             its output is `::output demo`; so for every other name in PROGRAMS
+#     figures.cpp          run with a folder as its argument, into which it writes NAME.svg and NAME.ndjson
+#     exercises/eK/        with tests.cpp: stub.hpp must compile and fail, solution.hpp must pass
+#     the target chapter_NN, where flying_test made one before: it leaves the receipts
+#     The results go to the folder `book` of the build; the target `book` depends on them.
+
+set(FLYING_BOOK_FOLDER ${PROJECT_BINARY_DIR}/book)
+
+# flying_page_program(target source): a program that a page quotes
+function(flying_page_program target source)
+    add_executable(${target} ${source})
+    target_link_libraries(${target} PRIVATE flying_flags ${ARGN})
+    target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/src)
+endfunction()
+
+function(flying_exercise number folder)
+    get_filename_component(name ${folder} NAME)
+    get_filename_component(chapter ${CMAKE_CURRENT_SOURCE_DIR} NAME)
+    set(answers solution stub)
+    set(mine ${PROJECT_SOURCE_DIR}/my/${chapter}/${name}.hpp)
+    if(EXISTS ${mine})
+        list(APPEND answers mine)
+    endif()
+    foreach(answer ${answers})
+        set(file ${folder}/${answer}.hpp)
+        set(target exercise_${number}_${name}_${answer})
+        if(answer STREQUAL "mine")
+            set(file ${mine})
+            add_executable(${target} EXCLUDE_FROM_ALL ${folder}/tests.cpp)
+        else()
+            add_executable(${target} ${folder}/tests.cpp)
+        endif()
+        target_link_libraries(${target} PRIVATE flying_test_main ${ARGN})
+        target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/src)
+        target_compile_definitions(${target} PRIVATE FLYING_ANSWER="${file}" FLYING_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+    endforeach()
+    set(title "exercise ${number} ${name}:")
+    add_test(NAME "${title} the solution passes" COMMAND exercise_${number}_${name}_solution)
+    add_test(NAME "${title} the stub fails" COMMAND exercise_${number}_${name}_stub)
+    set_tests_properties("${title} the stub fails" PROPERTIES WILL_FAIL TRUE)
+    add_test(NAME "${title} a hint is there" COMMAND ${CMAKE_COMMAND} -E md5sum ${folder}/hint.md)
+    set_tests_properties("${title} the solution passes" "${title} the stub fails" PROPERTIES TIMEOUT 60)
+endfunction()
+
+function(flying_chapter)
+    cmake_parse_arguments(arg "" "" "LINK;PROGRAMS" ${ARGN})
+    get_filename_component(chapter ${CMAKE_CURRENT_SOURCE_DIR} NAME)
+    string(SUBSTRING ${chapter} 0 2 number)
+    set(matter "")
+
+    # Run each program and keep what it prints
+    foreach(program demo ${arg_PROGRAMS})
+        if(NOT EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${program}.cpp)
+            continue()
+        endif()
+        set(target ${program}_${number})
+        set(output ${FLYING_BOOK_FOLDER}/outputs/${chapter}/${program}.txt)
+        flying_page_program(${target} ${program}.cpp ${arg_LINK})
+        add_custom_command(OUTPUT ${output}
+            COMMAND ${CMAKE_COMMAND} -E make_directory ${FLYING_BOOK_FOLDER}/outputs/${chapter}
+            COMMAND ${target} > ${output}.part
+            COMMAND ${CMAKE_COMMAND} -E rename ${output}.part ${output}
+            DEPENDS ${target} COMMENT "Running ${chapter}/${program}" VERBATIM)
+        list(APPEND matter ${output})
+        add_test(NAME "chapter ${number}: ${program} runs" COMMAND ${target})
+    endforeach()
+
+    # Draw the figures
+    if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/figures.cpp)
+        set(drawn ${FLYING_BOOK_FOLDER}/figures/${chapter}.stamp)
+        flying_page_program(figures_${number} figures.cpp ${arg_LINK})
+        add_custom_command(OUTPUT ${drawn}
+            COMMAND ${CMAKE_COMMAND} -E make_directory ${FLYING_BOOK_FOLDER}/figures/${chapter}
+            COMMAND figures_${number} ${FLYING_BOOK_FOLDER}/figures/${chapter}
+            COMMAND ${CMAKE_COMMAND} -E touch ${drawn}
+            DEPENDS figures_${number} COMMENT "Drawing ${chapter}" VERBATIM)
+        list(APPEND matter ${drawn})
+    endif()
+
+    # Collect the receipts. A test that fails leaves none, and stops the book.
+    if(TARGET chapter_${number})
+        set(receipts ${FLYING_BOOK_FOLDER}/receipts/chapter_${number}.json)
+        target_include_directories(chapter_${number} PRIVATE ${PROJECT_SOURCE_DIR}/src)
+        add_custom_command(OUTPUT ${receipts}
+            COMMAND ${CMAKE_COMMAND} -E make_directory ${FLYING_BOOK_FOLDER}/receipts
+            COMMAND ${CMAKE_COMMAND} -E echo "{}" > ${receipts}.part
+            COMMAND ${CMAKE_COMMAND} -E env FLYING_RECEIPTS=${receipts}.part $<TARGET_FILE:chapter_${number}> --minimal
+            COMMAND ${CMAKE_COMMAND} -E rename ${receipts}.part ${receipts}
+            DEPENDS chapter_${number} COMMENT "Collecting the receipts of ${chapter}" VERBATIM)
+        list(APPEND matter ${receipts})
+    endif()
+
+    file(GLOB exercises CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/exercises/*/tests.cpp)
+    foreach(tests ${exercises})
+        get_filename_component(folder ${tests} DIRECTORY)
+        flying_exercise(${number} ${folder} ${arg_LINK})
+
+        # The page calls the solution one that passed in this build
+        get_filename_component(name ${folder} NAME)
+        set(passed ${FLYING_BOOK_FOLDER}/exercises/${chapter}/${name}.stamp)
+        add_custom_command(OUTPUT ${passed}
+            COMMAND exercise_${number}_${name}_solution --minimal
+            COMMAND ${CMAKE_COMMAND} -E make_directory ${FLYING_BOOK_FOLDER}/exercises/${chapter}
+            COMMAND ${CMAKE_COMMAND} -E touch ${passed}
+            DEPENDS exercise_${number}_${name}_solution COMMENT "Trying the solution of ${chapter}/${name}" VERBATIM)
+        list(APPEND matter ${passed})
+    endforeach()
+
+    add_custom_target(page_${number} DEPENDS ${matter})
+    set_property(GLOBAL APPEND PROPERTY FLYING_BOOK_NEEDS page_${number})
+endfunction()

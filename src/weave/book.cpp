@@ -1,0 +1,101 @@
+#include "weave/book.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#define TOML_HEADER_ONLY 1
+#include <toml++/toml.h>
+
+#include "weave/text.hpp"
+
+namespace flying::weave {
+
+namespace {
+
+constexpr const char* k_book = "chapters/book.toml";
+
+int line_of(const toml::node& node)
+{
+    return static_cast<int>(node.source().begin.line);
+}
+
+ChapterEntry read_chapter(const toml::table& table, Problems& problems)
+{
+    ChapterEntry entry;
+    entry.line = line_of(table);
+    entry.number = table["number"].value_or(-1);
+    entry.name = table["name"].value_or(std::string());
+    entry.title = table["title"].value_or(std::string());
+    entry.part = table["part"].value_or(std::string());
+    entry.question = table["question"].value_or(std::string());
+    entry.written = table["written"].value_or(false);
+    if (const toml::array* files = table["files"].as_array())
+        for (const toml::node& file : *files) entry.files.push_back(file.value_or(std::string()));
+    if (const toml::array* needs = table["needs"].as_array())
+        for (const toml::node& need : *needs) entry.needs.push_back(need.value_or(-1));
+
+    if (entry.number < 0) problems.add({k_book, entry.line}, "a chapter without number", "`number = N`, N >= 0");
+    if (entry.title.empty())
+        problems.add({k_book, entry.line}, "a chapter without title", "`title = \"...\"`, as it stands over the page");
+    if (entry.name.rfind(fmt::format("{:02}-", entry.number), 0) != 0)
+        problems.add({k_book, entry.line}, fmt::format("chapter {} in a folder named `{}`", entry.number, entry.name),
+                     fmt::format("`name = \"{:02}-...\"`", entry.number));
+    return entry;
+}
+
+} // namespace
+
+std::string ChapterEntry::page() const
+{
+    return fmt::format("chapter_{:02}", number);
+}
+
+const ChapterEntry* Book::chapter(int number) const
+{
+    const auto found = std::find_if(chapters.begin(), chapters.end(),
+                                    [number](const ChapterEntry& entry) { return entry.number == number; });
+    return found == chapters.end() ? nullptr : &*found;
+}
+
+Book read_book(const std::filesystem::path& source, Problems& problems)
+{
+    Book book;
+    const std::optional<std::string> text = read_file(source / k_book);
+    if (!text) {
+        problems.add({k_book, 0}, "no such file", "the list of chapters");
+        return book;
+    }
+    toml::table table;
+    try {
+        table = toml::parse(*text);
+    } catch (const toml::parse_error& error) {
+        problems.add({k_book, static_cast<int>(error.source().begin.line)}, std::string(error.description()),
+                     "valid TOML");
+        return book;
+    }
+
+    book.title = table["title"].value_or(std::string("A book"));
+    if (const toml::array* chapters = table["chapter"].as_array())
+        for (const toml::node& node : *chapters)
+            if (const toml::table* chapter = node.as_table()) book.chapters.push_back(read_chapter(*chapter, problems));
+    if (const toml::array* waivers = table["waiver"].as_array())
+        for (const toml::node& node : *waivers)
+            if (const toml::table* waiver = node.as_table())
+                book.waivers.push_back({(*waiver)["region"].value_or(std::string()),
+                                        (*waiver)["reason"].value_or(std::string()), line_of(node)});
+    std::sort(book.chapters.begin(), book.chapters.end(),
+              [](const ChapterEntry& a, const ChapterEntry& b) { return a.number < b.number; });
+
+    for (const Waiver& waiver : book.waivers)
+        if (waiver.reason.size() < 10)
+            problems.add({k_book, waiver.line}, fmt::format("waiver of `{}` without a reason", waiver.region),
+                         "`reason = \"...\"`, a sentence for the reader");
+    for (const ChapterEntry& entry : book.chapters)
+        for (const int need : entry.needs)
+            if (need >= entry.number || book.chapter(need) == nullptr)
+                problems.add({k_book, entry.line}, fmt::format("chapter {} needs chapter {}", entry.number, need),
+                             "only chapters that are listed and come earlier");
+    return book;
+}
+
+} // namespace flying::weave

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "weave/problems.hpp"
+
+namespace flying::weave {
+
+/// A chapter as `chapters/book.toml` lists it.
+struct ChapterEntry
+{
+    int number = 0;
+    std::string name;               ///< of its folder under `chapters`, such as `02-rectangle`
+    std::string title;              ///< what the heading of its page says
+    std::string part;               ///< heading under which the contents list it
+    std::string question;           ///< the one it answers; shown in the contents and on the map
+    std::vector<std::string> files; ///< engine files that belong to it, from the project's folder
+    std::vector<int> needs;         ///< numbers of the chapters it builds on directly
+    bool written = false;           ///< its text is there: every rule applies to it and to its files
+    int line = 0;                   ///< in book.toml
+
+    /// `chapter_02`: the name of its page.
+    [[nodiscard]] std::string page() const;
+    /// `chapters/02-rectangle`
+    [[nodiscard]] std::string folder() const { return "chapters/" + name; }
+};
+
+/// A region of the engine that no chapter shows, and why.
+struct Waiver
+{
+    std::string region;
+    std::string reason;
+    int line = 0; ///< in book.toml
+};
+
+/// The table of contents.
+struct Book
+{
+    std::string title;
+    std::vector<ChapterEntry> chapters; ///< in the order of their numbers
+    std::vector<Waiver> waivers;
+
+    /// The chapter of that number, or null.
+    [[nodiscard]] const ChapterEntry* chapter(int number) const;
+};
+
+/// Reads `chapters/book.toml` of the project in `source`. What is wrong with it goes to `problems`, and what could be
+/// read comes back.
+[[nodiscard]] Book read_book(const std::filesystem::path& source, Problems& problems);
+
+} // namespace flying::weave

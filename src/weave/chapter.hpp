@@ -1,0 +1,64 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "weave/problems.hpp"
+
+namespace flying::weave {
+
+/// What stands in a chapter between two blank places.
+enum class BlockKind
+{
+    text,       ///< Markdown: paragraphs, headings, lists, tables
+    fence,      ///< quoted matter that is no code of the project: ```text, ```sh, ```toml
+    listing,    ///< listing region [again]
+    equation,   ///< equation id, then a ```tex block
+    definition, ///< definition id, then a ```tex block
+    derivation, ///< derivation id [for m in 1..2, ...], then a ```tex block, one formula a line, its reason after %
+    figure,     ///< figure name "caption"
+    output,     ///< output program
+    live,       ///< live name "caption"
+    exercise,   ///< exercise eK
+};
+
+struct Block
+{
+    BlockKind kind = BlockKind::text;
+    Place place;
+    std::string name;                               ///< first word after the directive
+    std::string options;                            ///< what follows the name, caption taken out
+    std::string caption;                            ///< between double quotes
+    std::string language;                           ///< of a fence
+    std::vector<std::pair<int, std::string>> lines; ///< line number and text: of a text, a fence, a formula
+};
+
+/// A line of the table of symbols.
+struct Symbol
+{
+    Place place;
+    std::string tex;     ///< without its dollars
+    std::string meaning; ///< Markdown
+    std::string unit;    ///< Markdown
+    std::string code;    ///< name in C++, without backquotes; empty where it has none
+};
+
+/// A file of the book's text, taken apart.
+struct ChapterText
+{
+    std::string path;
+    std::string title; ///< of its first line, `# Title`
+    std::vector<Block> blocks;
+    std::vector<Symbol> symbols;
+    std::vector<std::string> sections; ///< titles of the headings `## ...`
+};
+
+/// The word that starts a directive's line, without its colons.
+[[nodiscard]] std::string directive_word(BlockKind kind);
+
+/// Takes the text apart. What can't be understood goes to `problems`.
+[[nodiscard]] ChapterText parse_chapter(const std::string& path, const std::string& text, Problems& problems);
+
+} // namespace flying::weave

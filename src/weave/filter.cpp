@@ -1,0 +1,56 @@
+#include <string>
+
+#include "weave/run.hpp"
+#include "weave/text.hpp"
+
+namespace flying::weave {
+
+namespace {
+
+/// Whether a comment's line starts a list entry: a name or several, then two blanks, then what it is.
+bool is_entry(std::string_view text, std::size_t& name_end)
+{
+    if (text.empty() || text.front() == ' ') return false;
+    const std::size_t gap = text.find("  ");
+    if (gap == std::string_view::npos || gap == 0) return false;
+    for (std::size_t k = 0; k < gap; ++k) {
+        const bool after_comma = k > 0 && text[k] == ' ' && text[k - 1] == ',';
+        if (!is_word(text[k]) && text[k] != ',' && !after_comma) return false;
+    }
+    name_end = gap;
+    return true;
+}
+
+} // namespace
+
+std::string filter_source(const std::string& source)
+{
+    std::string out;
+    bool in_list = false;
+    for (const std::string& line : split_lines(source)) {
+        const std::string_view code = trim(line);
+        const bool marker = code.substr(0, 4) == "// [" && code.back() == ']';
+        if (code.substr(0, 4) != "/// " || marker) {
+            in_list = false;
+            out += (marker ? "" : line) + "\n";
+            continue;
+        }
+        const std::string_view text = code.substr(4);
+        std::size_t name_end = 0;
+        if (is_entry(text, name_end)) {
+            out += "/// - <b>" + std::string(text.substr(0, name_end)) +
+                   "</b>: " + std::string(trim(text.substr(name_end))) + "\n";
+            in_list = true;
+        } else if (in_list && text.front() == ' ') {
+            out += "///   " + std::string(trim(text)) + "\n";
+        } else {
+            // A line that is no list ends the list
+            out += (in_list ? "/// <br>" : "/// ") + std::string(trim(text)) + "\n";
+            in_list = false;
+        }
+    }
+    // The stop of `eq. 4` ends no sentence, and so no brief description
+    return replace_all(out, "eq. ", "eq.&nbsp;");
+}
+
+} // namespace flying::weave

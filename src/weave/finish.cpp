@@ -1,0 +1,344 @@
+#include "weave/finish.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "weave/pages.hpp"
+#include "weave/text.hpp"
+
+namespace flying::weave {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The text between `open` and `close`, from `at` on; `at` moves behind it.
+std::optional<std::string> between(const std::string& text, std::string_view open, std::string_view close,
+                                   std::size_t& at)
+{
+    const std::size_t start = text.find(open, at);
+    if (start == std::string::npos) return std::nullopt;
+    const std::size_t from = start + open.size();
+    const std::size_t end = text.find(close, from);
+    if (end == std::string::npos) return std::nullopt;
+    at = end + close.size();
+    return text.substr(from, end - from);
+}
+
+std::string first_between(const std::string& text, std::string_view open, std::string_view close)
+{
+    std::size_t at = 0;
+    return between(text, open, close, at).value_or("");
+}
+
+std::vector<fs::path> html_files(const fs::path& folder)
+{
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(folder))
+        if (entry.path().extension() == ".html") files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+/// Whether HTML can't stand inside a paragraph.
+bool is_block(const std::string& html)
+{
+    for (const char* start : {"<figure", "<div", "<pre", "<details", "</details", "<section", "</section", "<nav",
+                              "<header", "<ol", "<p", "</div"})
+        if (html.rfind(start, 0) == 0) return true;
+    return false;
+}
+
+/// Takes `count` blanks away from the start of a line, inside its tags too.
+std::string dedent(const std::string& html, int count)
+{
+    std::string out;
+    bool in_tag = false;
+    for (const char c : html) {
+        if (c == '<') in_tag = true;
+        if (!in_tag && count > 0) {
+            if (c != ' ') count = 0;
+            else if (--count >= 0) continue;
+        }
+        out += c;
+        if (c == '>') in_tag = false;
+    }
+    return out;
+}
+
+class Finisher
+{
+public:
+    Finisher(const Material& material, const std::vector<Fragment>& fragments, const std::vector<std::string>& formulas,
+             const Manual& manual, const fs::path& html, Problems& problems)
+        : material_(material),
+          fragments_(fragments),
+          formulas_(formulas),
+          manual_(manual),
+          html_(html),
+          problems_(problems)
+    {
+    }
+
+    /// The text with every token replaced, and those in what replaces them.
+    std::string replace(const std::string& text)
+    {
+        std::string out;
+        std::size_t at = 0;
+        while (true) {
+            const std::size_t next = text.find("wv0x", at);
+            out.append(text, at, next == std::string::npos ? std::string::npos : next - at);
+            if (next == std::string::npos) return out;
+            const Fragments::Found found = Fragments::token_at(text, next);
+            if (found.index < 0 || found.index >= static_cast<int>(fragments_.size())) {
+                out += "wv0x";
+                at = next + 4;
+                continue;
+            }
+            at = next + found.length;
+            std::string html = resolve(static_cast<std::size_t>(found.index));
+            if (is_block(html)) unwrap(out, text, at);
+            out += html;
+        }
+    }
+
+private:
+    /// Takes the paragraph away that Doxygen put round a token.
+    static void unwrap(std::string& before, const std::string& text, std::size_t& at)
+    {
+        const std::size_t open = before.rfind("<p");
+        if (open == std::string::npos) return;
+        const std::size_t close = before.find('>', open);
+        if (close == std::string::npos || !trim(std::string_view(before).substr(close + 1)).empty()) return;
+        std::size_t end = at;
+        while (end < text.size() && (text[end] == ' ' || text[end] == '\n')) ++end;
+        if (text.compare(end, 4, "</p>") != 0) return;
+        before.resize(open);
+        at = end + 4;
+    }
+
+    std::string resolve(std::size_t index)
+    {
+        const Fragment& fragment = fragments_[index];
+        switch (fragment.kind) {
+        case FragmentKind::html:
+            return replace(fragment.text);
+        case FragmentKind::formula:
+            return formulas_[index];
+        case FragmentKind::code:
+            return code(fragment);
+        case FragmentKind::lines:
+            return lines(fragment);
+        case FragmentKind::source: {
+            const auto page = manual_.sources.find(fragment.text);
+            if (page != manual_.sources.end()) return page->second;
+            problems_.add(fragment.place, fmt::format("link to {}", fragment.text),
+                          "a source that Doxygen has a page of");
+            return "";
+        }
+        }
+        return "";
+    }
+
+    std::string code(const Fragment& fragment)
+    {
+        const std::string shown = "<code>" + escape_html(fragment.text) + "</code>";
+        std::string name = fragment.text;
+        if (name.size() > 2 && name.substr(name.size() - 2) == "()") name.resize(name.size() - 2);
+        const auto page = manual_.names.find(name);
+        if (page == manual_.names.end()) return shown;
+        return fmt::format("<a class=\"name\" href=\"{}\">{}</a>", page->second, shown);
+    }
+
+    /// The lines of Doxygen's page of the file, by number; without their numbers.
+    const std::map<int, std::string>& source_lines(const std::string& path)
+    {
+        const auto known = source_lines_.find(path);
+        if (known != source_lines_.end()) return known->second;
+        std::map<int, std::string>& lines = source_lines_[path];
+        const auto page = manual_.sources.find(path);
+        if (page == manual_.sources.end()) return lines;
+        const std::string text = read_file(html_ / page->second).value_or("");
+        std::size_t at = 0;
+        while (const std::optional<std::string> line = between(text, "<div class=\"line\">", "</div>\n", at)) {
+            const std::string number = first_between(*line, "name=\"l", "\"");
+            std::size_t start = line->find("<span class=\"lineno\">");
+            if (number.empty() || start == std::string::npos) continue;
+            start = line->find("</span>", start);
+            lines[std::stoi(number)] = line->substr(start + 7);
+        }
+        return lines;
+    }
+
+    std::string lines(const Fragment& fragment)
+    {
+        const std::map<int, std::string>& html = source_lines(fragment.text);
+        const SourceFile& file = material_.sources.files.at(fragment.text);
+        std::size_t indent = 200;
+        for (const int number : fragment.lines) {
+            const std::string& line = file.lines[number - 1];
+            if (!trim(line).empty()) indent = std::min(indent, line.find_first_not_of(' '));
+        }
+        std::string out = "<div class=\"fragment\">";
+        auto instead = fragment.instead.begin();
+        for (const int number : fragment.lines) {
+            for (; instead != fragment.instead.end() && instead->first <= number; ++instead) out += instead->second;
+            const auto line = html.find(number);
+            std::string body = line != html.end() ? line->second : escape_html(file.lines[number - 1]);
+            // Doxygen puts a blank between the number and the line
+            out += "<div class=\"line\">" + dedent(body, static_cast<int>(indent)) + "</div>\n";
+        }
+        for (; instead != fragment.instead.end(); ++instead) out += instead->second;
+        return out + "</div>";
+    }
+
+    const Material& material_;
+    const std::vector<Fragment>& fragments_;
+    const std::vector<std::string>& formulas_;
+    const Manual& manual_;
+    const fs::path& html_;
+    Problems& problems_;
+    std::map<std::string, std::map<int, std::string>> source_lines_;
+};
+
+// ---- From the manual to the chapters --------------------------------------------------------------------------------
+
+/// What stands on the manual's pages about a file, by the file's path: which chapter tells of it, and where.
+std::map<std::string, std::string> chapter_notes(const Material& material)
+{
+    std::map<std::string, std::string> notes;
+    for (const Chapter& chapter : material.chapters) {
+        std::map<std::string, std::vector<std::string>> listings;
+        const auto collect = [&](const ChapterText& text, const std::string& page) {
+            for (const Block& block : text.blocks) {
+                const int index = block.kind == BlockKind::listing ? material.sources.find(block.name) : -1;
+                if (index < 0 || block.options == "again") continue;
+                listings[material.sources.regions[index].file].push_back(fmt::format(
+                    "<a href=\"{}.html#listing-{}\">{}</a>", page, slug(block.name), escape_html(block.name)));
+            }
+        };
+        collect(chapter.text, chapter.entry.page());
+        if (chapter.rest) collect(*chapter.rest, chapter.entry.page() + "_rest");
+        for (const std::string& file : chapter.entry.files)
+            notes[file] =
+                fmt::format("<p class=\"told\">Told in <a href=\"{}.html\">chapter {}</a>: {}</p>",
+                            chapter.entry.page(), escape_html(page_title(chapter.entry)), join(listings[file], ", "));
+    }
+    return notes;
+}
+
+std::string with_note(std::string page, const std::string& note)
+{
+    const std::string mark = "<div class=\"contents\">";
+    const std::size_t at = page.find(mark);
+    if (at != std::string::npos) page.insert(at + mark.size(), note);
+    return page;
+}
+
+} // namespace
+
+Manual read_manual(const fs::path& tag_file, const fs::path& project)
+{
+    Manual manual;
+    const std::string top = project.string() + "/";
+    const std::string text = read_file(tag_file).value_or("");
+    std::size_t at = 0;
+    while (const std::optional<std::string> compound = between(text, "<compound kind=", "</compound>", at)) {
+        const std::string kind = first_between(*compound, "\"", "\"");
+        const std::string name = first_between(*compound, "<name>", "</name>");
+        const std::string page = first_between(*compound, "<filename>", "</filename>");
+        const auto note = [&](const std::string& full, const std::string& target) {
+            manual.names.emplace(full, target);
+            if (full.rfind("flying::", 0) == 0) manual.names.emplace(full.substr(8), target);
+        };
+        if (kind == "file") {
+            std::string path = first_between(*compound, "<path>", "</path>") + name;
+            if (path.rfind(top, 0) == 0) path = path.substr(top.size());
+            const std::string html = page.size() > 5 && page.substr(page.size() - 5) == ".html" ? page : page + ".html";
+            manual.files[path] = html;
+            manual.sources[path] = html.substr(0, html.size() - 5) + "_source.html";
+        } else if (kind == "class" || kind == "struct" || kind == "namespace") {
+            if (kind != "namespace") note(name, page);
+            std::size_t inside = 0;
+            while (const std::optional<std::string> member = between(*compound, "<member", "</member>", inside)) {
+                const std::string own = first_between(*member, "<name>", "</name>");
+                note(name + "::" + own, first_between(*member, "<anchorfile>", "</anchorfile>") + "#" +
+                                            first_between(*member, "<anchor>", "</anchor>"));
+            }
+        }
+    }
+    return manual;
+}
+
+void finish_pages(const Material& material, const std::vector<Fragment>& fragments,
+                  const std::vector<std::string>& formulas, const Manual& manual, const fs::path& html,
+                  Problems& problems)
+{
+    Finisher finisher(material, fragments, formulas, manual, html, problems);
+    const std::map<std::string, std::string> notes = chapter_notes(material);
+    std::map<std::string, std::string> by_page; // note by page of the manual
+    for (const auto& [file, note] : notes) {
+        if (manual.files.count(file) > 0) by_page[manual.files.at(file)] = note;
+        if (manual.sources.count(file) > 0) by_page[manual.sources.at(file)] = note;
+    }
+    for (const fs::path& path : html_files(html)) {
+        const std::string text = read_file(path).value_or("");
+        const std::string name = path.filename().string();
+        std::string finished = text.find("wv0x") == std::string::npos ? text : finisher.replace(text);
+        auto note = by_page.find(name);
+        if (note == by_page.end() && finished.find("was generated from the following file") != std::string::npos) {
+            // A page about a type: it names its file at its end
+            const std::size_t end = finished.find("was generated from the following file");
+            for (const auto& [page, words] : by_page)
+                if (finished.find("href=\"" + page + "\"", end) != std::string::npos) note = by_page.find(page);
+        }
+        if (note != by_page.end()) finished = with_note(finished, note->second);
+        if (finished != text && !write_file(path, finished))
+            problems.add({name, 0}, "a page that can't be written", "a folder to write to");
+    }
+}
+
+void check_links(const fs::path& html, Problems& problems)
+{
+    std::map<std::string, std::set<std::string>> anchors; // of each page
+    std::map<std::string, std::set<std::string>> links;
+    for (const fs::path& path : html_files(html)) {
+        const std::string name = path.filename().string();
+        std::string text = read_file(path).value_or("");
+        // Doxygen's own row of links over a page names lists that it leaves out
+        const std::size_t row = text.find("<div class=\"summary\">");
+        if (row != std::string::npos) text.erase(row, text.find("</div>", row) - row);
+        std::set<std::string>& own = anchors[name];
+        for (const char* attribute : {" id=\"", " name=\""}) {
+            std::size_t at = 0;
+            while (const std::optional<std::string> value = between(text, attribute, "\"", at)) own.insert(*value);
+        }
+        for (const char* attribute : {"href=\"", "src=\""}) {
+            std::size_t at = 0;
+            while (const std::optional<std::string> value = between(text, attribute, "\"", at))
+                links[name].insert(*value);
+        }
+    }
+    for (const auto& [page, targets] : links) {
+        for (const std::string& target : targets) {
+            const std::size_t hash = target.find('#');
+            std::string file = target.substr(0, hash);
+            if (file.find(':') != std::string::npos) continue; // another scheme, or the web
+            file = file.substr(0, file.find('?'));
+            if (file.empty()) file = page;
+            const std::string anchor = hash == std::string::npos ? "" : target.substr(hash + 1);
+            const auto known = anchors.find(file);
+            if (known == anchors.end()) {
+                if (!fs::exists(html / file))
+                    problems.add({page, 0}, fmt::format("link to {}", target), "a page or file that is there");
+            } else if (!anchor.empty() && known->second.count(anchor) == 0) {
+                problems.add({page, 0}, fmt::format("link to {}", target), "an anchor that is there");
+            }
+        }
+    }
+}
+
+} // namespace flying::weave

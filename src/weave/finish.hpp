@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "weave/fragments.hpp"
+#include "weave/material.hpp"
+#include "weave/problems.hpp"
+
+namespace flying::weave {
+
+/// What Doxygen knows of the program, from its tag file.
+struct Manual
+{
+    std::map<std::string, std::string> names;   ///< page and anchor of a name, with and without `flying::`
+    std::map<std::string, std::string> sources; ///< page with the text of a source file, by its path
+    std::map<std::string, std::string> files;   ///< page about a source file, by its path
+};
+
+/// Reads the tag file; paths come back from the project's folder on.
+[[nodiscard]] Manual read_manual(const std::filesystem::path& tag_file, const std::filesystem::path& project);
+
+/// Puts the fragments in the place of their tokens in every page of `html`, and links from the pages of the manual to
+/// the chapters.
+void finish_pages(const Material& material, const std::vector<Fragment>& fragments,
+                  const std::vector<std::string>& formulas, const Manual& manual, const std::filesystem::path& html,
+                  Problems& problems);
+
+/// Every link of every page leads somewhere: to a file that is there and to an anchor in it.
+void check_links(const std::filesystem::path& html, Problems& problems);
+
+} // namespace flying::weave

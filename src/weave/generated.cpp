@@ -1,0 +1,270 @@
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "weave/pages.hpp"
+#include "weave/receipts.hpp"
+#include "weave/text.hpp"
+
+namespace flying::weave {
+
+namespace {
+
+// ---- The map of chapters --------------------------------------------------------------------------------------------
+
+constexpr int k_box_width = 216;
+constexpr int k_box_height = 58;
+constexpr int k_column = 264;
+constexpr int k_row = 92;
+constexpr int k_margin = 76;
+
+/// What a chapter builds on, without what follows from the others.
+std::set<int> direct_needs(const Book& book, const ChapterEntry& entry)
+{
+    std::map<int, std::set<int>> below; // all that a chapter builds on
+    for (const ChapterEntry& other : book.chapters)
+        for (const int need : other.needs) {
+            below[other.number].insert(need);
+            below[other.number].insert(below[need].begin(), below[need].end());
+        }
+    std::set<int> direct(entry.needs.begin(), entry.needs.end());
+    for (const int need : entry.needs)
+        for (const int under : below[need]) direct.erase(under);
+    return direct;
+}
+
+struct Spot
+{
+    int column = 0;
+    int row = 0;
+    [[nodiscard]] int x() const { return k_margin + column * k_column; }
+    [[nodiscard]] int y() const { return 8 + row * k_row; }
+};
+
+std::string arrow(const Spot& from, const Spot& to)
+{
+    const int low = from.y() + k_box_height;
+    if (to.row == from.row + 1) {
+        const int x0 = from.x() + k_box_width / 2;
+        const int x1 = to.x() + k_box_width / 2;
+        return fmt::format("<path d=\"M{0},{1} C{0},{2} {3},{1} {3},{4}\"/>", x0, low, to.y() - 6, x1, to.y() - 5);
+    }
+    if (from.column > to.column) {
+        // Down the gap between the columns
+        const int gap = from.x() - (k_column - k_box_width) / 2;
+        const int y0 = from.y() + k_box_height / 2;
+        const int y1 = to.y() + k_box_height / 2;
+        return fmt::format("<path d=\"M{0},{1} C{2},{1} {2},{1} {2},{3} L{2},{4} C{2},{5} {2},{5} {6},{5}\"/>",
+                           from.x(), y0, gap, y0 + 22, y1 - 22, y1, to.x() + k_box_width + 5);
+    }
+    // Round what lies between, on the outer side
+    const int side = from.column == 0 ? -1 : 1;
+    const int x0 = from.x() + (side < 0 ? 0 : k_box_width);
+    const int x1 = to.x() + (side < 0 ? -5 : k_box_width + 5);
+    const int y0 = from.y() + k_box_height / 2;
+    const int y1 = to.y() + k_box_height / 2;
+    const int out = (side < 0 ? std::min(x0, x1) - 64 : std::max(x0, x1) + 64);
+    return fmt::format("<path d=\"M{},{} C{},{} {},{} {},{}\"/>", x0, y0, out, y0, out, y1, x1, y1);
+}
+
+/// A picture of what builds on what: a chapter stands below all that it needs.
+std::string chapter_map(const Book& book)
+{
+    std::map<int, Spot> spots;
+    std::map<int, int> taken; // boxes in a row
+    int rows = 0;
+    int columns = 1;
+    for (const ChapterEntry& entry : book.chapters) {
+        int row = 0;
+        for (const int need : entry.needs) row = std::max(row, spots[need].row + 1);
+        const int column = taken[row]++;
+        spots[entry.number] = {column, row};
+        rows = std::max(rows, row + 1);
+        columns = std::max(columns, column + 1);
+    }
+    std::string paths;
+    std::string boxes;
+    for (const ChapterEntry& entry : book.chapters) {
+        const Spot& spot = spots[entry.number];
+        for (const int need : direct_needs(book, entry)) paths += arrow(spots[need], spot);
+        const std::string box = fmt::format(
+            "<g class=\"{0}\"><title>{1}</title><rect x=\"{2}\" y=\"{3}\" width=\"{4}\" height=\"{5}\" rx=\"9\"/>"
+            "<text class=\"name\" x=\"{6}\" y=\"{7}\">{8} \u00b7 {9}</text><text class=\"part\" x=\"{6}\" "
+            "y=\"{10}\">{11}</text></g>",
+            entry.written ? "written" : "planned", escape_html(entry.question), spot.x(), spot.y(), k_box_width,
+            k_box_height, spot.x() + k_box_width / 2, spot.y() + 25, entry.number, escape_html(entry.title),
+            spot.y() + 45, entry.written ? escape_html(entry.part) : "not written yet");
+        boxes += entry.written ? fmt::format("<a href=\"{}.html\">{}</a>", entry.page(), box) : box;
+    }
+    const int width = 2 * k_margin + (columns - 1) * k_column + k_box_width;
+    return fmt::format(
+        "<figure class=\"map\"><svg viewBox=\"0 0 {0} {1}\" role=\"img\" aria-label=\"Which chapter builds on which; "
+        "the list "
+        "below says the same in words\"><defs><marker id=\"head\" viewBox=\"0 0 8 8\" refX=\"5\" refY=\"4\" "
+        "markerWidth=\"7\" "
+        "markerHeight=\"7\" orient=\"auto\"><path d=\"M0,0 L8,4 L0,8 z\"/></marker></defs><g class=\"arrows\" "
+        "marker-end=\"url(#head)\">{2}</g>{3}</svg></figure>",
+        width, 8 + rows * k_row, replace_all(paths, "/>", " marker-end=\"url(#head)\"/>"), boxes);
+}
+
+// ---- Contents -------------------------------------------------------------------------------------------------------
+
+std::string contents(const Material& material)
+{
+    std::string out;
+    std::string part;
+    for (const ChapterEntry& entry : material.book.chapters) {
+        if (entry.part != part)
+            out += fmt::format("{}<h2>{}</h2><ol>", part.empty() ? "" : "</ol>", escape_html(entry.part));
+        part = entry.part;
+        const std::string title = escape_html(entry.title);
+        std::string needs;
+        for (const int need : entry.needs) needs += (needs.empty() ? "builds on " : ", ") + std::to_string(need);
+        out += fmt::format(
+            "<li value=\"{}\">{} <span class=\"question\">{}</span> <span class=\"needs\">{}{}</span></li>",
+            entry.number, entry.written ? fmt::format("<a href=\"{}.html\">{}</a>", entry.page(), title) : title,
+            escape_html(entry.question), needs,
+            entry.written ? "" : (needs.empty() ? "" : "; ") + std::string("not written yet"));
+    }
+    return "<div class=\"contents-list\">" + out + "</ol></div>";
+}
+
+// ---- Index of equations ---------------------------------------------------------------------------------------------
+
+std::string equation_index(const Material& material, Fragments& fragments)
+{
+    std::vector<const Numbered*> all;
+    for (const auto& [id, numbered] : material.numbered) all.push_back(&numbered);
+    std::sort(all.begin(), all.end(), [](const Numbered* a, const Numbered* b) {
+        const auto count = [](const Numbered* n) { return std::stoi(n->number.substr(n->number.find('.') + 1)); };
+        return std::pair(a->chapter, count(a)) < std::pair(b->chapter, count(b));
+    });
+    int equations = 0;
+    int definitions = 0;
+    int derivations = 0;
+    int printed = 0;
+    std::string rows;
+    for (const Numbered* numbered : all) {
+        const Block& block = *numbered->block;
+        std::string tex;
+        std::string what;
+        switch (numbered->kind) {
+        case BlockKind::equation: {
+            ++equations;
+            const auto receipt = material.ledger.equations.find(block.name);
+            if (receipt != material.ledger.equations.end() && receipt->second.printed_cases > 0) ++printed;
+            tex = formula_of(block);
+            break;
+        }
+        case BlockKind::definition:
+            ++definitions;
+            what = "<p class=\"receipt\">defines; nothing to check</p>";
+            tex = formula_of(block);
+            break;
+        default: {
+            ++derivations;
+            const std::vector<Step> steps = steps_of(block);
+            if (!steps.empty()) {
+                const std::string& last = steps.back().tex;
+                tex = steps.front().tex.substr(0, steps.front().tex.find('=')) +
+                      (last.substr(0, 1) == "=" ? last : "= " + last);
+                if (steps.front().tex.find('=') == std::string::npos && steps.size() > 1)
+                    tex = steps.front().tex + last;
+            }
+        }
+        }
+        rows += fmt::format(
+            "<li><a class=\"number\" href=\"{}.html#{}\">({})</a><div class=\"entry\">{}{}<code>{}</code></div></li>",
+            numbered->page, numbered->anchor, numbered->number, fragments.add_formula(tex, false, block.place),
+            what.empty() ? receipt_line(material, *numbered) : what, escape_html(block.name));
+    }
+    return fmt::format(
+        "<p>{} equations hold receipts, {} of them evaluated as they are printed; {} derivations were checked line by "
+        "line; {} "
+        "formulas define. Every receipt was written by the tests of this build.</p><ol class=\"equations\">{}</ol>",
+        equations, printed, derivations, definitions, rows);
+}
+
+// ---- Symbols --------------------------------------------------------------------------------------------------------
+
+std::string symbol_table(const Material& material, TextWriter& writer)
+{
+    struct Row
+    {
+        const Symbol* symbol;
+        std::vector<const Chapter*> chapters;
+    };
+    std::map<std::pair<std::string, std::string>, Row> rows; // by symbol and meaning
+    for (const Chapter& chapter : material.chapters)
+        for (const Symbol& symbol : chapter.text.symbols) {
+            Row& row = rows.try_emplace({symbol.tex, symbol.meaning}, Row{&symbol, {}}).first->second;
+            row.chapters.push_back(&chapter);
+        }
+    std::string out = "| Symbol | Meaning | Unit | In the code | Chapters |\n|:--|:--|:--|:--|:--|\n";
+    for (const auto& [key, row] : rows) {
+        const Symbol& symbol = *row.symbol;
+        std::string line = fmt::format("| ${}$ | {} | {} | {} |", symbol.tex, symbol.meaning, symbol.unit,
+                                       symbol.code.empty() ? "" : "`" + symbol.code + "`");
+        for (const Chapter* chapter : row.chapters)
+            line += fmt::format(" {{{{ch:{}|{}}}}}", chapter->entry.name.substr(3), chapter->entry.number);
+        out += writer.inline_text({{symbol.place.line, line + " |"}}, symbol.place.file);
+    }
+    return out;
+}
+
+// ---- What is left out -----------------------------------------------------------------------------------------------
+
+std::string left_out(const Material& material, const Counts& counts, TextWriter& writer)
+{
+    const Coverage& coverage = counts.coverage;
+    int definitions = 0;
+    for (const auto& [id, numbered] : material.numbered) definitions += numbered.kind == BlockKind::definition ? 1 : 0;
+    int planned = 0;
+    for (const ChapterEntry& entry : material.book.chapters) planned += entry.written ? 0 : 1;
+
+    std::string out = fmt::format("The chapters that are written show {} of the {} lines of their engine files; {} are "
+                                  "waived, for the reasons below.\n\n"
+                                  "{} formulas only define. {} decimal numbers of the text are given, not computed. {} "
+                                  "chapters are planned and not "
+                                  "written yet; what they will hold is not held against the book.\n\n## Waivers\n\n",
+                                  coverage.shown, coverage.lines, coverage.waived, definitions, counts.given, planned);
+    if (material.book.waivers.empty()) return out + "None.\n";
+    for (const Waiver& waiver : material.book.waivers)
+        out += writer.inline_text({{waiver.line, fmt::format("- `{}`: {}", waiver.region, waiver.reason)}},
+                                  "chapters/book.toml");
+    return out;
+}
+
+} // namespace
+
+void add_generated_pages(const Material& material, const Counts& counts, TextWriter& writer, Pages& pages)
+{
+    Fragments& fragments = pages.fragments;
+    const std::string map = fragments.add_html(chapter_map(material.book));
+    const std::string list = fragments.add_html(contents(material));
+
+    pages.list.push_back(
+        {"index",
+         fmt::format(
+             "# {} {{#mainpage}}\n\n"
+             "A course on rigid bodies in the plane, and the simulator it explains. Every formula in it is "
+             "derived, run and checked by a test; the receipt stands beneath it.\n\n"
+             "Begin with \\ref course, or follow the map: a chapter stands below all that it builds on.\n\n{}\n\n"
+             "For reference: \\ref equations, \\ref symbols, \\ref left_out, and the manual of the code in the menu.\n",
+             material.book.title, map)});
+    std::string subpages;
+    for (const Chapter& chapter : material.chapters) subpages += fmt::format("- \\subpage {}\n", chapter.entry.page());
+    pages.list.push_back({"course", fmt::format("# The chapters {{#course}}\n\n{}\n\n{}\n\n{}\n", list,
+                                                fragments.add_html("<div class=\"tree-only\">"),
+                                                subpages + "\n" + fragments.add_html("</div>"))});
+    pages.list.push_back({"equations", fmt::format("# Equations and their receipts {{#equations}}\n\n{}\n",
+                                                   fragments.add_html(equation_index(material, fragments)))});
+    pages.list.push_back({"symbols", "# Symbols {#symbols}\n\n" + symbol_table(material, writer)});
+    pages.list.push_back(
+        {"left_out", "# What the chapters leave out {#left_out}\n\n" + left_out(material, counts, writer)});
+}
+
+} // namespace flying::weave

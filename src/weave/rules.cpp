@@ -1,0 +1,297 @@
+#include "weave/rules.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <regex>
+
+#include <fmt/format.h>
+
+#include "weave/inline.hpp"
+#include "weave/text.hpp"
+
+namespace flying::weave {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Where each region is shown as new.
+using Shown = std::map<int, Place>;
+
+void note_listings(const Material& material, const Chapter& chapter, const ChapterText& text, Shown& shown,
+                   Problems& problems)
+{
+    const std::set<std::string> own(chapter.entry.files.begin(), chapter.entry.files.end());
+    for (const Block& block : text.blocks) {
+        if (block.kind != BlockKind::listing) continue;
+        const int index = material.sources.find(block.name);
+        if (index < 0) {
+            problems.add(block.place, fmt::format("listing of `{}`, which is no region", block.name),
+                         "the name of a marked region, or the path of a file without markers");
+            continue;
+        }
+        if (!block.options.empty() && block.options != "again") {
+            problems.add(block.place, fmt::format("listing option `{}`", block.options), "`again`, or none");
+            continue;
+        }
+        const Region& region = material.sources.regions[index];
+        const bool again = block.options == "again";
+        const bool is_engine = region.file.rfind("src/", 0) == 0;
+        if (!again && is_engine && own.count(region.file) == 0)
+            problems.add(
+                block.place,
+                fmt::format("listing of `{}` as new, though {} belongs to another chapter", block.name, region.file),
+                "`again` after its name");
+        if (again) continue;
+        const auto [first, is_new] = shown.emplace(index, block.place);
+        if (!is_new)
+            problems.add(block.place,
+                         fmt::format("region `{}` shown as new for the second time, after {}:{}", block.name,
+                                     first->second.file, first->second.line),
+                         "`again` after its name");
+    }
+}
+
+/// Regions that a written chapter owes its readers: of its engine files and of its own folder.
+bool owes(const Chapter& chapter, const Region& region)
+{
+    const std::vector<std::string>& files = chapter.entry.files;
+    if (std::find(files.begin(), files.end(), region.file) != files.end()) return true;
+    const std::string folder = chapter.entry.folder() + "/";
+    return !region.whole_file && region.file.rfind(folder, 0) == 0;
+}
+
+// ---- Prose ----------------------------------------------------------------------------------------------------------
+
+/// A decimal number that is no version: 1.5, 2e-9, but not 1.9.4.
+std::optional<std::string> typed_decimal(const std::string& text)
+{
+    static const std::regex k_number(R"(\d+(\.\d+)+|\b\d+e-?\d+\b)");
+    for (std::sregex_iterator at(text.begin(), text.end(), k_number), end; at != end; ++at) {
+        const std::string number = at->str();
+        if (std::count(number.begin(), number.end(), '.') <= 1) return number;
+    }
+    return std::nullopt;
+}
+
+void check_text(const Block& block, int& given, Problems& problems)
+{
+    static const std::regex k_insert(R"(\{\{[^}]*\}\})");
+    for (const Piece& piece : pieces_of(block.lines)) {
+        const Place place{block.place.file, piece.line};
+        if (piece.kind == PieceKind::insert && parse_insert(piece.text).kind == "given") ++given;
+        if (piece.kind == PieceKind::math) {
+            given += static_cast<int>(std::distance(
+                std::sregex_iterator(piece.text.begin(), piece.text.end(), k_insert), std::sregex_iterator()));
+        }
+        if (piece.kind != PieceKind::prose && piece.kind != PieceKind::math) continue;
+        const std::vector<std::string> lines = split(std::regex_replace(piece.text, k_insert, ""), '\n');
+        for (std::size_t k = 0; k < lines.size(); ++k) {
+            const Place here{place.file, place.line + static_cast<int>(k)};
+            if (const auto number = typed_decimal(lines[k]))
+                problems.add(
+                    here, fmt::format("decimal number {} typed into the text", *number),
+                    fmt::format("{{{{value:name|%.3g}}}} for what the build computes, {{{{given:{}}}}} for what "
+                                "is given",
+                                *number));
+            if (piece.kind != PieceKind::prose) continue;
+            if (lines[k].find("![") != std::string::npos)
+                problems.add(here, "a picture in Markdown", "::figure name \"caption\"");
+            if (lines[k].find("$$") != std::string::npos)
+                problems.add(here, "a displayed formula between $$", "::equation, ::definition or ::derivation");
+            else if (lines[k].find('$') != std::string::npos && lines[k].find("\\$") == std::string::npos)
+                problems.add(here, "a dollar without its pair", "$formula$, or \\$ for a dollar");
+        }
+    }
+}
+
+void check_fence(const Block& block, Problems& problems)
+{
+    static const std::set<std::string> k_quoted = {"text", "sh", "toml", "markdown"};
+    if (k_quoted.count(block.language) > 0) return;
+    if (block.language == "tex")
+        problems.add(block.place, "a formula without a directive",
+                     "::equation, ::definition or ::derivation on the line before");
+    else
+        problems.add(block.place, fmt::format("a block of `{}` typed into the text", block.language),
+                     "::listing of compiled code, or ```text, ```sh, ```toml, ```markdown");
+}
+
+// ---- Completeness ---------------------------------------------------------------------------------------------------
+
+void check_pictures(const Material& material, const Chapter& chapter, const ChapterText& text, Problems& problems)
+{
+    for (const Block& block : text.blocks) {
+        const bool is_figure = block.kind == BlockKind::figure;
+        if (!is_figure && block.kind != BlockKind::live) continue;
+        const std::string directive = directive_word(block.kind);
+        if (block.caption.size() < 10)
+            problems.add(block.place,
+                         fmt::format("::{} {} without words for those who don't see it", directive, block.name),
+                         fmt::format("::{} {} \"what it shows, in a sentence\"", directive, block.name));
+        const fs::path file = drawn_file(material, chapter, block.name + (is_figure ? ".svg" : ".ndjson"));
+        if (!fs::exists(file))
+            problems.add(block.place,
+                         fmt::format("::{} {} without {}", directive, block.name, file.filename().string()),
+                         fmt::format("{}/figures.cpp to write it", chapter.entry.folder()));
+    }
+}
+
+/// A chapter's tests stand in tests.cpp, or in several files whose names start so.
+bool has_tests(const fs::path& folder)
+{
+    std::error_code error;
+    for (const auto& file : fs::directory_iterator(folder, error))
+        if (file.path().filename().string().rfind("tests", 0) == 0 && file.path().extension() == ".cpp") return true;
+    return false;
+}
+
+} // namespace
+
+std::vector<const ChapterText*> texts_of(const Chapter& chapter)
+{
+    std::vector<const ChapterText*> texts{&chapter.text};
+    if (chapter.rest) texts.push_back(&*chapter.rest);
+    for (const Exercise& exercise : chapter.exercises) {
+        texts.push_back(&exercise.text);
+        if (exercise.hint) texts.push_back(&*exercise.hint);
+        if (exercise.solution) texts.push_back(&*exercise.solution);
+    }
+    return texts;
+}
+
+Coverage check_coverage(const Material& material, Problems& problems)
+{
+    const Sources& sources = material.sources;
+    Shown shown;
+    for (const Chapter& chapter : material.chapters)
+        for (const ChapterText* text : texts_of(chapter)) note_listings(material, chapter, *text, shown, problems);
+
+    std::set<int> waived;
+    for (const Waiver& waiver : material.book.waivers) {
+        const int index = sources.find(waiver.region);
+        if (index < 0)
+            problems.add({"chapters/book.toml", waiver.line},
+                         fmt::format("waiver of `{}`, which is no region", waiver.region),
+                         "the name of a region that no chapter shows");
+        else if (shown.count(index) > 0)
+            problems.add({"chapters/book.toml", waiver.line},
+                         fmt::format("waiver of `{}`, which is shown", waiver.region), "no waiver");
+        waived.insert(index);
+    }
+
+    Coverage coverage;
+    for (const Chapter& chapter : material.chapters) {
+        // Every region once
+        for (int k = 0; k < static_cast<int>(sources.regions.size()); ++k) {
+            const Region& region = sources.regions[k];
+            if (!owes(chapter, region) || shown.count(k) > 0 || waived.count(k) > 0) continue;
+            problems.add(
+                {region.file, region.first},
+                fmt::format("region `{}` that chapter {} never shows", region.name, chapter.entry.number),
+                fmt::format("`::listing {}` in its chapter.md or rest.md, or a waiver in book.toml", region.name));
+        }
+        // Every line of the engine in a region
+        for (const std::string& path : chapter.entry.files) {
+            const auto file = sources.files.find(path);
+            if (file == sources.files.end()) {
+                problems.add({"chapters/book.toml", chapter.entry.line}, fmt::format("{}, which is not there", path),
+                             "files of the engine");
+                continue;
+            }
+            int bare = 0; // first line of a run without region
+            int count = 0;
+            const auto close_run = [&] {
+                if (count > 0)
+                    problems.add({path, bare},
+                                 fmt::format("{} line{} in no region: `{}`", count, count == 1 ? "" : "s",
+                                             trim(file->second.lines[bare - 1])),
+                                 "markers `// [name]` round them, and a ::listing");
+                count = 0;
+            };
+            for (std::size_t k = 0; k < file->second.lines.size(); ++k) {
+                if (file->second.kinds[k] != LineKind::content) {
+                    if (file->second.kinds[k] == LineKind::marker) close_run();
+                    continue;
+                }
+                ++coverage.lines;
+                const int owner = file->second.owner[k];
+                if (owner >= 0) {
+                    coverage.shown += shown.count(owner) > 0 ? 1 : 0;
+                    coverage.waived += waived.count(owner) > 0 ? 1 : 0;
+                    close_run();
+                } else if (count++ == 0) {
+                    bare = static_cast<int>(k) + 1;
+                }
+            }
+            close_run();
+        }
+    }
+    return coverage;
+}
+
+int check_prose(const Material& material, Problems& problems)
+{
+    int given = 0;
+    for (const Chapter& chapter : material.chapters) {
+        for (const ChapterText* text : texts_of(chapter)) {
+            for (const Block& block : text->blocks) {
+                if (block.kind == BlockKind::text) check_text(block, given, problems);
+                if (block.kind == BlockKind::fence) check_fence(block, problems);
+            }
+        }
+    }
+    return given;
+}
+
+void check_completeness(const Material& material, Problems& problems)
+{
+    for (const Chapter& chapter : material.chapters) {
+        const std::string folder = chapter.entry.folder();
+        const Place place{chapter.text.path, 0};
+        const auto shows = [&](BlockKind kind) {
+            return std::any_of(chapter.text.blocks.begin(), chapter.text.blocks.end(),
+                               [kind](const Block& block) { return block.kind == kind; });
+        };
+        const auto section = [&](const char* name) {
+            const auto& names = chapter.text.sections;
+            return std::find(names.begin(), names.end(), name) != names.end();
+        };
+        const auto need = [&](bool there, const char* found, const std::string& expected) {
+            if (!there) problems.add(place, found, expected);
+        };
+        need(chapter.text.title == chapter.entry.title, "a title that is not the one of book.toml",
+             "`# " + chapter.entry.title + "`");
+        need(fs::exists(material.folders.project / folder / "demo.cpp"), "a chapter without demo",
+             folder + "/demo.cpp");
+        need(shows(BlockKind::output), "a chapter that never shows its demo's output", "::output demo");
+        need(has_tests(material.folders.project / folder), "a chapter without tests", folder + "/tests.cpp");
+        need(shows(BlockKind::figure), "a chapter without figure", "::figure name \"caption\"");
+        need(shows(BlockKind::exercise), "a chapter without exercise", "::exercise e1");
+        need(section("Summary"), "a chapter without summary", "`## Summary`");
+        need(section("Symbols") && !chapter.text.symbols.empty(), "a chapter without its table of symbols",
+             "`## Symbols` and a table | $symbol$ | meaning | unit | `name` |");
+
+        for (const ChapterText* text : texts_of(chapter)) check_pictures(material, chapter, *text, problems);
+        for (const Exercise& exercise : chapter.exercises) {
+            const auto poses = [&](const Block& b) { return b.kind == BlockKind::exercise && b.name == exercise.name; };
+            if (std::none_of(chapter.text.blocks.begin(), chapter.text.blocks.end(), poses))
+                problems.add({exercise.folder, 0}, "an exercise that its chapter never poses",
+                             "::exercise " + exercise.name);
+        }
+        for (const Block& block : chapter.text.blocks) {
+            if (block.kind == BlockKind::exercise &&
+                std::none_of(chapter.exercises.begin(), chapter.exercises.end(),
+                             [&](const Exercise& e) { return e.name == block.name; }))
+                problems.add(block.place, fmt::format("exercise {} that is not there", block.name),
+                             folder + "/exercises/" + block.name);
+            if (block.kind == BlockKind::output && material.outputs.count(chapter.entry.name + "/" + block.name) == 0)
+                problems.add(block.place, fmt::format("output of `{}`, which never ran", block.name),
+                             "the name of a program of this chapter, such as `demo`");
+        }
+    }
+}
+
+} // namespace flying::weave

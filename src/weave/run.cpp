@@ -1,0 +1,205 @@
+#include "weave/run.hpp"
+
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "weave/finish.hpp"
+#include "weave/receipts.hpp"
+#include "weave/rules.hpp"
+#include "weave/text.hpp"
+
+namespace flying::weave {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+std::string quoted(const fs::path& path)
+{
+    return "'" + replace_all(path.string(), "'", "'\\''") + "'";
+}
+
+bool run(const std::string& command, const fs::path& log)
+{
+    return std::system((command + " > " + quoted(log) + " 2>&1").c_str()) == 0;
+}
+
+/// The last lines of a file, for a message.
+std::string tail(const fs::path& log)
+{
+    std::vector<std::string> lines = split_lines(read_file(log).value_or(""));
+    if (lines.size() > 12) lines.erase(lines.begin(), lines.end() - 12);
+    return join(lines, "\n    ");
+}
+
+void copy(const fs::path& from, const fs::path& to, Problems& problems)
+{
+    std::error_code error;
+    fs::create_directories(to.parent_path(), error);
+    fs::copy(from, to, fs::copy_options::overwrite_existing | fs::copy_options::recursive, error);
+    if (error) problems.add({from.string(), 0}, error.message(), "a file to copy into the book");
+}
+
+// ---- Doxygen --------------------------------------------------------------------------------------------------------
+
+/// Doxygen's own header with the book's scripts and sheets in it.
+bool write_header(const Folders& folders, const Tools& tools, Problems& problems)
+{
+    const fs::path header = folders.build / "header.html";
+    const fs::path log = folders.build / "header.log";
+    const bool made =
+        run(fmt::format("cd {} && {} -w html header.html footer.html sheet.css", quoted(folders.build), tools.doxygen),
+            log);
+    const std::optional<std::string> text = read_file(header);
+    const std::optional<std::string> ours = read_file(folders.project / "docs/theme/head.html");
+    if (!made || !text || !ours) {
+        problems.add({"docs/theme/head.html", 0}, "no header for the pages: " + tail(log), "doxygen, and the theme");
+        return false;
+    }
+    return write_file(header, replace_all(*text, "</head>", *ours + "</head>"));
+}
+
+bool run_doxygen(const Folders& folders, const Tools& tools, const Woven& woven, const fs::path& html,
+                 Problems& problems)
+{
+    std::error_code error;
+    fs::remove_all(folders.build / "pages", error);
+    fs::remove_all(html, error);
+    fs::create_directories(html, error);
+    for (const Page& page : woven.pages.list)
+        if (!write_file(folders.build / "pages" / (page.name + ".md"), page.markdown)) return false;
+
+    std::string settings = read_file(folders.project / "docs/Doxyfile.in").value_or("");
+    settings = replace_all(settings, "@PROJECT@", folders.project.string());
+    settings = replace_all(settings, "@BUILD@", folders.build.string());
+    settings = replace_all(settings, "@HTML@", html.filename().string());
+    settings = replace_all(settings, "@WEAVE@", fs::read_symlink("/proc/self/exe", error).string());
+    settings = replace_all(settings, "@TITLE@", woven.material.book.title);
+    if (!write_file(folders.build / "Doxyfile", settings) || !write_header(folders, tools, problems)) return false;
+
+    const fs::path log = folders.build / "doxygen.log";
+    const bool made = run(fmt::format("cd {} && {} Doxyfile", quoted(folders.build), tools.doxygen), log);
+    int warnings = 0;
+    for (const std::string& line : split_lines(read_file(log).value_or(""))) {
+        if (line.find("warning:") == std::string::npos && line.find("error:") == std::string::npos) continue;
+        ++warnings;
+        problems.add({"doxygen", 0}, replace_all(line, folders.project.string() + "/", ""), "no warning");
+    }
+    if (!made && warnings == 0) problems.add({"doxygen", 0}, "failed: " + tail(log), "doxygen 1.9");
+    return made && warnings == 0;
+}
+
+/// What the pages load, beside what Doxygen itself copies.
+void copy_matter(const Woven& woven, const fs::path& html, Problems& problems)
+{
+    const fs::path katex = "/usr/share/javascript/katex";
+    copy(katex / "katex.min.css", html / "katex/katex.min.css", problems);
+    std::error_code error;
+    for (const auto& font : fs::directory_iterator(katex / "fonts/", error))
+        if (font.path().extension() == ".woff2")
+            copy(font.path(), html / "katex/fonts" / font.path().filename(), problems);
+
+    for (const Chapter& chapter : woven.material.chapters) {
+        for (const ChapterText* text : texts_of(chapter)) {
+            for (const Block& block : text->blocks) {
+                const std::string name = chapter.entry.name + "/" + block.name;
+                if (block.kind == BlockKind::figure)
+                    copy(drawn_file(woven.material, chapter, block.name + ".svg"), html / "figures" / (name + ".svg"),
+                         problems);
+                if (block.kind != BlockKind::live) continue;
+                const std::string trace =
+                    read_file(drawn_file(woven.material, chapter, block.name + ".ndjson")).value_or("");
+                const std::string script =
+                    fmt::format("(window.flyingTraces = window.flyingTraces || {{}})[\"{}\"] = [\n{}\n];\n", name,
+                                join(split_lines(trace), ",\n"));
+                if (!write_file(html / "traces" / (name + ".js"), script))
+                    problems.add(block.place, "a trace that can't be written", "a folder to write to");
+            }
+        }
+    }
+}
+
+} // namespace
+
+std::vector<std::string> render_formulas(const Fragments& fragments, const Folders& folders, const Tools& tools,
+                                         Problems& problems)
+{
+    const std::vector<Fragment>& list = fragments.list();
+    const auto key = [](const Fragment& f) { return (f.display ? "display " : "inline ") + f.text; };
+
+    // Ask for those that were not rendered before
+    const fs::path store = folders.build / "formulas.json";
+    json known = json::parse(read_file(store).value_or("{}"), nullptr, false);
+    if (!known.is_object()) known = json::object();
+    json wanted = json::object();
+    for (const Fragment& f : list)
+        if (f.kind == FragmentKind::formula && !known.contains(key(f)))
+            wanted[key(f)] = {{"tex", f.text}, {"display", f.display}};
+    json errors = json::object();
+    if (!wanted.empty()) {
+        const fs::path question = folders.build / "formulas-new.json";
+        const fs::path answer = folders.build / "formulas-out.json";
+        const bool asked = write_file(question, wanted.dump());
+        const bool answered =
+            asked && std::system(fmt::format("{} {} {} > {}", tools.node, quoted(folders.project / "docs/formulas.js"),
+                                             quoted(question), quoted(answer))
+                                     .c_str()) == 0;
+        const json result = json::parse(read_file(answer).value_or(""), nullptr, false);
+        if (!answered || !result.is_object()) {
+            problems.add({"docs/formulas.js", 0}, "formulas that could not be rendered",
+                         "node, and KaTeX (Debian: katex)");
+            return std::vector<std::string>(list.size());
+        }
+        known.update(result.at("html"));
+        errors = result.at("errors");
+        (void)write_file(store, known.dump());
+    }
+
+    std::vector<std::string> html(list.size());
+    for (std::size_t k = 0; k < list.size(); ++k) {
+        if (list[k].kind != FragmentKind::formula) continue;
+        const std::string name = key(list[k]);
+        if (errors.contains(name))
+            problems.add(list[k].place, fmt::format("bad TeX `{}`: {}", list[k].text, errors[name].get<std::string>()),
+                         "TeX that KaTeX reads");
+        else html[k] = known.value(name, "");
+    }
+    return html;
+}
+
+Woven weave_pages(const Folders& folders, const Tools& tools, Problems& problems)
+{
+    Woven woven;
+    woven.material = read_material(folders, problems);
+    check_receipts(woven.material, problems);
+    woven.counts.coverage = check_coverage(woven.material, problems);
+    woven.counts.given = check_prose(woven.material, problems);
+    check_completeness(woven.material, problems);
+    woven.pages = make_pages(woven.material, woven.counts, problems);
+    woven.formulas = render_formulas(woven.pages.fragments, folders, tools, problems);
+    return woven;
+}
+
+void make_book(const Folders& folders, const Tools& tools, Problems& problems)
+{
+    const Woven woven = weave_pages(folders, tools, problems);
+    if (!problems.empty()) return;
+    const fs::path html = folders.build / "html.new";
+    if (!run_doxygen(folders, tools, woven, html, problems)) return;
+    copy_matter(woven, html, problems);
+    finish_pages(woven.material, woven.pages.fragments.list(), woven.formulas,
+                 read_manual(folders.build / "names.tag", folders.project), html, problems);
+    check_links(html, problems);
+    if (!problems.empty()) return;
+    std::error_code error;
+    fs::remove_all(folders.build / "html", error);
+    fs::rename(html, folders.build / "html", error);
+    if (error) problems.add({"html", 0}, error.message(), "a folder that can be replaced");
+}
+
+} // namespace flying::weave

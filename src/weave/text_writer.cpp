@@ -1,0 +1,377 @@
+#include <algorithm>
+#include <cctype>
+#include <optional>
+#include <regex>
+
+#include <fmt/format.h>
+
+#include "weave/inline.hpp"
+#include "weave/pages.hpp"
+#include "weave/receipts.hpp"
+#include "weave/text.hpp"
+
+namespace flying::weave {
+
+namespace {
+
+/// Prose as Doxygen leaves it alone: its own signs are escaped, quotation marks and apostrophes are set properly.
+std::string escape_prose(const std::string& prose)
+{
+    std::string out;
+    for (std::size_t k = 0; k < prose.size(); ++k) {
+        const char c = prose[k];
+        const char before = k > 0 ? prose[k - 1] : ' ';
+        if (c == '\\' && k + 1 < prose.size()) {
+            const char next = prose[++k];
+            out += next == '$' || next == '"' ? std::string(1, next) : std::string("\\") + next;
+        } else if (c == '@' || c == '%') {
+            out += std::string("\\") + c;
+        } else if (c == '<') {
+            out += "&lt;";
+        } else if (c == '&') {
+            out += "&amp;";
+        } else if (c == '#' && before != '\n') {
+            out += "\\#";
+        } else if (c == '\'') {
+            out += "\u2019";
+        } else if (c == '"') {
+            const bool opens = std::isspace(static_cast<unsigned char>(before)) || before == '(';
+            out += opens ? "\u201c" : "\u201d";
+        } else {
+            out += c;
+        }
+    }
+    return out;
+}
+
+std::string block_token(const std::string& token)
+{
+    return "\n" + token + "\n\n";
+}
+
+} // namespace
+
+std::string TextWriter::blocks(const Chapter& chapter, const ChapterText& text, const std::string& page)
+{
+    std::string out;
+    for (const Block& b : text.blocks) out += block(chapter, b, page);
+    return out;
+}
+
+std::string TextWriter::block(const Chapter& chapter, const Block& b, const std::string& page)
+{
+    switch (b.kind) {
+    case BlockKind::text:
+        return text(b, page);
+    case BlockKind::fence: {
+        std::string quoted;
+        for (const auto& line : b.lines) quoted += line.second + "\n";
+        return block_token(fragments_.add_html("<pre class=\"quoted\">" + escape_html(quoted) + "</pre>"));
+    }
+    case BlockKind::listing:
+        return listing(b);
+    case BlockKind::equation:
+    case BlockKind::definition:
+        return formula(b);
+    case BlockKind::derivation:
+        return derivation(b);
+    case BlockKind::figure:
+        return figure(chapter, b);
+    case BlockKind::output:
+        return output(chapter, b);
+    case BlockKind::live:
+        return live(chapter, b);
+    case BlockKind::exercise:
+        return exercise(chapter, b, page);
+    }
+    return "";
+}
+
+std::string TextWriter::text(const Block& block, const std::string& page)
+{
+    std::string out;
+    std::vector<std::pair<int, std::string>> paragraph;
+    const auto close = [&] {
+        out += inline_text(paragraph, block.place.file);
+        paragraph.clear();
+    };
+    for (const auto& [number, line] : block.lines) {
+        const std::size_t level = line.find_first_not_of('#');
+        if (level == 0 || level == std::string::npos || line[level] != ' ') {
+            paragraph.emplace_back(number, line);
+            continue;
+        }
+        close();
+        const std::string title(trim(std::string_view(line).substr(level)));
+        if (level == 1 || level > 3 || title.find_first_of("$`{") != std::string::npos)
+            problems_.add({block.place.file, number}, fmt::format("heading `{}`", title),
+                          "plain words after ## or ###, without formulas and code");
+        out += fmt::format("\n{} {} {{#{}_{}}}\n\n", std::string(level, '#'), escape_prose(title), page,
+                           replace_all(slug(title), "-", "_"));
+    }
+    close();
+    return out;
+}
+
+std::string TextWriter::inline_text(const std::vector<std::pair<int, std::string>>& lines, const std::string& file)
+{
+    std::string out;
+    for (const Piece& piece : pieces_of(lines)) {
+        const Place place{file, piece.line};
+        switch (piece.kind) {
+        case PieceKind::prose:
+            out += escape_prose(piece.text);
+            break;
+        case PieceKind::math:
+            out += math(piece.text, place);
+            break;
+        case PieceKind::insert:
+            out += insert(piece.text, false, place);
+            break;
+        case PieceKind::code: {
+            Fragment fragment;
+            fragment.kind = FragmentKind::code;
+            fragment.text = piece.text;
+            fragment.place = place;
+            out += fragments_.add(std::move(fragment));
+            break;
+        }
+        case PieceKind::target:
+            if (piece.text.rfind("https://", 0) != 0 && piece.text.rfind("http://", 0) != 0)
+                problems_.add(place, fmt::format("link to `{}`", piece.text),
+                              "an address of the web, or {{ch:name}}, {{eq:id}}, {{file:path}}");
+            out += "(" + piece.text + ")";
+            break;
+        }
+    }
+    return out;
+}
+
+std::string TextWriter::math(const std::string& tex, const Place& place)
+{
+    static const std::regex k_insert(R"(\{\{([^}]*)\}\})");
+    std::string filled;
+    auto from = tex.cbegin();
+    for (std::sregex_iterator at(tex.begin(), tex.end(), k_insert), end; at != end; ++at) {
+        filled.append(from, (*at)[0].first);
+        filled += insert((*at)[1].str(), true, place);
+        from = (*at)[0].second;
+    }
+    filled.append(from, tex.cend());
+    return fragments_.add_formula(filled, false, place);
+}
+
+std::string TextWriter::insert(const std::string& text, bool in_math, const Place& place)
+{
+    const Insert insert = parse_insert(text);
+    if (insert.kind == "given") return insert.name;
+    if (insert.kind == "value") {
+        const auto found = material_.ledger.values.find(insert.name);
+        if (found == material_.ledger.values.end()) {
+            problems_.add(
+                place, fmt::format("value `{}`, which nothing computes", insert.name),
+                "RECORD_VALUE in a test, or `name = number` in a demo's output ({{value:chapter.demo.name}})");
+            return "?";
+        }
+        const std::optional<std::string> shown =
+            format_value(found->second, insert.format.empty() ? "%.3g" : insert.format);
+        if (!shown) {
+            problems_.add(place, fmt::format("format `{}` of a value", insert.format), "one like %.3g, %.1e, %.2f");
+            return "?";
+        }
+        if (!in_math) return fragments_.add_html("<span class=\"value\">" + *shown + "</span>");
+        std::string tex = replace_all(*shown, "\u2009\u00b7\u2009", "\\cdot ");
+        tex = replace_all(tex, "\u2212", "-");
+        return replace_all(replace_all(tex, "<sup>", "^{"), "</sup>", "}");
+    }
+    if (insert.kind == "eq") {
+        const auto found = material_.numbered.find(insert.name);
+        if (found == material_.numbered.end()) {
+            problems_.add(place, fmt::format("reference to formula `{}`", insert.name),
+                          "the id of a formula of the book");
+            return "?";
+        }
+        const Numbered& at = found->second;
+        return fragments_.add_html(
+            fmt::format("<a class=\"reference\" href=\"{}.html#{}\">({})</a>", at.page, at.anchor, at.number));
+    }
+    if (insert.kind == "ch") {
+        for (const ChapterEntry& entry : material_.book.chapters) {
+            if (entry.name.substr(std::min<std::size_t>(3, entry.name.size())) != insert.name) continue;
+            const std::string words = insert.format.empty() ? fmt::format("chapter {}", entry.number) : insert.format;
+            if (!entry.written) return words;
+            return fragments_.add_html(fmt::format("<a class=\"reference\" title=\"{}\" href=\"{}.html\">{}</a>",
+                                                   escape_html(entry.title), entry.page(), escape_html(words)));
+        }
+        problems_.add(place, fmt::format("reference to chapter `{}`", insert.name),
+                      "the name of a chapter's folder without its number");
+        return "?";
+    }
+    if (insert.kind == "file") {
+        if (material_.sources.files.count(insert.name) == 0) {
+            problems_.add(place, fmt::format("reference to file `{}`", insert.name), "a source of this project");
+            return "?";
+        }
+        Fragment link;
+        link.kind = FragmentKind::source;
+        link.text = insert.name;
+        link.place = place;
+        const std::string target = fragments_.add(std::move(link));
+        return fragments_.add_html(
+            fmt::format("<a class=\"reference\" href=\"{}\"><code>{}</code></a>", target, escape_html(insert.name)));
+    }
+    problems_.add(place, fmt::format("insert `{{{{{}}}}}`", text),
+                  "{{value:..}}, {{given:..}}, {{eq:..}}, {{ch:..}} or {{file:..}}");
+    return "?";
+}
+
+std::string TextWriter::listing(const Block& block)
+{
+    const Sources& sources = material_.sources;
+    const int index = sources.find(block.name);
+    if (index < 0) return "";
+    const Region& region = sources.regions[index];
+
+    Fragment lines;
+    lines.kind = FragmentKind::lines;
+    lines.text = region.file;
+    lines.place = block.place;
+    const SourceFile& file = sources.files.at(region.file);
+    for (int line = region.first; line <= region.last; ++line)
+        if (file.owner[line - 1] == index) lines.lines.push_back(line);
+    while (!lines.lines.empty() && trim(file.lines[lines.lines.front() - 1]).empty())
+        lines.lines.erase(lines.lines.begin());
+    while (!lines.lines.empty() && trim(file.lines[lines.lines.back() - 1]).empty()) lines.lines.pop_back();
+    for (const int inner : region.inner) {
+        const Region& part = sources.regions[inner];
+        lines.instead[part.last + 2] = fmt::format("<div class=\"line inner\">\u27e8 {}, lines {} to {} \u27e9</div>",
+                                                   escape_html(part.name), part.first, part.last);
+    }
+    Fragment link;
+    link.kind = FragmentKind::source;
+    link.text = region.file;
+    link.place = block.place;
+    const std::string target = fragments_.add(std::move(link));
+    const std::string body = fragments_.add(std::move(lines));
+    const bool again = block.options == "again";
+    return block_token(fragments_.add_html(fmt::format(
+        "<figure class=\"listing{}\"{}><figcaption><a href=\"{}#l{:05}\">{}, {} "
+        "{}{}</a><span>{}</span></figcaption>{}</figure>",
+        again ? " again" : "", again ? "" : fmt::format(" id=\"listing-{}\"", slug(region.name)), target, region.first,
+        escape_html(region.file), region.first == region.last ? "line" : "lines", region.first,
+        region.first == region.last ? "" : fmt::format("\u2013{}", region.last), again ? "once more" : "", body)));
+}
+
+std::string TextWriter::formula(const Block& block)
+{
+    const auto found = material_.numbered.find(block.name);
+    if (found == material_.numbered.end()) return ""; // of an exercise that is never posed, which is a problem already
+    const Numbered& numbered = found->second;
+    const std::string tex = fragments_.add_formula(formula_of(block), true, block.place);
+    return block_token(fragments_.add_html(fmt::format(
+        "<div class=\"formula {0}\" id=\"{1}\"><div class=\"sheet\">{2}</div><a class=\"number\" "
+        "href=\"#{1}\">({3})</a>"
+        "{4}</div>",
+        directive_word(block.kind), numbered.anchor, tex, numbered.number, receipt_line(material_, numbered))));
+}
+
+std::string TextWriter::derivation(const Block& block)
+{
+    const auto found = material_.numbered.find(block.name);
+    if (found == material_.numbered.end()) return ""; // of an exercise that is never posed, which is a problem already
+    const Numbered& numbered = found->second;
+    std::string rows;
+    for (const Step& step : steps_of(block)) {
+        // Set the left side, then the rest from its first sign of equality on
+        const Place place{block.place.file, step.line};
+        std::size_t sign = std::string::npos;
+        int depth = 0;
+        for (std::size_t k = 0; k < step.tex.size() && sign == std::string::npos; ++k) {
+            if (step.tex[k] == '{') ++depth;
+            if (step.tex[k] == '}') --depth;
+            const bool relation = step.tex[k] == '=' || step.tex.compare(k, 7, "\\approx") == 0;
+            if (relation && depth == 0) sign = k;
+        }
+        const std::string left(trim(step.tex.substr(0, sign == std::string::npos ? 0 : sign)));
+        const std::string right = sign == std::string::npos ? step.tex : "{}" + step.tex.substr(sign);
+        rows += fmt::format("<div class=\"left\">{}</div><div class=\"right\">{}</div><div class=\"reason\">{}</div>",
+                            left.empty() ? "" : fragments_.add_formula(left, true, place),
+                            fragments_.add_formula(right, true, place),
+                            step.reason.empty() ? "" : inline_text({{step.line, step.reason}}, block.place.file));
+    }
+    return block_token(fragments_.add_html(fmt::format(
+        "<div class=\"formula derivation\" id=\"{0}\"><div class=\"sheet steps\">{1}</div><a class=\"number\" "
+        "href=\"#{0}\">({2})</a>{3}</div>",
+        numbered.anchor, rows, numbered.number, receipt_line(material_, numbered))));
+}
+
+std::string TextWriter::caption(const Block& block)
+{
+    return inline_text({{block.place.line, block.caption}}, block.place.file);
+}
+
+std::string TextWriter::figure(const Chapter& chapter, const Block& block)
+{
+    // The words for those who don't see it are the caption without its dollars and backquotes
+    std::string words;
+    for (const Piece& piece : pieces_of({{block.place.line, block.caption}})) words += piece.text;
+    return block_token(
+        fragments_.add_html(fmt::format("<figure class=\"picture\" id=\"figure-{0}\"><img src=\"figures/{1}/{0}.svg\" "
+                                        "alt=\"{2}\"><figcaption>{3}</figcaption></figure>",
+                                        block.name, chapter.entry.name, escape_html(trim(words)), caption(block))));
+}
+
+std::string TextWriter::live(const Chapter& chapter, const Block& block)
+{
+    const std::string id = chapter.entry.name + "/" + block.name;
+    return block_token(
+        fragments_.add_html(fmt::format("<figure class=\"live\" data-trace=\"{0}\"><canvas role=\"img\" "
+                                        "aria-label=\"{1}\"></canvas><figcaption>{2}</figcaption>"
+                                        "<noscript>This picture moves only where scripts "
+                                        "run.</noscript></figure><script src=\"traces/{0}.js\"></script>",
+                                        escape_html(id), escape_html(block.caption), caption(block))));
+}
+
+std::string TextWriter::output(const Chapter& chapter, const Block& block)
+{
+    const auto found = material_.outputs.find(chapter.entry.name + "/" + block.name);
+    if (found == material_.outputs.end()) return "";
+    return block_token(fragments_.add_html(fmt::format("<figure class=\"output\"><figcaption>What <code>{}.cpp</code> "
+                                                       "printed in this build</figcaption><pre>{}</pre></figure>",
+                                                       escape_html(block.name), escape_html(found->second))));
+}
+
+std::string TextWriter::exercise(const Chapter& chapter, const Block& block, const std::string& page)
+{
+    for (const Exercise& exercise : chapter.exercises) {
+        if (exercise.name != block.name) continue;
+        const auto fold = [&](const char* title, const std::string& inside) {
+            return block_token(fragments_.add_html(fmt::format("<details><summary>{}</summary>", title))) + inside +
+                   block_token(fragments_.add_html("</details>"));
+        };
+        const std::string number = exercise.name.substr(1);
+        std::string out = block_token(fragments_.add_html(
+            fmt::format("<section class=\"exercise\" id=\"exercise-{}\"><h4>Exercise {}.{} \u00b7 {}</h4>",
+                        exercise.name, chapter.entry.number, number, escape_html(exercise.text.title))));
+        out += blocks(chapter, exercise.text, page);
+        if (exercise.in_code)
+            out +=
+                block_token(fragments_.add_html(fmt::format("<p class=\"try\"><code>./course start {0:02}</code> puts "
+                                                            "the beginning into <code>my/{1}/{2}.hpp</code>; "
+                                                            "<code>./course check {0:02}</code> tries it.</p>",
+                                                            chapter.entry.number, chapter.entry.name, exercise.name)));
+        if (exercise.hint) out += fold("Hint", blocks(chapter, *exercise.hint, page));
+        if (exercise.in_code) {
+            const std::string code =
+                read_file(material_.folders.project / exercise.folder / "solution.hpp").value_or("");
+            out += fold("Solution, as it passed the tests of this build",
+                        block_token(fragments_.add_html("<div class=\"fragment\">" + colour_code(code) + "</div>")));
+        } else if (exercise.solution) {
+            out += fold("Solution", blocks(chapter, *exercise.solution, page));
+        }
+        return out + block_token(fragments_.add_html("</section>"));
+    }
+    return "";
+}
+
+} // namespace flying::weave

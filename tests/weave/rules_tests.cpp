@@ -1,0 +1,362 @@
+#include "example_tree.hpp"
+
+// Each rule of the book, broken one at a time in the example chapter: the message names the place, what was found, and
+// what was expected.
+
+namespace {
+
+const std::string k_chapter = "chapters/01-hinge/chapter.md";
+const std::string k_receipts = "build/receipts/chapter_01.json";
+
+/// `file:line: `, the line being the last that holds the text.
+std::string at(const ExampleTree& tree, const std::string& file, const std::string& text)
+{
+    const std::vector<std::string> lines = flying::weave::split_lines(tree.read(file));
+    for (std::size_t k = lines.size(); k-- > 0;)
+        if (lines[k].find(text) != std::string::npos) return file + ":" + std::to_string(k + 1) + ": ";
+    FAIL("no such line: " << text);
+    return "";
+}
+
+/// One problem, at the last line of the file that holds the text, in those words.
+void check_one(const ExampleTree& tree, const std::string& file, const std::string& text, const std::string& words)
+{
+    const std::string start = at(tree, file, text);
+    const std::string report = tree.problems();
+    CAPTURE(report);
+    CHECK(report.rfind(start, 0) == 0);
+    CHECK(report.find(words) != std::string::npos);
+    CHECK(report.find("; expected ") != std::string::npos);
+    CHECK(report.find('\n') == report.size() - 1);
+}
+
+} // namespace
+
+TEST_CASE("the example of the author's guide keeps every rule")
+{
+    const ExampleTree tree;
+    CHECK(tree.problems() == "");
+}
+
+// ---- Receipts -------------------------------------------------------------------------------------------------------
+
+TEST_CASE("an equation without a receipt fails the book")
+{
+    const ExampleTree tree;
+    tree.write(k_receipts, "{}");
+    check_one(tree, k_chapter, "::equation hinge.end", "equation hinge.end without a receipt");
+}
+
+TEST_CASE("an equation whose test failed fails the book")
+{
+    const ExampleTree tree;
+    tree.replace(k_receipts, "\"cases\": 210, \"passed\": true", "\"cases\": 210, \"passed\": false");
+    check_one(tree, k_chapter, "::equation hinge.end", "equation hinge.end fails its test");
+}
+
+TEST_CASE("receipts of a test program that failed elsewhere fail the book")
+{
+    const ExampleTree tree;
+    tree.replace(k_receipts, "{\"passed\": true", "{\"passed\": false");
+    CHECK(tree.problems() == "chapter_01.json: receipts of a test program that failed; expected tests that pass\n");
+}
+
+TEST_CASE("receipts that can't be read fail the book")
+{
+    const ExampleTree tree;
+    tree.write(k_receipts, "{\"equations\": ");
+    CHECK(tree.problems().find("chapter_01.json: receipts that can't be read") != std::string::npos);
+}
+
+TEST_CASE("an equation without a wrong twin fails the book")
+{
+    const ExampleTree tree;
+    tree.replace(k_receipts, "\"twins\": 210", "\"twins\": 0");
+    check_one(tree, k_chapter, "::equation hinge.end", "equation hinge.end without a wrong twin");
+}
+
+TEST_CASE("an equation whose twin passes too fails the book")
+{
+    const ExampleTree tree;
+    tree.replace(k_receipts, "\"twins_rejected\": true", "\"twins_rejected\": false");
+    check_one(tree, k_chapter, "::equation hinge.end", "takes the wrong twin too");
+}
+
+TEST_CASE("a twin that is held to a tighter bound than its equation fails the book")
+{
+    const ExampleTree tree;
+    tree.replace(k_receipts, "\"twin_bound\": 1e-15", "\"twin_bound\": 1e-16");
+    check_one(tree, k_chapter, "::equation hinge.end", "twin rejected by a bound of 1e-16");
+}
+
+TEST_CASE("a slip in the printed formula fails the book")
+{
+    const ExampleTree tree;
+    tree.replace(k_chapter, "I = \\frac{m l^2}{3}\n```", "I = \\frac{m l^2}{2}\n```");
+    check_one(tree, k_chapter, "::equation hinge.end",
+              "its printed side `\\frac{m l^2}{2}` is 6 at l = 2, m = 3; expected 4");
+}
+
+TEST_CASE("a printed formula that can't be evaluated, though its test names quantities, fails the book")
+{
+    const ExampleTree tree;
+    tree.replace(k_chapter, "I = \\frac{m l^2}{3}\n```", "I = \\frac{m q^2}{3}\n```");
+    check_one(tree, k_chapter, "::equation hinge.end", "no printed side can be evaluated");
+}
+
+TEST_CASE("a line of a derivation that does not follow from the one before fails the book")
+{
+    const ExampleTree tree;
+    tree.replace(k_chapter, "= \\frac{\\lambda l^3}{3} ", "= \\frac{\\lambda l^3}{2} ");
+    check_one(tree, k_chapter, "\\frac{\\lambda l^3}", "as the line before says");
+}
+
+TEST_CASE("a derivation that nothing checks fails the book")
+{
+    const ExampleTree tree;
+    tree.replace(k_chapter, " for m in 0.5..20, l in 0.1..4, \\lambda = m / l", "");
+    check_one(tree, k_chapter, "::derivation", "derivation hinge.steps that nothing checks");
+}
+
+TEST_CASE("a derivation checked in a test has as many lines as the test")
+{
+    const ExampleTree tree;
+    tree.replace(k_chapter, " for m in 0.5..20, l in 0.1..4, \\lambda = m / l", "");
+    tree.replace(k_receipts, "\"derivations\": {}",
+                 "\"derivations\": {\"hinge.steps\": {\"lines\": 2, \"points\": 9, \"passed\": true, \"worst\": 0}}");
+    check_one(tree, k_chapter, "::derivation", "derivation hinge.steps of 3 lines; expected 2");
+}
+
+TEST_CASE("a symbol of a derivation without a range fails the book")
+{
+    const ExampleTree tree;
+    tree.replace(k_chapter, ", \\lambda = m / l", "");
+    check_one(tree, k_chapter, "\\int_0^l", "symbols without a range");
+}
+
+TEST_CASE("a formula's id is used once")
+{
+    const ExampleTree tree;
+    tree.replace(k_chapter, "::definition hinge.inertia", "::definition hinge.end");
+    CHECK(tree.problems().find("formula `hinge.end`, which stands at " +
+                               at(tree, k_chapter, "::definition").substr(0, 31)) != std::string::npos);
+}
+
+// ---- Coverage -------------------------------------------------------------------------------------------------------
+
+TEST_CASE("an engine line that no chapter shows fails the book")
+{
+    const ExampleTree tree;
+    tree.replace("src/rods/rod.hpp", "// [rod.middle]\n", "");
+    tree.remove("chapters/01-hinge/rest.md");
+    check_one(tree, "src/rods/rod.hpp", "The same about", "5 lines in no region: `/// The same about its middle.");
+}
+
+TEST_CASE("a region that is never shown fails the book")
+{
+    const ExampleTree tree;
+    tree.remove("chapters/01-hinge/rest.md");
+    check_one(tree, "src/rods/rod.hpp", "The same about", "region `rod.middle` that chapter 1 never shows");
+}
+
+TEST_CASE("a region that is waived with a reason may be left out, and is printed in the appendix")
+{
+    const ExampleTree tree;
+    tree.remove("chapters/01-hinge/rest.md");
+    tree.write("chapters/book.toml",
+               tree.read("chapters/book.toml") +
+                   "\n[[waiver]]\nregion = \"rod.middle\"\nreason = \"Only the figures need it.\"\n");
+    flying::weave::Problems problems;
+    const flying::weave::Woven woven = tree.weave(problems);
+    CHECK(problems.report() == "");
+    CHECK(woven.counts.coverage.waived == 5);
+    bool printed = false;
+    for (const auto& page : woven.pages.list)
+        printed = printed ||
+                  (page.name == "left_out" && page.markdown.find("Only the figures need it.") != std::string::npos);
+    CHECK(printed);
+}
+
+TEST_CASE("a waiver without a reason fails the book")
+{
+    const ExampleTree tree;
+    tree.remove("chapters/01-hinge/rest.md");
+    tree.write("chapters/book.toml", tree.read("chapters/book.toml") + "\n[[waiver]]\nregion = \"rod.middle\"\n");
+    check_one(tree, "chapters/book.toml", "[[waiver]]", "waiver of `rod.middle` without a reason");
+}
+
+TEST_CASE("a waiver of what is shown fails the book")
+{
+    const ExampleTree tree;
+    tree.write("chapters/book.toml", tree.read("chapters/book.toml") +
+                                         "\n[[waiver]]\nregion = \"rod.middle\"\nreason = \"Nobody asks for it.\"\n");
+    check_one(tree, "chapters/book.toml", "[[waiver]]", "waiver of `rod.middle`, which is shown");
+}
+
+TEST_CASE("a region shown twice as new fails the book, and once more as again does not")
+{
+    const ExampleTree tree;
+    tree.replace(k_chapter, "It implements", "::listing rod.inertia\n\nIt implements");
+    check_one(tree, k_chapter, "::listing rod.inertia", "region `rod.inertia` shown as new for the second time");
+    tree.replace(k_chapter, "::listing rod.inertia\n\nIt implements", "::listing rod.inertia again\n\nIt implements");
+    CHECK(tree.problems() == "");
+}
+
+TEST_CASE("a listing of what is no region fails the book")
+{
+    const ExampleTree tree;
+    tree.replace(k_chapter, "::listing rod.inertia", "::listing rod.inertia\n\n::listing rod.inertai");
+    check_one(tree, k_chapter, "::listing rod.inertai", "listing of `rod.inertai`, which is no region");
+}
+
+TEST_CASE("a region that opens and never closes fails the book")
+{
+    const ExampleTree tree;
+    tree.replace("src/rods/rod.hpp", "// [rod.middle]\n\n}", "\n}");
+    CHECK(tree.problems().find(at(tree, "src/rods/rod.hpp", "[rod.middle]") +
+                               "region [rod.middle] opened and never closed") != std::string::npos);
+}
+
+TEST_CASE("two regions of one name fail the book")
+{
+    const ExampleTree tree;
+    tree.replace("src/rods/rod.hpp", "[rod.middle]", "[rod.inertia]");
+    CHECK(tree.problems().find("marker [rod.inertia], which stands at src/rods/rod.hpp:6 too") != std::string::npos);
+}
+
+TEST_CASE("a region inside another is folded in it, and each line counts once")
+{
+    const ExampleTree tree;
+    tree.replace("src/rods/rod.hpp", "    return m * l * l / 3.0;\n",
+                 "    // [rod.inner]\n    return m * l * l / 3.0;\n    // [rod.inner]\n");
+    check_one(tree, "src/rods/rod.hpp", "return m * l * l / 3.0", "region `rod.inner` that chapter 1 never shows");
+    tree.replace(k_chapter, "::listing rod.inertia", "::listing rod.inertia\n\n::listing rod.inner");
+    flying::weave::Problems problems;
+    const flying::weave::Woven woven = tree.weave(problems);
+    CHECK(problems.report() == "");
+    CHECK(woven.counts.coverage.shown == woven.counts.coverage.lines);
+}
+
+TEST_CASE("files of chapters that are not written are held to nothing")
+{
+    const ExampleTree tree;
+    tree.write("src/rods/later.hpp", "int later();\n");
+    tree.write("chapters/book.toml",
+               tree.read("chapters/book.toml") +
+                   "\n[[chapter]]\nnumber = 2\nname = \"02-later\"\ntitle = \"Later\"\nneeds = [1]\n"
+                   "written = false\nfiles = [\"src/rods/later.hpp\"]\n");
+    CHECK(tree.problems() == "");
+}
+
+// ---- Prose ----------------------------------------------------------------------------------------------------------
+
+TEST_CASE("a decimal number typed into the text fails the book, in formulas of the line too")
+{
+    const ExampleTree tree;
+    tree.replace(k_chapter, "a finger turns it.", "a finger turns it with 2.5 newtons.");
+    check_one(tree, k_chapter, "a finger turns", "decimal number 2.5 typed into the text");
+    tree.replace(k_chapter, "with 2.5 newtons", "with $F = 2.5$");
+    check_one(tree, k_chapter, "a finger turns", "decimal number 2.5 typed into the text");
+    tree.replace(k_chapter, "$F = 2.5$", "1e-3 of it");
+    check_one(tree, k_chapter, "a finger turns", "decimal number 1e-3 typed into the text");
+}
+
+TEST_CASE("a decimal number that is declared as given is counted; code and versions are no numbers")
+{
+    const ExampleTree tree;
+    tree.replace(k_chapter, "a finger turns it.", "$e = {{given:0.5}}$ and {{given:2.5}}, `x = 2.5`, Doxygen 1.9.4.");
+    flying::weave::Problems problems;
+    CHECK(tree.weave(problems).counts.given == 2);
+    CHECK(problems.report() == "");
+}
+
+TEST_CASE("a value that nothing computes, a reference to nothing and an unknown insert fail the book")
+{
+    const ExampleTree tree;
+    const auto with = [&](const std::string& insert) {
+        const ExampleTree other;
+        other.replace(k_chapter, "a finger turns it.", "a finger turns it " + insert);
+        return other.problems();
+    };
+    CHECK(with("{{value:nothing|%.1e}}").find("chapter.md:3: value `nothing`, which nothing computes") !=
+          std::string::npos);
+    CHECK(with("{{value:hinge.demo.inertia|%s}}").find("format `%s` of a value") != std::string::npos);
+    CHECK(with("{{eq:nothing}}").find("reference to formula `nothing`") != std::string::npos);
+    CHECK(with("{{ch:nothing}}").find("reference to chapter `nothing`") != std::string::npos);
+    CHECK(with("{{file:nothing}}").find("reference to file `nothing`") != std::string::npos);
+    CHECK(with("{{nothing}}").find("insert `{{nothing}}`") != std::string::npos);
+    CHECK(with("[here](there.md)").find("link to `there.md`") != std::string::npos);
+}
+
+TEST_CASE("code, formulas and pictures that bypass the directives fail the book")
+{
+    const auto with = [&](const std::string& text) {
+        const ExampleTree tree;
+        tree.replace(k_chapter, "a finger turns it.", "a finger turns it.\n\n" + text);
+        return tree.problems();
+    };
+    CHECK(with("```cpp\nint x;\n```").find("chapter.md:5: a block of `cpp` typed into the text") != std::string::npos);
+    CHECK(with("```tex\nx\n```").find("chapter.md:5: a formula without a directive") != std::string::npos);
+    CHECK(with("$$x = 1$$").find("a displayed formula between $$") != std::string::npos);
+    CHECK(with("![door](door.png)").find("a picture in Markdown") != std::string::npos);
+    CHECK(with("costs 3$ a piece").find("a dollar without its pair") != std::string::npos);
+    CHECK(with("::lsiting rod.inertia").find("unknown directive ::lsiting") != std::string::npos);
+    CHECK(with("::equation hinge.other").find("::equation hinge.other without its formula") != std::string::npos);
+    CHECK(with("```text\nnever closed").find("a fence ``` that never closes") != std::string::npos);
+    CHECK(with("## Where `x` breaks").find("heading `Where `x` breaks`") != std::string::npos);
+}
+
+TEST_CASE("bad TeX fails the book and says where")
+{
+    const ExampleTree tree;
+    tree.replace(k_chapter, "I = \\int x^2 \\, dm", "I = \\int x^{2 \\, dm");
+    check_one(tree, k_chapter, "::definition", "bad TeX");
+    tree.replace(k_chapter, "x^{2 \\, dm", "x^2 \\, dm");
+    tree.replace(k_chapter, "a finger turns it.", "a finger turns $\\itt$.");
+    check_one(tree, k_chapter, "a finger turns", "bad TeX `\\itt`");
+}
+
+// ---- Completeness ---------------------------------------------------------------------------------------------------
+
+TEST_CASE("a figure without words for those who don't see it, or without its file, fails the book")
+{
+    const ExampleTree tree;
+    tree.replace(k_chapter, " \"A thin rod, its end at the hinge, and a slice of it at the distance x\"", "");
+    check_one(tree, k_chapter, "::figure", "::figure rod without words for those who don't see it");
+    const ExampleTree other;
+    other.remove("build/figures/01-hinge/rod.svg");
+    check_one(other, k_chapter, "::figure", "::figure rod without rod.svg");
+}
+
+TEST_CASE("a chapter without demo, tests, figure, exercise, symbols or summary fails the book")
+{
+    const auto without = [&](const std::string& text, const std::string& file) {
+        const ExampleTree tree;
+        if (!text.empty()) tree.replace(k_chapter, text, "");
+        if (!file.empty()) tree.remove("chapters/01-hinge/" + file);
+        return tree.problems();
+    };
+    CHECK(without("", "demo.cpp").find("a chapter without demo; expected chapters/01-hinge/demo.cpp") !=
+          std::string::npos);
+    CHECK(without("::output demo\n", "").find("a chapter that never shows its demo's output") != std::string::npos);
+    CHECK(without("", "tests.cpp").find("a chapter without tests") != std::string::npos);
+    CHECK(without("::figure rod \"A thin rod, its end at the hinge, and a slice of it at the distance x\"\n", "")
+              .find("a chapter without figure") != std::string::npos);
+    CHECK(without("::exercise e1\n", "").find("a chapter without exercise") != std::string::npos);
+    CHECK(without("::exercise e1\n", "").find("an exercise that its chapter never poses") != std::string::npos);
+    CHECK(without("## Summary\n", "").find("a chapter without summary") != std::string::npos);
+    CHECK(without("## Symbols\n", "").find("a chapter without its table of symbols") != std::string::npos);
+    CHECK(without("", "exercises/e1/hint.md").find("chapters/01-hinge/exercises/e1: an exercise without hint.md") !=
+          std::string::npos);
+    CHECK(without("", "exercises/e1/stub.hpp").find("an exercise in code without stub.hpp") != std::string::npos);
+    CHECK(without("", "chapter.md").find("no chapters/01-hinge/chapter.md") != std::string::npos);
+}
+
+TEST_CASE("a book whose chapters need later ones or have no number fails")
+{
+    const ExampleTree tree;
+    tree.replace("chapters/book.toml", "needs = []", "needs = [2]");
+    check_one(tree, "chapters/book.toml", "[[chapter]]", "chapter 1 needs chapter 2");
+    tree.write("chapters/book.toml", "chapter = [");
+    check_one(tree, "chapters/book.toml", "chapter = [", "expected valid TOML");
+}

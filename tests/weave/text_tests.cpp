@@ -1,0 +1,73 @@
+#include "example_tree.hpp"
+
+#include "weave/finish.hpp"
+#include "weave/inline.hpp"
+#include "weave/ledger.hpp"
+
+using namespace flying::weave;
+
+TEST_CASE("running text comes apart into prose, code, formulas, inserts and links")
+{
+    const std::vector<Piece> pieces = pieces_of({{7, "A `b` and $c$, {{eq:d}}"}, {8, "[e](https://f.org) \\$g"}});
+    std::vector<std::string> shown;
+    for (const Piece& piece : pieces) shown.push_back(std::to_string(static_cast<int>(piece.kind)) + ":" + piece.text);
+    CHECK(shown == std::vector<std::string>{"0:A ", "1:b", "0: and ", "2:c", "0:, ", "3:eq:d", "0:\n[e]",
+                                            "4:https://f.org", "0: \\$g\n"});
+    CHECK(pieces.back().line == 8);
+}
+
+TEST_CASE("a printed line `name = number` is a value")
+{
+    Ledger ledger;
+    add_printed_values("demo", "Period error = 1.5e-12 s\nno value here\nx = y\nTotal  energy = 4, say\n", ledger);
+    CHECK(ledger.values == std::map<std::string, double>{{"demo.period-error", 1.5e-12}, {"demo.total-energy", 4.0}});
+}
+
+TEST_CASE("values are set with powers of ten, and no format reaches further than one number")
+{
+    CHECK(format_value(0.25, "%.2f") == "0.25");
+    CHECK(format_value(6.6e-16, "%.1e") == "6.6\u2009\u00b7\u200910<sup>\u221216</sup>");
+    CHECK(format_value(1000.0, "%.0e") == "10<sup>3</sup>");
+    for (const char* bad : {"%s", "%n", "%d", "%.3g%s", "x", "", "%", "%*g"})
+        CHECK_FALSE(format_value(1.0, bad).has_value());
+}
+
+TEST_CASE("aligned parameters in comments become lists for the manual, and lines stay where they are")
+{
+    const std::string source =
+        "/// Fall.\n///\n/// g, h  weights [N]\n/// t     time since\n///       it began\nint f();\n// [a.b]\n";
+    CHECK(filter_source(source) ==
+          "/// Fall.\n///\n/// - <b>g, h</b>: weights [N]\n/// - <b>t</b>: time since\n///   it began\nint f();\n\n");
+}
+
+TEST_CASE("links that lead nowhere are found, to pages and to anchors")
+{
+    const ExampleTree tree;
+    tree.write("html/a.html",
+               "<a href=\"b.html#here\">b</a> <a href=\"b.html#gone\"></a> <a href=\"c.html\"></a> <img src=\"d.svg\"> "
+               "<a href=\"https://e.org\"></a>");
+    tree.write("html/b.html", "<p id=\"here\">");
+    Problems problems;
+    check_links(tree.root() / "html", problems);
+    CHECK(problems.report() == "a.html: link to b.html#gone; expected an anchor that is there\n"
+                               "a.html: link to c.html; expected a page or file that is there\n"
+                               "a.html: link to d.svg; expected a page or file that is there\n");
+}
+
+TEST_CASE("a warning of Doxygen fails the book, and the last good book stays")
+{
+    const ExampleTree tree;
+    std::filesystem::copy(std::filesystem::path(FLYING_SOURCE_DIR) / "docs", tree.root() / "docs",
+                          std::filesystem::copy_options::recursive | std::filesystem::copy_options::overwrite_existing);
+    const Folders folders{tree.root(), tree.root() / "build"};
+    tree.write("build/html/index.html", "the last good book");
+
+    // Any program that warns will do for Doxygen's warning
+    tree.write("warns", "#!/bin/sh\ntouch header.html\n[ \"$1\" = Doxyfile ] && echo 'src/rods/rod.hpp:3: warning: "
+                        "odd' && exit 1\nexit 0\n");
+    std::filesystem::permissions(tree.root() / "warns", std::filesystem::perms::owner_all);
+    Problems problems;
+    make_book(folders, {(tree.root() / "warns").string(), "node"}, problems);
+    CHECK(problems.report() == "doxygen: src/rods/rod.hpp:3: warning: odd; expected no warning\n");
+    CHECK(tree.read("build/html/index.html") == "the last good book");
+}
