@@ -1,0 +1,38 @@
+#include <random>
+
+#include "falling.hpp"
+#include "support/receipts.hpp"
+
+using namespace flying;
+
+// [made.tests.fall]
+TEST_CASE("a body falls by half of g t squared")
+{
+    std::mt19937_64 random(7);
+    std::uniform_real_distribution<double> any(0.1, 10.0);
+    for (int k = 0; k < 1000; ++k) {
+        const double g = any(random);
+        const double t = any(random);
+        const double s = fall_distance(g, t);
+
+        // Four roundings on either side, each of half a unit in the last place
+        CHECK_EQUATION("made.fall", s, g * t * t / 2, 1e-15, {"g", g}, {"t", t});
+        CHECK_TWIN("made.fall", s, g * t * t / 3, 1e-15);
+    }
+}
+// [made.tests.fall]
+
+// [made.tests.steps]
+TEST_CASE("n steps fall short by one part in n")
+{
+    for (int n = 1; n <= 1000; n *= 10) {
+        const double whole = fall_distance(9.81, 2.0);
+        const double by_steps = fall_by_steps(9.81, 2.0, n);
+
+        // Rounding gathers over the n additions: n units in the last place at most
+        const double bound = 1e-15 * n;
+        CHECK_EQUATION_SCALED("made.short_by", whole - by_steps, whole / n, whole, bound, {"s", whole}, {"n", n});
+        CHECK_TWIN_SCALED("made.short_by", whole - by_steps, whole / (n + 1), whole, 1e-12);
+    }
+}
+// [made.tests.steps]

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <numbers>
+
+#include "motion/body.hpp"
+
+/// WRONG on purpose: see "Where it breaks".
+namespace flying::wrong {
+
+// [wrong.degrees]
+enum class Kind
+{
+    ball,   ///< its angle is in radians, says whoever wrote the balls
+    polygon ///< its angle is in degrees, says whoever wrote the polygons
+};
+
+/// A point of the body, given in its own frame, in the world's.
+[[nodiscard]] inline Vec2 point_of(Kind kind, const BodyState& body, const Vec2& r_local)
+{
+    const double degree = std::numbers::pi / 180.0;
+    const double angle = kind == Kind::polygon ? body.angle * degree : body.angle;
+    return body.position + Rotation::of(angle) * r_local;
+}
+// [wrong.degrees]
+
+} // namespace flying::wrong
