@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# What ./course bench runs once all is built: measures, then draws.
+#
+#   bench.sh FOLDER_OF_PROGRAMS [options of flying_bench]     results go to out/bench
+set -euo pipefail
+export LC_ALL=C.UTF-8
+
+here=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")" && pwd)
+programs=$(cd "$1" && pwd)
+shift
+for option in "$@"; do
+    case $option in
+    --help | -h) exec "$programs/flying_bench" --help ;;
+    --out | --out=*) echo "bench.sh: results go to out/bench; call flying_bench itself to put them elsewhere" >&2; exit 2 ;;
+    esac
+done
+
+out=$here/../../out/bench
+mkdir -p "$out"
+out=$(cd "$out" && pwd)
+status=0
+"$programs/flying_bench" --out "$out" "$@" 2> >(grep -v -e '^Initializing cpSpace' -e '^Compile with -DNDEBUG' >&2) || status=$?
+((status <= 1)) || exit "$status"
+
+# The parts one by one belong to the long set
+case " $* " in
+*" --all "*)
+    "$programs/flying_bench_parts" --benchmark_out="$out/parts.json" --benchmark_out_format=json \
+        --benchmark_repetitions=5 --benchmark_report_aggregates_only=true
+    ;;
+esac
+
+# Draw what was measured, in this run or before
+if [[ -f $out/growth.ini && -f $out/work-flying.dat ]] && command -v gnuplot >/dev/null; then
+    (cd "$out" && gnuplot "$here/plots.gp")
+fi
+echo
+echo "In $out:"
+(cd "$out" && ls -- *.json *.txt *.svg *.png 2>/dev/null | sed 's/^/    /') || true
+exit "$status"

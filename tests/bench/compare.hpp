@@ -1,0 +1,57 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scenes.hpp"
+#include "simulators.hpp"
+
+namespace flying::bench {
+
+/// What one engine did with one scene.
+struct Showing
+{
+    EngineChoice engine;
+    std::vector<double> seconds;      ///< computing, of each repeat, without setting up [s]
+    std::vector<double> wall_seconds; ///< of the same [s]
+    double setup_seconds = 0.0;       ///< of the first: reading, checking, first predictions [s]
+    double drift = 0.0;               ///< of the energy, relative
+    double overlap = 0.0;             ///< deepest seen at the samples [m]
+    std::optional<double> path_error; ///< median distance from the exact places after 1 s [m]
+    long collisions = 0;              ///< where the engine counts them
+    std::string failure;              ///< why it could not go on; empty where it could
+};
+
+struct Comparison
+{
+    std::string name;
+    std::string aim;
+    int bodies = 0;
+    double until = 0.0;            ///< [s]
+    double samples_hertz = 0.0;    ///< how often overlap was looked for [1/s]
+    std::string exact_path;        ///< what the path error is measured against
+    double exact_path_error = 0.0; ///< how well that is known itself [m]
+    std::vector<Showing> showings;
+};
+
+/// Run one scene in all engines in turn, again and again.
+/// step  the peers' steps a second [1/s]
+/// tell  is told what is going on
+[[nodiscard]] Comparison compare(const BenchCase& bench_case, double until, int repeats, double hertz,
+                                 const std::function<void(const std::string&)>& tell);
+
+/// Time and error of one engine at one step.
+struct WorkPrecision
+{
+    EngineChoice engine;
+    double seconds = 0.0; ///< to compute one second [s]
+    double error = 0.0;   ///< median distance from the exact places after it [m]
+};
+
+/// 1000 discs at packing 0.1 for one second: every engine at steps from 60 a second to 3840.
+[[nodiscard]] std::vector<WorkPrecision> work_and_precision(int repeats,
+                                                            const std::function<void(const std::string&)>& tell);
+
+} // namespace flying::bench

@@ -1,0 +1,170 @@
+#include "results.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace flying::bench {
+namespace {
+
+using nlohmann::json;
+
+const Showing* chipmunk_of(const Comparison& comparison)
+{
+    for (const Showing& showing : comparison.showings) {
+        if (showing.engine.kind == EngineChoice::Kind::chipmunk) return &showing;
+    }
+    return nullptr;
+}
+
+std::string label(const EngineChoice& engine)
+{
+    return engine.hertz > 0.0 ? fmt::format("{} {:.0f} Hz", name_of(engine.kind), engine.hertz) : name_of(engine.kind);
+}
+
+std::string row(const Comparison& comparison, const Showing& showing)
+{
+    const double seconds = median(showing.seconds);
+    const Showing* chipmunk = chipmunk_of(comparison);
+    const std::string ratio = chipmunk ? fmt::format("{:.3f}", seconds / median(chipmunk->seconds)) : "";
+    const std::string error = showing.path_error ? fmt::format("{:.1e}", *showing.path_error) : "";
+    const std::string rate =
+        showing.collisions > 0 ? fmt::format("{:.3g}", static_cast<double>(showing.collisions) / seconds) : "";
+    return fmt::format("{:<20} {:>15} {:>9.4f} {:>8} {:>8.3f} {:>9.1e} {:>8.1e} {:>8} {:>10}{}\n", comparison.name,
+                       label(showing.engine), seconds, ratio, showing.setup_seconds, showing.drift, showing.overlap,
+                       error, rate, showing.failure.empty() ? "" : "  FAILED: " + showing.failure);
+}
+
+json json_of(const Comparison& comparison)
+{
+    json scene = {{"name", comparison.name},
+                  {"aim", comparison.aim},
+                  {"bodies", comparison.bodies},
+                  {"simulated_seconds", comparison.until},
+                  {"overlap_samples_per_second", comparison.samples_hertz},
+                  {"exact_path", comparison.exact_path},
+                  {"exact_path_error_m", comparison.exact_path_error}};
+    const Showing* chipmunk = chipmunk_of(comparison);
+    for (const Showing& showing : comparison.showings) {
+        json engine = {{"name", name_of(showing.engine.kind)},         {"hertz", showing.engine.hertz},
+                       {"seconds", median(showing.seconds)},           {"seconds_each", showing.seconds},
+                       {"wall_seconds", median(showing.wall_seconds)}, {"wall_seconds_each", showing.wall_seconds},
+                       {"setup_seconds", showing.setup_seconds},       {"energy_drift", showing.drift},
+                       {"deepest_overlap_m", showing.overlap}};
+        if (chipmunk) engine["ratio_to_chipmunk"] = median(showing.seconds) / median(chipmunk->seconds);
+        if (showing.path_error) engine["path_error_m"] = *showing.path_error;
+        if (showing.collisions > 0) engine["collisions"] = showing.collisions;
+        if (!showing.failure.empty()) engine["failure"] = showing.failure;
+        scene["engines"].push_back(engine);
+    }
+    return scene;
+}
+
+json json_of(const Results& results)
+{
+    const Machine& machine = results.machine;
+    json all = {
+        {"started", results.started},
+        {"machine", {{"cpu", machine.cpu}, {"cores", machine.cores}}},
+        {"compiler", machine.compiler},
+        {"flags", machine.flags},
+        {"peers", {machine.chipmunk, machine.box2d}},
+        {"note",
+         "seconds are of computing on one thread, medians; the peers are the distribution's, with assertions on"}};
+    for (const Comparison& comparison : results.scenes) all["scenes"].push_back(json_of(comparison));
+    for (const WorkPrecision& point : results.work_precision) {
+        all["work_precision"].push_back({{"name", name_of(point.engine.kind)},
+                                         {"hertz", point.engine.hertz},
+                                         {"seconds", point.seconds},
+                                         {"error_m", point.error}});
+    }
+    for (const Growth& growth : results.growths) {
+        json entry = {
+            {"name", growth.name}, {"what", growth.what}, {"slope", growth.all.slope}, {"end_slope", growth.end.slope}};
+        for (const Rate& rate : growth.rates) {
+            entry["rates"].push_back(
+                {{"size", rate.size}, {"events_per_second", rate.events}, {"collisions_per_second", rate.collisions}});
+        }
+        all["growth"].push_back(entry);
+    }
+    return all;
+}
+
+/// Whole or not at all.
+void write_file(const std::filesystem::path& path, const std::string& text)
+{
+    const std::filesystem::path unfinished = path.string() + ".part";
+    std::ofstream(unfinished) << text;
+    std::filesystem::rename(unfinished, path);
+}
+
+} // namespace
+
+std::string table(const Results& results)
+{
+    const Machine& machine = results.machine;
+    std::string text =
+        fmt::format("{} ({} cores), {}, {}\n{}\n{}\nSeconds of computing on one thread, medians, setting "
+                    "up apart; error: median distance from the exact places after 1 s.\n\n",
+                    machine.cpu, machine.cores, machine.compiler, machine.flags, machine.chipmunk, machine.box2d);
+    text += fmt::format("{:<20} {:>15} {:>9} {:>8} {:>8} {:>9} {:>8} {:>8} {:>10}\n", "scene", "engine", "seconds",
+                        "/Chipm.", "setup s", "drift", "overlap", "error m", "impacts/s");
+    for (const Comparison& comparison : results.scenes) {
+        for (const Showing& showing : comparison.showings) text += row(comparison, showing);
+        text += fmt::format("{:<20} {:g} s, {} repeats; aim {}", "", comparison.until,
+                            comparison.showings.front().seconds.size(), comparison.aim);
+        if (!comparison.exact_path.empty()) {
+            text += fmt::format("; exact path known to {:.0e} m", comparison.exact_path_error);
+        }
+        text += "\n";
+    }
+    if (!results.work_precision.empty()) text += "\nWork and precision, 1000 discs at packing 0.1, 1 s\n";
+    for (const WorkPrecision& point : results.work_precision) {
+        text += fmt::format("{:>36} {:>9.4f} s  error {:.1e} m\n", label(point.engine), point.seconds, point.error);
+    }
+    for (const Growth& growth : results.growths) {
+        text += fmt::format("\n{}: slope {:.2f}, of the larger half {:.2f}\n", growth.what, growth.all.slope,
+                            growth.end.slope);
+        for (const Rate& rate : growth.rates) {
+            text += fmt::format("{:>9} {:>10.3g} collisions/s {:>10.3g} events/s\n", rate.size, rate.collisions,
+                                rate.events);
+        }
+    }
+    return text;
+}
+
+void write_results(const Results& results, const std::filesystem::path& folder)
+{
+    std::filesystem::create_directories(folder);
+    write_file(folder / "bench.json", json_of(results).dump(2) + "\n");
+    write_file(folder / "bench.txt", table(results));
+
+    std::string settings = fmt::format("machine = \"{}\"\n", results.machine.cpu);
+    for (const Growth& growth : results.growths) {
+        std::string data = "# size collisions/s events/s\n";
+        for (const Rate& rate : growth.rates) {
+            data += fmt::format("{} {:.6g} {:.6g}\n", rate.size, rate.collisions, rate.events);
+        }
+        write_file(folder / (growth.name + ".dat"), data);
+        std::string name = growth.name;
+        for (char& letter : name) letter = letter == '-' ? '_' : letter;
+        settings +=
+            fmt::format("slope_{0} = {1:.6g}\nfactor_{0} = {2:.6g}\n", name, growth.all.slope, growth.all.factor);
+        settings += fmt::format("end_slope_{0} = {1:.6g}\nend_factor_{0} = {2:.6g}\n", name, growth.end.slope,
+                                growth.end.factor);
+    }
+    if (!results.growths.empty()) write_file(folder / "growth.ini", settings);
+    for (const auto kind : {EngineChoice::Kind::exact, EngineChoice::Kind::chipmunk, EngineChoice::Kind::box2d}) {
+        std::string data = "# seconds error hertz\n";
+        for (const WorkPrecision& point : results.work_precision) {
+            if (point.engine.kind != kind) continue;
+            data +=
+                fmt::format("{:.6g} {:.6g} {:.0f}\n", point.seconds, std::max(point.error, 1e-16), point.engine.hertz);
+        }
+        if (!results.work_precision.empty()) write_file(folder / ("work-" + name_of(kind) + ".dat"), data);
+    }
+}
+
+} // namespace flying::bench

@@ -1,0 +1,105 @@
+#!/usr/bin/env bash
+# Same bits from every compiler: runs the scenes of chapters/scenes and a set of generated ones through several builds
+# of `flying` and compares the hashes that their reports give.
+#
+#   compare_hashes.sh PROGRAM PROGRAM...
+#
+# Prints a line for each scene; the last line is "N scenes agree, M differ". A scene on which some program fails, or
+# whose report has no hash, counts as one that differs. Status 0 if none does, 1 otherwise, 2 for bad usage.
+set -euo pipefail
+export LC_ALL=C.UTF-8
+
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+scenes=${FLYING_SCENES:-$here/../../../chapters/scenes}
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+# Generated scenes: what `flying generate` is called with. Seeds are part of the list.
+generated=(
+    "balls --seed 11"
+    "gas --seed 12"
+    "gas --seed 13 --shape polygon --count 40 --until 2"
+    "gas --seed 14 --shape dumbbell --count 20 --until 2"
+    "polygons --seed 15"
+    "cradle --seed 16"
+    "billiard --seed 17 --billiard pi --exponent 3"
+    "billiard --seed 18 --billiard rectangle"
+    "stack --seed 19 --until 5"
+    "pyramid --seed 20 --until 5"
+    "pile --seed 21 --until 5"
+)
+
+(($# >= 2)) || {
+    echo "compare_hashes.sh: at least two programs; found $#" >&2
+    exit 2
+}
+for program in "$@"; do
+    [[ -x $program ]] || {
+        echo "compare_hashes.sh: not a program: $program" >&2
+        exit 2
+    }
+done
+programs=("$@")
+agree=0
+differ=0
+
+# What one program makes of a scene, as "status hash events time"
+answer() { # program scene
+    local status=0 report=$work/report.json
+    rm -f "$report"
+    "$1" simulate "$2" --report "$report" --quiet >"$work/said" 2>&1 </dev/null || status=$?
+    local key found line="status=$status"
+    for key in hash events time; do
+        found=$(grep -o -E -m 1 "\"$key\": *\"?[-+0-9a-zA-Z.]+" "$report" 2>/dev/null | head -n 1 || true)
+        line+=" $key=${found##*[ :\"]}"
+    done
+    echo "$line"
+}
+
+compare() { # name scene: every program on the same file
+    local first='' line program
+    for program in "${programs[@]}"; do
+        line=$(answer "$program" "$2")
+        [[ -n $first ]] || first=$line
+        if [[ $line != "$first" || $line != status=0\ hash=?*\ events=* ]]; then
+            differ=$((differ + 1))
+            echo "DIFFERS  $1"
+            echo "    $first  from ${programs[0]}"
+            echo "    $line  from $program"
+            sed 's/^/    | /' "$work/said" | head -n 5
+            return 0
+        fi
+    done
+    agree=$((agree + 1))
+    echo "agrees   $1  $first"
+}
+
+# Every program has to write the same scene, too
+compare_generated() { # options...
+    local first=$work/first.toml other=$work/other.toml program
+    if ! "${programs[0]}" generate "$@" >"$first" 2>"$work/said"; then
+        differ=$((differ + 1))
+        echo "DIFFERS  generate $*: ${programs[0]} fails"
+        sed 's/^/    | /' "$work/said" | head -n 5
+        return 0
+    fi
+    for program in "${programs[@]:1}"; do
+        if ! "$program" generate "$@" >"$other" 2>"$work/said" || ! cmp -s "$first" "$other"; then
+            differ=$((differ + 1))
+            echo "DIFFERS  generate $*: $program writes another scene than ${programs[0]}"
+            return 0
+        fi
+    done
+    compare "generate $*" "$first"
+}
+
+for scene in "$scenes"/*.toml; do
+    [[ ! -e $scene ]] || compare "$(basename "$scene")" "$scene"
+done
+for options in "${generated[@]}"; do
+    read -r -a words <<<"$options"
+    compare_generated "${words[@]}"
+done
+
+echo "$agree scenes agree, $differ differ"
+((differ == 0 && agree > 0))

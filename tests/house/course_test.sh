@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# What the driver says to wrong or unfinished requests: status 2, a sentence on stderr, nothing built.
+set -euo pipefail
+
+course=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)/course
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work"
+failures=0
+
+expect() { # status pattern arguments...: the status, and a line of output or error that matches
+    local status=0 said
+    said=$("$course" "${@:3}" 2>&1 </dev/null) || status=$?
+    if [[ $status != "$1" ]] || ! grep -q -e "$2" <<<"$said"; then
+        echo "course ${*:3}: expected status $1 and '$2', found status $status and: $said"
+        failures=$((failures + 1))
+    fi
+}
+
+expect 0 '^./course run' help
+expect 0 '^./course run' --help
+expect 0 '^./course test --matrix'
+expect 2 "no command 'fly'" fly
+expect 2 'no such scene: .*/none.toml' run none.toml
+expect 2 'one scene at most' run a.toml b.toml
+expect 2 '--matrix only; found: --all' test --all
+expect 2 'no arguments; found: fast' build fast
+expect 2 'book knows --open only; found: fast' book fast
+for name in chapter start check; do
+    expect 2 'expected the number of a chapter, such as 02; found: nothing' "$name"
+    expect 2 'expected the number of a chapter, such as 02; found: two' "$name" two
+    expect 2 'no chapter 99' "$name" 99
+done
+
+# A command without a part behind it refuses, and the help doesn't list it as working
+expect 2 "'stress' is not there yet" stress
+help=$("$course" help)
+if grep -q '^./course stress' <<<"$help"; then
+    echo "course help: lists stress as working"
+    failures=$((failures + 1))
+fi
+
+[[ -z $(ls -A "$work") ]] || {
+    echo "files were left behind: $(ls -A "$work")"
+    failures=$((failures + 1))
+}
+((failures == 0))
