@@ -5,19 +5,22 @@
 
 namespace flying {
 
+// [events.cell_exit.result]
 /// When a body leaves its cell, and for which.
 struct CellExit
 {
     double time = k_never; ///< [s]
     Cell to;
 };
+// [events.cell_exit.result]
 
-// [events.cell-exit]
+// [events.cell_exit]
 /// First time, not before `now`, at which a flyer crosses a border of its cell outwards. Only the direction of crossing
 /// counts, so that a body that stands on the border by rounding is not sent back and forth.
 [[nodiscard]] inline CellExit next_cell_exit(const Flyer& flyer, const Cell& cell, double cell_size, double now)
 {
     CellExit exit;
+    // [events.cell_exit.crossing]
     const auto consider = [&](double room, double speed, double acceleration, Cell to) {
         // `room` is the distance to the border; it falls through zero when the body crosses
         double time = flyer.state.time + falling_root(room, -speed, -acceleration);
@@ -29,6 +32,8 @@ struct CellExit
         }
         if (time < exit.time) exit = {time, to};
     };
+    // [events.cell_exit.crossing]
+    // [events.cell_exit.borders]
     const auto column = static_cast<double>(cell.column);
     const auto row = static_cast<double>(cell.row);
     const Vec2& x = flyer.state.position;
@@ -38,8 +43,9 @@ struct CellExit
     consider(x.x() - column * cell_size, -v.x(), -a.x(), {cell.column - 1, cell.row});
     consider((row + 1.0) * cell_size - x.y(), v.y(), a.y(), {cell.column, cell.row + 1});
     consider(x.y() - row * cell_size, -v.y(), -a.y(), {cell.column, cell.row - 1});
+    // [events.cell_exit.borders]
     return exit;
 }
-// [events.cell-exit]
+// [events.cell_exit]
 
 } // namespace flying

@@ -11,6 +11,7 @@
 
 namespace flying {
 
+// [events.set_up]
 EventEngine::EventEngine(std::vector<EventBody> bodies, const EventEngineOptions& options) : options_(options)
 {
     for (EventBody& body : bodies) {
@@ -26,7 +27,9 @@ EventEngine::EventEngine(std::vector<EventBody> bodies, const EventEngineOptions
     set_up_grid();
     predict_all();
 }
+// [events.set_up]
 
+// [events.flyer]
 Flyer EventEngine::flyer(int body) const
 {
     const Row& row = rows_[body];
@@ -35,23 +38,31 @@ Flyer EventEngine::flyer(int body) const
     if (row.kind == Kind::is_static) return {state};
     return {state, acceleration_, central_ ? &*central_ : nullptr};
 }
+// [events.flyer]
 
+// [events.pose]
 Pose EventEngine::pose(int body) const { return {rows_[body].position, Rotation::of(sheets_[body].angle)}; }
+// [events.pose]
 
+// [events.top_speed]
 /// Bound on the speed of any point of a body.  [m/s]
 double EventEngine::top_speed(int body) const
 {
     const double spin = sheets_[body].spin;
     return rows_[body].velocity.norm() + (spin == 0.0 ? 0.0 : std::abs(spin) * rows_[body].radius);
 }
+// [events.top_speed]
 
+// [events.resume]
 EventEngine::Resume EventEngine::resume() const
 {
     Resume resume{now_, log_.value(), max_overlap_, {}};
     for (const Sheet& sheet : sheets_) resume.crowding.push_back(sheet.crowding);
     return resume;
 }
+// [events.resume]
 
+// [events.go_on_from]
 void EventEngine::go_on_from(const Resume& resume, const std::vector<BodyState>& states)
 {
     now_ = resume.time;
@@ -70,6 +81,7 @@ void EventEngine::go_on_from(const Resume& resume, const std::vector<BodyState>&
     set_up_grid();
     predict_all();
 }
+// [events.go_on_from]
 
 // [events.advance]
 std::optional<EventFailure> EventEngine::advance(double time, long most)
@@ -90,7 +102,9 @@ std::optional<EventFailure> EventEngine::advance(double time, long most)
     now_ = std::max(now_, time);
     return std::nullopt;
 }
+// [events.advance]
 
+// [events.handle]
 std::optional<EventFailure> EventEngine::handle(const Event& event)
 {
     switch (event.kind) {
@@ -100,7 +114,7 @@ std::optional<EventFailure> EventEngine::handle(const Event& event)
     }
     return std::nullopt;
 }
-// [events.advance]
+// [events.handle]
 
 // [events.impact]
 std::optional<EventFailure> EventEngine::handle_impact(const Event& event)
@@ -111,17 +125,22 @@ std::optional<EventFailure> EventEngine::handle_impact(const Event& event)
     {
         const StageTimer timer(options_.seconds, seconds_.impact);
 
+        // [events.impact.meet]
         // Bring the two bodies, and no other, to the moment of the impact
         const bool a_moved = move_to(a, event.time);
         const bool b_moved = move_to(b, event.time);
         if (has_spun_out(a) || has_spun_out(b)) return EventFailure{EventFailure::Kind::spun_out, event.time, a, b};
         const double touch = find_points(a, b, event.time);
+        // [events.impact.meet]
 
+        // [events.impact.crowding]
         // Bodies that go nowhere between impacts, or creep into each other, are being crowded
         const bool creeps = is_creeping(a, b, touch);
         sheets_[a].crowding = creeps || !a_moved ? sheets_[a].crowding + 1 : 0;
         sheets_[b].crowding = creeps || !b_moved ? sheets_[b].crowding + 1 : 0;
+        // [events.impact.crowding]
 
+        // [events.impact.push]
         // Push them apart
         const ImpactResult result =
             resolve_impact({rows_[a].velocity, sheets_[a].spin, sheets_[a].inertia},
@@ -132,22 +151,29 @@ std::optional<EventFailure> EventEngine::handle_impact(const Event& event)
         ended = result.ended;
         if (result.any_push) ++counts_.impacts;
         log_impact(event);
+        // [events.impact.push]
     }
     if (!ended) return EventFailure{EventFailure::Kind::unresolved, event.time, a, b};
 
+    // [events.impact.crowd_limit]
     constexpr int k_crowd = 1000; // impacts in a row of one body that leave it no room to move
     const int crowding_a = is_static(a) ? 0 : sheets_[a].crowding;
     const int crowding_b = is_static(b) ? 0 : sheets_[b].crowding;
     if (std::max(crowding_a, crowding_b) > k_crowd) {
         return EventFailure{EventFailure::Kind::crowded, event.time, a, b};
     }
+    // [events.impact.crowd_limit]
 
+    // [events.impact.foresee]
     predict_after_impact(a, -1);
     predict_after_impact(b, rows_[a].kind == Kind::is_static ? -1 : a);
     if (queue_.size() > sweep_at_) sweep_queue();
+    // [events.impact.foresee]
     return std::nullopt;
 }
+// [events.impact]
 
+// [events.move_to]
 /// Bring a body to a moment; tells whether it went anywhere since its last impact.
 bool EventEngine::move_to(int body, double time)
 {
@@ -162,7 +188,9 @@ bool EventEngine::move_to(int body, double time)
     sheets_[body].angle = after.angle;
     return way > tolerance::k_touch * row.radius;
 }
+// [events.move_to]
 
+// [events.is_creeping]
 /// The pair approaches no faster than what presses it together brings about within the tolerance of touching: its hops
 /// can't be told from contact that lasts, however fast it slides or rolls.
 bool EventEngine::is_creeping(int a, int b, double touch) const
@@ -181,7 +209,9 @@ bool EventEngine::is_creeping(int a, int b, double touch) const
     constexpr double k_hop = 16.0; // tolerances of touching
     return approach * approach <= 2.0 * press * (k_hop * touch);
 }
+// [events.is_creeping]
 
+// [events.set_motion]
 /// New velocities, which make all that was foreseen of the body stale.
 void EventEngine::set_motion(int body, const Vec2& velocity, double spin)
 {
@@ -191,7 +221,9 @@ void EventEngine::set_motion(int body, const Vec2& velocity, double spin)
     sheets_[body].spin = spin;
     ++row.stamp;
 }
+// [events.set_motion]
 
+// [events.log_impact]
 void EventEngine::log_impact(const Event& event)
 {
     log_.add(static_cast<std::uint64_t>(event.a) << 32 | static_cast<std::uint32_t>(event.b));
@@ -203,21 +235,24 @@ void EventEngine::log_impact(const Event& event)
                         sheet_a.spin, b.position.x(), b.position.y(), b.velocity.x(), b.velocity.y(), sheet_b.angle,
                         sheet_b.spin});
 }
-// [events.impact]
+// [events.log_impact]
 
-// [events.points]
+// [events.find_points]
 /// All points at which a pair touches at the time of its impact; where rounding hides even the one that was foreseen, the
 /// search is widened until it shows.
 /// Returns the tolerance of touching.  [m]
 double EventEngine::find_points(int a, int b, double time)
 {
+    // [events.find_points.tolerance]
     const double radius_a = std::isinf(rows_[a].radius) ? rows_[b].radius : rows_[a].radius;
     const double radius_b = std::isinf(rows_[b].radius) ? rows_[a].radius : rows_[b].radius;
     const double reach = std::max(rows_[a].position.norm(), rows_[b].position.norm());
     const GapTolerance tolerance = gap_tolerance(std::min(radius_a, radius_b), std::max(radius_a, radius_b), reach,
                                                  top_speed(a) + top_speed(b), time);
+    // [events.find_points.tolerance]
     const Pose pose_a = pose(a);
     const Pose pose_b = pose(b);
+    // [events.find_points.gather]
     constexpr double k_gather = 16.0; // the depth that a prediction accepts, and rounding on either side of it
     constexpr double k_widen = 16.0;
     constexpr int k_most_tries = 8;
@@ -226,6 +261,7 @@ double EventEngine::find_points(int a, int b, double time)
         find_touches(shapes_[a], pose_a, shapes_[b], pose_b, slack, touches_);
         if (!touches_.empty()) break;
     }
+    // [events.find_points.gather]
     points_.clear();
     for (const Touch& touch : touches_) {
         points_.push_back({touch.r_a, touch.r_b, touch.normal});
@@ -233,6 +269,6 @@ double EventEngine::find_points(int a, int b, double time)
     }
     return tolerance.touch;
 }
-// [events.points]
+// [events.find_points]
 
 } // namespace flying

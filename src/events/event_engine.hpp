@@ -15,6 +15,7 @@
 
 namespace flying {
 
+// [events.body]
 /// One body as the event engine is given it.
 struct EventBody
 {
@@ -24,7 +25,9 @@ struct EventBody
     Material material;
     bool is_static = false; ///< never moves: no velocity, no spin, no acceleration, infinite mass
 };
+// [events.body]
 
+// [events.options]
 struct EventEngineOptions
 {
     PairFinder pair_finder = PairFinder::grid;
@@ -32,7 +35,9 @@ struct EventEngineOptions
     bool skips_far_features = true; ///< turning features wait until bounding circles meet
     double (*seconds)() = nullptr;  ///< a clock, lent to measure the stages; null to measure nothing [s]
 };
+// [events.options]
 
+// [events.failure]
 /// Why an engine can't go on.
 struct EventFailure
 {
@@ -46,7 +51,9 @@ struct EventFailure
     int a = -1;        ///< the two bodies of the last impact
     int b = -1;
 };
+// [events.failure]
 
+// [events.counts]
 /// Work done so far, and work left out.
 struct EventCounts
 {
@@ -60,7 +67,9 @@ struct EventCounts
     long far_pairs_skipped = 0;    ///< pairs that the grid left alone, compared with all pairs
     long far_features_skipped = 0; ///< predictions of turning pairs whose bounding circles never meet
 };
+// [events.counts]
 
+// [events.seconds]
 /// Seconds spent, where a clock was lent.
 struct EventSeconds
 {
@@ -69,7 +78,9 @@ struct EventSeconds
     double impact = 0.0;
     double cells = 0.0;
 };
+// [events.seconds]
 
+// [events.engine]
 /// Moves bodies from event to event. Every body has a clock of its own, set at its last impact, and nothing moves between:
 /// what happens does not depend on who looks, or when.
 ///
@@ -82,6 +93,7 @@ public:
     /// Handle every event up to `time`, or `most` of them.  [s]
     [[nodiscard]] std::optional<EventFailure> advance(double time, long most);
 
+    // [events.engine.asked]
     [[nodiscard]] double time() const { return now_; }
     [[nodiscard]] int body_count() const { return static_cast<int>(rows_.size()); }
     /// A body's flight since its last impact.
@@ -95,7 +107,9 @@ public:
     [[nodiscard]] const EventCounts& counts() const { return counts_; }
     [[nodiscard]] const EventSeconds& seconds() const { return seconds_; }
     void set_clock(double (*clock)()) { options_.seconds = clock; }
+    // [events.engine.asked]
 
+    // [events.engine.resume]
     /// What a later engine needs to go on with the same bits, beside the bodies.
     struct Resume
     {
@@ -107,12 +121,16 @@ public:
     [[nodiscard]] Resume resume() const;
     /// states  of the first bodies, each at the time of its last impact; the rest stay as they are
     void go_on_from(const Resume& resume, const std::vector<BodyState>& states);
+    // [events.engine.resume]
 
 private:
+    // [events.engine.kinds]
     enum class Kind : std::int32_t { disc, polygon, is_static };
 
     static constexpr double k_largest_angle = 0x1p53; // beyond it, sine_cosine has no answer [rad]
+    // [events.engine.kinds]
 
+    // [events.engine.row]
     /// What predictions read: one line of the fast memory for each body.
     struct Row
     {
@@ -123,7 +141,9 @@ private:
         std::uint32_t stamp = 0;
         Kind kind = Kind::disc;
     };
+    // [events.engine.row]
 
+    // [events.engine.sheet]
     /// What only impacts and turning pairs read.
     struct Sheet
     {
@@ -133,11 +153,15 @@ private:
         Material material;
         int crowding = 0; // impacts in a row without room between them
     };
+    // [events.engine.sheet]
 
+    // [events.engine.is_current]
     [[nodiscard]] bool is_current(const Event& event) const
     {
         return event.stamp_a == rows_[event.a].stamp && (event.b < 0 || event.stamp_b == rows_[event.b].stamp);
     }
+    // [events.engine.is_current]
+    // [events.engine.verbs]
     [[nodiscard]] std::optional<EventFailure> handle(const Event& event);
     [[nodiscard]] std::optional<EventFailure> handle_impact(const Event& event);
     void handle_look(const Event& event);
@@ -162,7 +186,9 @@ private:
     [[nodiscard]] double top_speed(int body) const;
     [[nodiscard]] Pose pose(int body) const;
     void sweep_queue();
+    // [events.engine.verbs]
 
+    // [events.engine.parts]
     EventEngineOptions options_;
     std::vector<Row> rows_;
     std::vector<Sheet> sheets_;
@@ -180,6 +206,8 @@ private:
     EventSeconds seconds_;
     std::vector<Touch> touches_;      // workspace of one impact
     std::vector<ImpactPoint> points_; // workspace of one impact
+    // [events.engine.parts]
 };
+// [events.engine]
 
 } // namespace flying

@@ -1,5 +1,3 @@
-// How the event engine keeps its queue filled: which pairs are looked at, and when.
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -12,7 +10,9 @@
 
 namespace flying {
 
-// [events.grid]
+// [events.set_up_grid]
+// How the event engine keeps its queue filled: which pairs are looked at, and when.
+
 void EventEngine::set_up_grid()
 {
     grid_.reset();
@@ -20,6 +20,7 @@ void EventEngine::set_up_grid()
     if (options_.pair_finder != PairFinder::grid) return;
     if (central_) return; // when a curved flight leaves its cell is not foreseen: look at all pairs
 
+    // [events.set_up_grid.cells]
     // Cells are no smaller than the largest mover
     double largest = 0.0;
     int movers = 0;
@@ -36,12 +37,14 @@ void EventEngine::set_up_grid()
     }
     if (movers == 0) return;
     grid_ = make_grid(extent, largest, body_count(), movers);
+    // [events.set_up_grid.cells]
 
     for (int body = 0; body < body_count(); ++body) {
         if (!is_static(body)) {
             grid_->insert(body, grid_->cell_at(places[body]));
             continue;
         }
+        // [events.set_up_grid.statics]
         // A wall along an axis is met only near its surface: nobody is ever behind it
         const auto* wall = std::get_if<HalfPlane>(&shapes_[body]);
         if (!wall) {
@@ -55,11 +58,12 @@ void EventEngine::set_up_grid()
         } else {
             everywhere_.push_back(body);
         }
+        // [events.set_up_grid.statics]
     }
 }
-// [events.grid]
+// [events.set_up_grid]
 
-// [events.predict-all]
+// [events.predict_all]
 void EventEngine::predict_all()
 {
     const StageTimer timer(options_.seconds, seconds_.predict);
@@ -78,7 +82,9 @@ void EventEngine::predict_all()
     }
     sweep_queue();
 }
+// [events.predict_all]
 
+// [events.predict_after_impact]
 void EventEngine::predict_after_impact(int body, int partner)
 {
     if (is_static(body)) return;
@@ -86,9 +92,9 @@ void EventEngine::predict_after_impact(int body, int partner)
     predict_cell(body, rows_[body].time);
     predict_partners(body, [&](int other) { return other != partner; });
 }
-// [events.predict-all]
+// [events.predict_after_impact]
 
-// [events.predict-partners]
+// [events.predict_partners]
 /// Foresee the next impact of a mover with every body that it may meet before either changes its cell.
 /// wants(other)  false for those that are looked at from the other side
 template <typename Wants>
@@ -108,16 +114,18 @@ void EventEngine::predict_partners(int body, const Wants& wants)
     for (const int other : everywhere_) look(other);
     counts_.far_pairs_skipped += body_count() - 1 - (counts_.predictions - before);
 }
-// [events.predict-partners]
+// [events.predict_partners]
 
+// [events.handle_look]
 void EventEngine::handle_look(const Event& event)
 {
     const StageTimer timer(options_.seconds, seconds_.look);
     ++counts_.looks;
     predict_general(event.a, event.b, event.time, 1);
 }
+// [events.handle_look]
 
-// [events.cell]
+// [events.handle_cell]
 void EventEngine::handle_cell(const Event& event)
 {
     const StageTimer timer(options_.seconds, seconds_.cells);
@@ -127,6 +135,7 @@ void EventEngine::handle_cell(const Event& event)
     const Cell to = next_cell_exit(flyer(body), from, grid_->cell_size(), event.time).to;
     grid_->move(body, to);
 
+    // [events.handle_cell.new]
     // Look at those who were too far away until now
     const auto look = [&](int other) {
         if (other != body) predict_pair(body, other);
@@ -142,17 +151,20 @@ void EventEngine::handle_cell(const Event& event)
         if (std::find(known.begin(), known.end(), other) == known.end()) look(other);
     }
     predict_cell(body, event.time);
+    // [events.handle_cell.new]
 }
+// [events.handle_cell]
 
+// [events.predict_cell]
 void EventEngine::predict_cell(int body, double now)
 {
     if (!grid_) return;
     const CellExit exit = next_cell_exit(flyer(body), grid_->cell_of(body), grid_->cell_size(), now);
     if (exit.time != k_never) queue_.push({exit.time, body, -1, rows_[body].stamp, 0, Event::Kind::cell});
 }
-// [events.cell]
+// [events.predict_cell]
 
-// [events.predict-pair]
+// [events.predict_pair]
 /// Foresee the impact of two bodies, named in any order, as their flights are now.
 void EventEngine::predict_pair(int p, int q)
 {
@@ -162,11 +174,14 @@ void EventEngine::predict_pair(int p, int q)
     if (is_static(a) || is_static(b) || central_) predict_general(a, b, std::max(rows_[a].time, rows_[b].time), 0);
     else predict_movers(a, b);
 }
+// [events.predict_pair]
 
+// [events.predict_movers]
 /// Two bodies under one acceleration: discs meet when their circles do; others are looked at when their bounding circles
 /// do. The same numbers as `predict`, straight from the rows.
 void EventEngine::predict_movers(int a, int b)
 {
+    // [events.predict_movers.start]
     const Row& row_a = rows_[a];
     const Row& row_b = rows_[b];
     const double start = std::max(row_a.time, row_b.time);
@@ -179,6 +194,9 @@ void EventEngine::predict_movers(int a, int b)
     const Vec2 offset = position_a - position_b;
     const Vec2 rate = velocity_a - velocity_b;
     const double reach = row_a.radius + row_b.radius;
+    // [events.predict_movers.start]
+
+    // [events.predict_movers.kinds]
     Event event{k_never, a, b, row_a.stamp, row_b.stamp, Event::Kind::impact};
     if (row_a.kind == Kind::disc && row_b.kind == Kind::disc) {
         event.time = start + time_to_meet(offset, rate, reach);
@@ -195,8 +213,11 @@ void EventEngine::predict_movers(int a, int b)
         return;
     }
     if (event.time != k_never) queue_.push(event);
+    // [events.predict_movers.kinds]
 }
+// [events.predict_movers]
 
+// [events.predict_general]
 /// Any two bodies, looked at through no more than so many windows: what happens later may never come to be, for one of
 /// them may be struck before.
 void EventEngine::predict_general(int a, int b, double from, int windows)
@@ -212,12 +233,14 @@ void EventEngine::predict_general(int a, int b, double from, int windows)
     const auto kind = prediction.kind == Prediction::Kind::impact ? Event::Kind::impact : Event::Kind::look;
     queue_.push({prediction.time, a, b, rows_[a].stamp, rows_[b].stamp, kind});
 }
-// [events.predict-pair]
+// [events.predict_general]
 
+// [events.sweep_queue]
 void EventEngine::sweep_queue()
 {
     queue_.keep_if([&](const Event& event) { return is_current(event); });
     sweep_at_ = std::max<std::size_t>(2 * queue_.size(), 1024);
 }
+// [events.sweep_queue]
 
 } // namespace flying

@@ -6,24 +6,30 @@
 namespace flying {
 namespace {
 
+// [queue.happens_after]
 /// The standard heap keeps the largest in front. A type rather than a function, so that heaps compile it in.
 struct HappensAfter
 {
     [[nodiscard]] bool operator()(const Event& p, const Event& q) const { return happens_before(q, p); }
 };
+// [queue.happens_after]
 
+// [queue.day_length]
 /// Events of one day: few enough for the heap to stay in the fast cache, many enough for the days to be few.
 constexpr std::size_t k_events_a_day = 2048;
+// [queue.day_length]
 
 } // namespace
 
-// [queue.heap]
+// [queue.push_today]
 void EventQueue::push_today(const Event& event)
 {
     today_.push_back(event);
     std::push_heap(today_.begin(), today_.end(), HappensAfter{});
 }
+// [queue.push_today]
 
+// [queue.pop]
 void EventQueue::pop()
 {
     if (today_.empty()) turn_page();
@@ -31,16 +37,18 @@ void EventQueue::pop()
     today_.pop_back();
     --size_;
 }
-// [queue.heap]
+// [queue.pop]
 
-// [queue.days]
+// [queue.push_later]
 void EventQueue::push_later(const Event& event)
 {
     const double day = day_of(event.time);
     if (day < static_cast<double>(days_.size())) days_[static_cast<std::size_t>(day)].push_back(event);
     else far_.push_back(event);
 }
+// [queue.push_later]
 
+// [queue.turn_page]
 /// Make the next day that holds anything today. Only where not empty.
 void EventQueue::turn_page()
 {
@@ -55,9 +63,9 @@ void EventQueue::turn_page()
     }
     std::make_heap(today_.begin(), today_.end(), HappensAfter{});
 }
-// [queue.days]
+// [queue.turn_page]
 
-// [queue.layout]
+// [queue.gather_all]
 void EventQueue::gather_all()
 {
     for (std::size_t day = next_day_; day < days_.size(); ++day) {
@@ -68,7 +76,9 @@ void EventQueue::gather_all()
     far_.clear();
     next_day_ = days_.size();
 }
+// [queue.gather_all]
 
+// [queue.lay_out]
 /// Spread what `today_` holds, all of it, over days of about equal weight.
 void EventQueue::lay_out()
 {
@@ -76,6 +86,7 @@ void EventQueue::lay_out()
     days_.clear();
     next_day_ = 0;
     if (size_ >= 2 * k_events_a_day) {
+        // [queue.lay_out.days]
         // The median tells how dense the near half lies
         std::vector<Event> all;
         all.swap(today_);
@@ -86,6 +97,7 @@ void EventQueue::lay_out()
         const double half = middle->time - start;
         const double day_count = static_cast<double>(all.size() / 2) / static_cast<double>(k_events_a_day);
         days_a_second_ = day_count / half;
+        // [queue.lay_out.days]
 
         if (std::isfinite(days_a_second_) && days_a_second_ > 0.0) {
             first_day_starts_ = start;
@@ -98,8 +110,9 @@ void EventQueue::lay_out()
     }
     std::make_heap(today_.begin(), today_.end(), HappensAfter{});
 }
-// [queue.layout]
+// [queue.lay_out]
 
+// [queue.clear]
 void EventQueue::clear()
 {
     today_.clear();
@@ -108,5 +121,6 @@ void EventQueue::clear()
     next_day_ = 0;
     size_ = 0;
 }
+// [queue.clear]
 
 } // namespace flying

@@ -6,6 +6,7 @@
 
 namespace flying {
 
+// [queue.event]
 /// Something that will happen, if its bodies are left alone until then.
 struct Event
 {
@@ -22,8 +23,9 @@ struct Event
     std::uint32_t stamp_b = 0;
     Kind kind = Kind::impact;
 };
+// [queue.event]
 
-// [events.order]
+// [queue.order]
 /// The order in which events happen: by time; at one time, what may foresee more impacts before the impacts; then by the
 /// lower id, then by the higher. No two events that count are equal in all of these.
 [[nodiscard]] inline bool happens_before(const Event& p, const Event& q)
@@ -35,14 +37,16 @@ struct Event
     if (p.a != q.a) return p.a < q.a;
     return p.b < q.b;
 }
-// [events.order]
+// [queue.order]
 
+// [queue.class]
 /// Events by the order in which they happen. The near future is a heap; what lies farther off waits in days, unordered,
 /// until its day comes (a calendar: Paul, "A complexity O(1) priority queue for event driven molecular dynamics
 /// simulations", 2007). Events that are overtaken stay until they come up, or until `keep_if` sweeps them out.
 class EventQueue
 {
 public:
+    // [queue.push]
     void push(const Event& event)
     {
         // Every event finds its day by the same rounding, so that no two change their order over a midnight
@@ -50,7 +54,9 @@ public:
         else push_later(event);
         ++size_;
     }
+    // [queue.push]
 
+    // [queue.next]
     /// The first event; only where not empty.
     [[nodiscard]] const Event& next()
     {
@@ -58,11 +64,13 @@ public:
         return today_.front();
     }
     void pop();
+    // [queue.next]
 
     [[nodiscard]] bool empty() const { return size_ == 0; }
     [[nodiscard]] std::size_t size() const { return size_; }
     void clear();
 
+    // [queue.keep_if]
     /// Drop all events for which keep(event) is false, and fit the days to what is left.
     template <typename Keep>
     void keep_if(Keep&& keep)
@@ -75,6 +83,7 @@ public:
         today_.resize(kept);
         lay_out();
     }
+    // [queue.keep_if]
 
 private:
     /// Days since the first one, never decreasing with time.
@@ -85,6 +94,7 @@ private:
     void gather_all();
     void lay_out();
 
+    // [queue.parts]
     std::vector<Event> today_;             // heap
     std::vector<std::vector<Event>> days_; // from tomorrow on, all of one length; empty while there is only today
     std::vector<Event> far_;               // after the last day
@@ -92,6 +102,8 @@ private:
     double first_day_starts_ = 0.0;        // [s]
     double days_a_second_ = 0.0;           // [1/s]
     std::size_t size_ = 0;
+    // [queue.parts]
 };
+// [queue.class]
 
 } // namespace flying
