@@ -5,6 +5,7 @@
 
 namespace flying {
 
+// [grid.construct]
 Grid::Grid(double cell_size, int columns, int rows, int bodies)
     : cell_size_(cell_size), column_mask_(static_cast<std::uint64_t>(columns) - 1),
       row_mask_(static_cast<std::uint64_t>(rows) - 1), row_shift_(std::countr_zero(static_cast<unsigned>(columns))),
@@ -12,7 +13,9 @@ Grid::Grid(double cell_size, int columns, int rows, int bodies)
       statics_(head_.size())
 {
 }
+// [grid.construct]
 
+// [grid.cell_at]
 Cell Grid::cell_at(const Vec2& point) const
 {
     constexpr double k_farthest = 0x1p50;
@@ -21,6 +24,7 @@ Cell Grid::cell_at(const Vec2& point) const
     };
     return {number(point.x()), number(point.y())};
 }
+// [grid.cell_at]
 
 // [grid.move]
 void Grid::insert(int body, const Cell& cell)
@@ -69,12 +73,14 @@ Grid make_grid(const Aabb& extent, double largest_radius, int bodies, int movers
     const double share = std::sqrt(k_bodies_a_cell * (size.x() * size.y()) / std::max(movers, 1));
     const double cell_size = std::max(k_clear * largest_radius, share);
 
+    // [grid.make.count]
     // Powers of two wrap without a division
     const double most = std::sqrt(4.0 * bodies + 16.0);
     const auto count = [&](double length) {
         const double wanted = std::clamp(std::ceil(length / cell_size) + 1.0, 4.0, std::max(4.0, most));
         return static_cast<int>(std::bit_ceil(static_cast<unsigned>(wanted)));
     };
+    // [grid.make.count]
     return Grid(cell_size, count(size.x()), count(size.y()), bodies);
 }
 // [grid.make]

@@ -9,6 +9,7 @@
 
 namespace flying {
 
+// [grid.cell]
 /// A square cell of the plane, by column and row; cell (0, 0) has its lower left corner at the origin.
 struct Cell
 {
@@ -17,7 +18,9 @@ struct Cell
 
     friend bool operator==(const Cell&, const Cell&) = default;
 };
+// [grid.cell]
 
+// [grid.class]
 /// Which body lies in which square cell. The plane is wrapped round a torus of cells, so that it has no border: bodies a
 /// whole turn apart share a cell, which costs a needless look and never an overlooked pair.
 ///
@@ -26,6 +29,7 @@ struct Cell
 class Grid
 {
 public:
+    // [grid.declared]
     /// cell_size  at least the diameter of the largest body that moves, and finite  [m]
     /// columns, rows  of the torus: powers of two, >= 4
     /// bodies     how many there are; their ids are 0 ... bodies - 1
@@ -49,7 +53,9 @@ public:
 
     /// Static bodies that a body with its centre in this cell may meet.
     [[nodiscard]] std::span<const int> statics_near(const Cell& cell) const { return statics_[index(cell)]; }
+    // [grid.declared]
 
+    // [grid.visit]
     /// Call visit(other) for every body in this very cell.
     template <typename Visit>
     void for_each_in(const Cell& cell, Visit&& visit) const
@@ -67,15 +73,19 @@ public:
             }
         }
     }
+    // [grid.visit]
 
 private:
+    // [grid.index]
     [[nodiscard]] std::size_t index(const Cell& cell) const
     {
         const auto column = static_cast<std::uint64_t>(cell.column) & column_mask_;
         const auto row = static_cast<std::uint64_t>(cell.row) & row_mask_;
         return static_cast<std::size_t>((row << row_shift_) | column);
     }
+    // [grid.index]
 
+    // [grid.members]
     double cell_size_;
     std::uint64_t column_mask_;
     std::uint64_t row_mask_;
@@ -84,12 +94,16 @@ private:
     std::vector<int> next_; // of each body, in its cell
     std::vector<Cell> cell_of_;
     std::vector<std::vector<int>> statics_;
+    // [grid.members]
 };
+// [grid.class]
 
+// [grid.make.declared]
 /// A grid fit for bodies spread over `extent`: about one body to a cell, no cell smaller than a body.
 /// largest_radius  bounding radius of the largest body that moves [m]
 /// bodies          how many there are
 /// movers          how many of them move
 [[nodiscard]] Grid make_grid(const Aabb& extent, double largest_radius, int bodies, int movers);
+// [grid.make.declared]
 
 } // namespace flying
