@@ -9,21 +9,29 @@
 
 namespace flying {
 
+// [roots.never]
+/// The time of what doesn't happen.
 inline constexpr double k_never = std::numeric_limits<double>::infinity();
+// [roots.never]
 
+// [roots.next-after]
 /// The next double after `x`; x finite and not negative.
-[[nodiscard]] inline double next_after(double x) { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x + 0.0) + 1); }
+[[nodiscard]] inline double next_after(double x)
+{
+    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x + 0.0) + 1);
+}
+// [roots.next-after]
 
 // [roots.safe-step]
-/// A step that can't pass a root: for every function with f(0) = f, f'(0) = f_rate and |f''| <= bend on the way,
-/// f stays positive on (0, step).  [unit of time]
+/// A step that can't pass a root: for every function with f(0) = f, f'(0) = f_rate and
+/// |f''| <= bend on the way, f stays positive on (0, step).  [unit of time]
 ///
 /// f       value now, >= 0
 /// f_rate  rate now, any sign
 /// bend    bound on |f''|, >= 0
 ///
-/// The parabola f + f_rate t - bend t^2 / 2 lies below all such functions; the step is its positive root, in the form
-/// that does not cancel. Infinite where the parabola has none.
+/// The parabola f + f_rate t - bend t^2 / 2 lies below all such functions; the step is its
+/// positive root, in the form that does not cancel. Infinite where the parabola has none.
 [[nodiscard]] inline double safe_step(double f, double f_rate, double bend)
 {
     const double root = std::sqrt(f_rate * f_rate + 2.0 * bend * f);
@@ -36,15 +44,15 @@ inline constexpr double k_never = std::numeric_limits<double>::infinity();
 // [roots.safe-step]
 
 // [roots.fall]
-/// When f + f_rate t + bend t^2 / 2 falls through zero: the root at which the rate is negative; never negative itself
-/// for f >= 0, and infinite where there is no such root.  [unit of time]
+/// When f + f_rate t + bend t^2 / 2 falls through zero: the root at which the rate is negative;
+/// never negative itself for f >= 0, and infinite where there is no such root.  [unit of time]
 [[nodiscard]] inline double falling_root(double f, double f_rate, double bend)
 {
     const double discriminant = f_rate * f_rate - 2.0 * bend * f;
     if (discriminant < 0.0) return k_never;
     const double root = std::sqrt(discriminant);
 
-    // The rate at the root is -root: take the one of the two forms that adds numbers of equal sign
+    // The rate at the root is -root: of the two forms, take the one that adds equal signs
     if (f_rate <= 0.0) {
         const double denominator = root - f_rate;
         if (denominator > 0.0) return 2.0 * f / denominator;
@@ -54,18 +62,21 @@ inline constexpr double k_never = std::numeric_limits<double>::infinity();
 }
 // [roots.fall]
 
-// [roots.circle]
-/// From when to when a point on a straight path lies within a circle about the origin. Empty: `enter` is infinite.
+// [roots.passage]
+/// From when to when a point on a straight path lies within a circle about the origin.
+/// Empty: `enter` is infinite.
 struct Passage
 {
     double enter = k_never; ///< [s] from now; negative where the point is inside already
     double leave = -k_never; ///< [s] from now
 };
+// [roots.passage]
 
+// [roots.circle]
 /// x  where the point is now [m]; v  its velocity [m/s]; radius  of the circle, >= 0 [m]
 ///
-/// |x + v t|^2 = radius^2 is a quadratic in t. Its discriminant v^2 radius^2 - (x x v)^2 is taken as a product, for the
-/// usual b^2 - 4ac loses every digit of a glancing path.
+/// |x + v t|^2 = radius^2 is a quadratic in t. Its discriminant v^2 radius^2 - (x x v)^2 is
+/// taken as a product, for the usual b^2 - 4ac loses every digit of a glancing path.
 [[nodiscard]] inline Passage passage_through_circle(const Vec2& x, const Vec2& v, double radius)
 {
     const double v2 = v.dot(v);
@@ -77,10 +88,12 @@ struct Passage
     const double discriminant = (reach - miss) * (reach + miss);
     if (!(discriminant >= 0.0)) return {};
 
+    // [roots.circle.both]
     const double b = x.dot(v);
     const double root = std::sqrt(discriminant);
     if (b < 0.0) return {outside / (root - b), (root - b) / v2};
     return {-(root + b) / v2, -outside / (root + b)};
+    // [roots.circle.both]
 }
 // [roots.circle]
 

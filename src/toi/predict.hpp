@@ -6,22 +6,29 @@
 
 namespace flying {
 
+// [toi.predict.options]
 /// Options of a prediction that cost time and change no bit.
 struct PredictOptions
 {
     int windows = 16;               ///< how many windows of turning features to look at before answering `not_before`
     bool skips_far_features = true; ///< leave features alone until the bounding circles meet
 };
+// [toi.predict.options]
 
+// [toi.predict.start]
 /// Moment from which a pair can be predicted: the later of the two states' own.  [s]
 [[nodiscard]] inline double common_start(const Flyer& a, const Flyer& b)
 {
     return a.state.time > b.state.time ? a.state.time : b.state.time;
 }
+// [toi.predict.start]
 
+// [toi.predict.bounding]
 /// Sum of two bounding radii, with room for the rounding of the times at which it is entered and left.  [m]
 [[nodiscard]] inline double bounding_reach(double reach) { return reach * (1.0 + tolerance::k_bounding_margin); }
+// [toi.predict.bounding]
 
+// [toi.predict.declared]
 /// When two bodies first touch, approaching.
 ///
 /// a, b             not overlapping at common_start(flyer_a, flyer_b), though they may touch; not both static
@@ -32,5 +39,6 @@ struct PredictOptions
 /// An impact is found when its gap is down to the rounding of the coordinates; touching without approach is no impact.
 [[nodiscard]] Prediction predict(const Shape& a, const Flyer& flyer_a, const Shape& b, const Flyer& flyer_b, double from,
                                  const PredictOptions& options = {});
+// [toi.predict.declared]
 
 } // namespace flying

@@ -8,7 +8,7 @@
 
 namespace flying {
 
-// [toi.march]
+// [toi.reading]
 /// A vertex against an edge at one moment.
 struct EdgeReading
 {
@@ -17,53 +17,75 @@ struct EdgeReading
     double along = 0.0;      ///< from the edge's start to the foot of the vertex [m]
     double along_rate = 0.0; ///< [m/s]
 };
+// [toi.reading]
 
+// [toi.march.bounds]
 /// What bounds one search.
 struct MarchBounds
 {
     double bend = 0.0;   ///< on the second derivatives of gap and along [m/s^2]
     double length = 0.0; ///< of the edge; infinite for a wall [m]
-    double depth = 0.0;  ///< how far below the surface still counts as touching it; infinite where nothing is behind it [m]
+    double depth = 0.0;  ///< how far below the surface still counts as touching it; infinite
+                         ///< where nothing is behind it [m]
     GapTolerance tolerance;
 };
+// [toi.march.bounds]
 
+// [toi.touches]
 /// The vertex touches the edge.
 [[nodiscard]] inline bool touches(const EdgeReading& now, const MarchBounds& bounds)
 {
     const double slack = bounds.tolerance.touch;
-    return now.gap <= slack && now.gap >= -bounds.depth && now.along >= -slack && now.along <= bounds.length + slack;
+    const bool is_at_line = now.gap <= slack && now.gap >= -bounds.depth;
+    return is_at_line && now.along >= -slack && now.along <= bounds.length + slack;
 }
+// [toi.touches]
 
-/// The vertex touches the edge and approaches: faster than rounding, or at all where it lies so deep that to wait would
-/// let it sink.
+// [toi.strikes]
+/// The vertex touches the edge and approaches: faster than rounding, or at all where it lies so
+/// deep that to wait would let it sink.
 [[nodiscard]] inline bool strikes(const EdgeReading& now, const MarchBounds& bounds)
 {
     const bool is_deep = now.gap < -0.5 * bounds.tolerance.touch;
     return touches(now, bounds) && now.gap_rate < (is_deep ? 0.0 : -bounds.tolerance.approach);
 }
+// [toi.strikes]
 
-/// A step over which the vertex can't come to touch the edge. Each thing that keeps them apart (height, or standing past
-/// one of the ends) holds for a while of its own, and the longest counts. At least a small step is made where they
-/// touch without approach: one over which the gap changes by less than the tolerance.
+// [toi.certain-step]
+/// A step over which the vertex can't come to touch the edge. Each thing that keeps them apart
+/// (height, or standing past one of the ends) holds for a while of its own, and the longest
+/// counts. At least a small step is made where they touch without approach: one over which the
+/// gap changes by less than the tolerance.
 [[nodiscard]] inline double certain_step(const EdgeReading& now, const MarchBounds& bounds)
 {
     const double slack = bounds.tolerance.touch;
     double step = 0.0;
+    // [toi.certain-step.height]
+    const double below = -bounds.depth - now.gap;
     if (now.gap > 0.0) step = safe_step(now.gap, now.gap_rate, bounds.bend);
-    else if (now.gap < -bounds.depth) step = safe_step(-bounds.depth - now.gap, -now.gap_rate, bounds.bend);
+    else if (below > 0.0) step = safe_step(below, -now.gap_rate, bounds.bend);
     else if (now.gap_rate > 0.0) step = safe_step(0.0, now.gap_rate, bounds.bend);
+    // [toi.certain-step.height]
 
-    if (now.along < -slack) step = std::max(step, safe_step(-slack - now.along, -now.along_rate, bounds.bend));
+    // [toi.certain-step.ends]
+    const double before = -slack - now.along;
     const double beyond = now.along - bounds.length;
+    if (before > 0.0) step = std::max(step, safe_step(before, -now.along_rate, bounds.bend));
     if (beyond > slack) step = std::max(step, safe_step(beyond - slack, now.along_rate, bounds.bend));
+    // [toi.certain-step.ends]
 
-    if (now.gap <= slack && now.gap >= -0.5 * slack && now.gap_rate >= -bounds.tolerance.approach) {
+    // [toi.certain-step.graze]
+    const bool is_on_line = now.gap <= slack && now.gap >= -0.5 * slack;
+    if (is_on_line && now.gap_rate >= -bounds.tolerance.approach) {
         const double nudge = bounds.bend > 0.0 ? std::sqrt(0.5 * slack / bounds.bend) : k_never;
         step = std::max(step, nudge);
     }
+    // [toi.certain-step.graze]
     return step;
 }
+// [toi.certain-step]
 
+// [toi.march.end]
 /// Where a march ended.
 struct MarchEnd
 {
@@ -71,15 +93,18 @@ struct MarchEnd
     Kind kind = Kind::none;
     double time = k_never; ///< of the strike, or up to which a tired march has seen nothing [s]
 };
+// [toi.march.end]
 
+// [toi.march]
 /// First strike of a vertex on an edge in [from, until).
 ///
 /// first       the reading at `from`, taken already
 /// read(time)  the reading at a moment of the world's clock
-/// The time found is at or before the root by no more than the rounding of the gap or of the time.
+/// The time found is at or before the root by no more than the rounding of the gap or of the
+/// time.
 template <typename Read>
-[[nodiscard]] MarchEnd march(const EdgeReading& first, const Read& read, const MarchBounds& bounds, double from,
-                             double until)
+[[nodiscard]] MarchEnd march(const EdgeReading& first, const Read& read,
+                             const MarchBounds& bounds, double from, double until)
 {
     constexpr int k_most_steps = 2000;
     EdgeReading now = first;
@@ -90,11 +115,13 @@ template <typename Read>
         const double step = certain_step(now, bounds);
         const double next = time + step;
 
+        // [toi.march.root]
         // Stop at a root: the gap, or the time, is at its last digit
         const bool at_root = now.gap <= bounds.tolerance.noise || next <= next_after(time);
         if (at_root && strikes(now, bounds)) return {MarchEnd::Kind::strike, time};
 
         time = std::max(next, next_after(time));
+        // [toi.march.root]
     }
     return {MarchEnd::Kind::tired, time};
 }

@@ -6,9 +6,12 @@
 namespace flying {
 namespace {
 
-/// [touch tolerances] How far below an edge a vertex may lie and still be on it: tolerances differ from window to window,
-/// and what one of them let in must not be behind the edge for the next.
+// [toi.depth]
+/// [touch tolerances] How far below an edge a vertex may lie and still be on it: tolerances
+/// differ from window to window, and what one of them let in must not be behind the edge for
+/// the next.
 constexpr double k_depth = 8.0;
+// [toi.depth]
 
 // [toi.strike]
 /// Keep the earlier of two ends; of two at one time, the first feature stays.
@@ -22,55 +25,65 @@ void keep_earlier(Strike& strike, const MarchEnd& end, const Feature& feature)
 // [toi.strike]
 
 // [toi.seen]
-/// A point as seen from a turning body: where it is in that body's frame, and how fast it moves there.
+/// A point as seen from a turning body: where it is in that body's frame, and how fast it
+/// moves there.
 struct Seen
 {
     Vec2 point = Vec2::Zero();
     Vec2 rate = Vec2::Zero();
 };
+// [toi.seen]
 
+// [toi.seen-from]
 /// offset, rate  of the point relative to the body's position, in the world's frame
 /// spin          of the body [rad/s]
-[[nodiscard]] Seen seen_from(const Rotation& world_from_body, double spin, const Vec2& offset, const Vec2& rate)
+[[nodiscard]] Seen seen_from(const Rotation& world_from_body, double spin, const Vec2& offset,
+                             const Vec2& rate)
 {
     const Rotation body_from_world = inverse(world_from_body);
     const Vec2 point = body_from_world * offset;
     const Vec2 rate_seen = body_from_world * rate - cross(spin, point);
     return {point, rate_seen};
 }
+// [toi.seen-from]
 
+// [toi.read-edge]
 [[nodiscard]] EdgeReading read_edge(const Seen& seen, const Edge& edge, const Vec2& edge_start)
 {
     const Vec2 from_start = seen.point - edge_start;
-    return {edge.normal.dot(from_start), edge.normal.dot(seen.rate), edge.tangent.dot(from_start),
-            edge.tangent.dot(seen.rate)};
+    return {edge.normal.dot(from_start), edge.normal.dot(seen.rate),
+            edge.tangent.dot(from_start), edge.tangent.dot(seen.rate)};
 }
-// [toi.seen]
+// [toi.read-edge]
 
 // [toi.bend]
-/// Bound on the second derivative of a point of body P as a turning body Q sees it: two bounds hold, the smaller counts.
+/// Bound on the second derivative of a point of body P as a turning body Q sees it: two bounds
+/// hold, the smaller counts.
 ///
 /// acceleration  of P relative to Q, its size                     [m/s^2]
 /// speed         bound on the relative speed of their positions   [m/s]
 /// distance      bound on the distance of their positions         [m]
 /// arm           of the point, from P's position                  [m]
 /// spin_p, spin_q                                                 [rad/s]
-[[nodiscard]] double bend_of_point(double acceleration, double speed, double distance, double arm, double spin_p,
-                                   double spin_q)
+[[nodiscard]] double bend_of_point(double acceleration, double speed, double distance, double arm,
+                                   double spin_p, double spin_q)
 {
+    // [toi.bend.two]
     const double p = std::abs(spin_p);
     const double q = std::abs(spin_q);
 
-    // As a point of its own: its acceleration, and what Coriolis and the centrifugal term add in Q's frame
+    // As a point of its own: its acceleration, and what Coriolis and the centrifugal term add
     const double as_point = p * p * arm + 2.0 * q * (speed + p * arm) + q * q * (distance + arm);
 
     // As a position and an arm that turns by the difference of the spins
     const double turn = spin_p - spin_q;
     const double as_arm = 2.0 * q * speed + q * q * distance + turn * turn * arm;
     return (acceleration + std::min(as_point, as_arm)) * (1.0 + tolerance::k_bend_margin);
+    // [toi.bend.two]
 }
 // [toi.bend]
 
+// [toi.side]
 /// One polygon whose vertices are looked at, or whose edges are.
 struct Side
 {
@@ -78,10 +91,12 @@ struct Side
     const Turning& turning;
     Rotation at_start; ///< of the window
 };
+// [toi.side]
 
 // [toi.in-front]
 /// How long a point stays in front of the edge that it is farthest in front of.  [s]
-[[nodiscard]] double time_in_front(const Seen& seen, const Polygon& polygon, const MarchBounds& bounds)
+[[nodiscard]] double time_in_front(const Seen& seen, const Polygon& polygon,
+                                   const MarchBounds& bounds)
 {
     double greatest = bounds.tolerance.touch;
     const Edge* facing = nullptr;
@@ -98,7 +113,8 @@ struct Side
 // [toi.in-front]
 
 // [toi.vertices-on-edges]
-/// Vertices of P on edges of Q. `sign` is +1 where the relative flight leads from Q to P, -1 where it leads back.
+/// Vertices of P on edges of Q. `sign` is +1 where the relative flight leads from Q to P, -1
+/// where it leads back.
 template <typename Relative>
 void scan_vertices(const Side& p, const Side& q, const Relative& relative, double sign, FeatureKind kind,
                    const Window& window, Strike& strike)
@@ -118,6 +134,7 @@ void scan_vertices(const Side& p, const Side& q, const Relative& relative, doubl
         const Vec2 point = offset + r;
         const Vec2 point_rate = rate + cross(spin_p, r);
 
+        // [toi.vertices-on-edges.circle]
         // Leave a vertex alone that stays out of the circle about Q
         const double bend_of_distance = acceleration + spin_p * spin_p * arm;
         const double reach = point.norm();
@@ -126,7 +143,9 @@ void scan_vertices(const Side& p, const Side& q, const Relative& relative, doubl
             const double clear = safe_step(outside, point.dot(point_rate) / reach, bend_of_distance);
             if (window.from + clear >= horizon(strike, window)) continue;
         }
+        // [toi.vertices-on-edges.circle]
 
+        // [toi.vertices-on-edges.front]
         // Nor one that stays in front of an edge of a convex Q, which lies behind all of its edges
         const Seen seen = seen_from(q.at_start, spin_q, point, point_rate);
         MarchBounds bounds;
@@ -134,7 +153,9 @@ void scan_vertices(const Side& p, const Side& q, const Relative& relative, doubl
         bounds.depth = k_depth * window.tolerance.touch;
         bounds.tolerance = window.tolerance;
         if (q.shape.is_convex() && time_in_front(seen, q.shape, bounds) >= horizon(strike, window) - window.from) continue;
+        // [toi.vertices-on-edges.front]
 
+        // [toi.vertices-on-edges.march]
         // March on every edge that the first look doesn't rule out
         for (const Edge& edge : q.shape.edges()) {
             const Vec2& edge_start = q.shape.vertices()[edge.from];
@@ -142,26 +163,31 @@ void scan_vertices(const Side& p, const Side& q, const Relative& relative, doubl
             const EdgeReading first = read_edge(seen, edge, edge_start);
             if (!strikes(first, bounds) && window.from + certain_step(first, bounds) >= horizon(strike, window)) continue;
 
+            // [toi.vertices-on-edges.read]
             const auto read = [&](double time) {
                 const Vec2 r_then = p.turning.at(time) * vertex;
                 const Vec2 point_then = sign * relative.offset_at(time) + r_then;
                 const Vec2 rate_then = sign * relative.rate_at(time) + cross(spin_p, r_then);
                 return read_edge(seen_from(q.turning.at(time), spin_q, point_then, rate_then), edge, edge_start);
             };
+            // [toi.vertices-on-edges.read]
             keep_earlier(strike, march(first, read, bounds, window.from, horizon(strike, window)),
                          {kind, k, edge.from});
         }
+        // [toi.vertices-on-edges.march]
     }
 }
 // [toi.vertices-on-edges]
 
-/// March of the distance between a point and a centre, less a radius. Distance bends upwards by itself, so that the
-/// acceleration alone bounds how fast it can fall.
+// [toi.distance]
+/// March of the distance between a point and a centre, less a radius. Distance bends upwards by
+/// itself, so that the acceleration alone bounds how fast it can fall.
 template <typename Offset>
-[[nodiscard]] MarchEnd march_distance(const Offset& offset_and_rate, double radius, double acceleration,
-                                      const Window& window, double until)
+[[nodiscard]] MarchEnd march_distance(const Offset& offset_and_rate, double radius,
+                                      double acceleration, const Window& window, double until)
 {
-    const MarchBounds bounds{acceleration * (1.0 + tolerance::k_bend_margin), k_never, k_never, window.tolerance};
+    const double bend = acceleration * (1.0 + tolerance::k_bend_margin);
+    const MarchBounds bounds{bend, k_never, k_never, window.tolerance};
     const auto read = [&](double time) {
         const Seen seen = offset_and_rate(time);
         const double distance = seen.point.norm();
@@ -169,9 +195,11 @@ template <typename Offset>
     };
     return march(read(window.from), read, bounds, window.from, until);
 }
+// [toi.distance]
 
 } // namespace
 
+// [toi.polygons]
 template <typename Relative>
 Strike first_strike(const Polygon& a, const Turning& turning_a, const Polygon& b, const Turning& turning_b,
                     const Relative& relative, const Window& window)
@@ -183,6 +211,7 @@ Strike first_strike(const Polygon& a, const Turning& turning_a, const Polygon& b
     scan_vertices(side_b, side_a, relative, -1.0, FeatureKind::vertex_of_b, window, strike);
     return strike;
 }
+// [toi.polygons]
 
 // [toi.disc-on-polygon]
 template <typename Relative>
@@ -201,6 +230,7 @@ Strike first_strike(const Disc& a, const Polygon& b, const Turning& turning_b, c
     const Seen seen = seen_from(turning_b.at(window.from), spin, relative.offset_at(window.from),
                                 relative.rate_at(window.from));
     for (const Edge& edge : b.edges()) {
+        // [toi.disc-on-polygon.edge]
         // The disc's centre against the edge, moved out by the radius
         bounds.length = edge.length;
         const Vec2 moved_start = b.vertices()[edge.from] + a.radius * edge.normal;
@@ -211,7 +241,9 @@ Strike first_strike(const Disc& a, const Polygon& b, const Turning& turning_b, c
         const EdgeReading first = read_edge(seen, edge, moved_start);
         keep_earlier(strike, march(first, read, bounds, window.from, horizon(strike, window)),
                      {FeatureKind::vertex_of_a, -1, edge.from});
+        // [toi.disc-on-polygon.edge]
 
+        // [toi.disc-on-polygon.corner]
         // And against the corner at its start
         if (b.is_reflex(edge.from)) continue;
         const Vec2& corner = b.vertices()[edge.from];
@@ -225,11 +257,13 @@ Strike first_strike(const Disc& a, const Polygon& b, const Turning& turning_b, c
         keep_earlier(strike,
                      march_distance(from_corner, a.radius, corner_acceleration, window, horizon(strike, window)),
                      {FeatureKind::vertex_of_b, edge.from, -1});
+        // [toi.disc-on-polygon.corner]
     }
     return strike;
 }
 // [toi.disc-on-polygon]
 
+// [toi.discs-falling]
 template <typename Relative>
 Strike first_strike(const Disc& a, const Disc& b, const Relative& relative, const Window& window)
 {
@@ -240,6 +274,7 @@ Strike first_strike(const Disc& a, const Disc& b, const Relative& relative, cons
                  {});
     return strike;
 }
+// [toi.discs-falling]
 
 // [toi.polygon-on-wall]
 template <typename Relative>
@@ -251,15 +286,18 @@ Strike first_strike(const Polygon& a, const Turning& turning_a, const HalfPlane&
     const double fall = acceleration_bound(relative, wall.normal);
     for (int k = 0; k < static_cast<int>(a.vertices().size()); ++k) {
         if (a.is_reflex(k)) continue;
+        // [toi.polygon-on-wall.vertex]
         const Vec2& vertex = a.vertices()[k];
         const double bend = (fall + spin * spin * vertex.norm()) * (1.0 + tolerance::k_bend_margin);
         const MarchBounds bounds{bend, k_never, k_never, window.tolerance};
         const auto read = [&](double time) {
             const Vec2 r = turning_a.at(time) * vertex;
-            const double height = wall.normal.dot(relative.offset_at(time)) - wall.offset + wall.normal.dot(r);
+            const double centre = wall.normal.dot(relative.offset_at(time)) - wall.offset;
+            const double height = centre + wall.normal.dot(r);
             const Vec2 rate = relative.rate_at(time) + cross(spin, r);
             return EdgeReading{height, wall.normal.dot(rate), 0.0, 0.0};
         };
+        // [toi.polygon-on-wall.vertex]
         keep_earlier(strike, march(read(window.from), read, bounds, window.from, horizon(strike, window)), {FeatureKind::vertex_of_a, k, -1});
     }
     return strike;

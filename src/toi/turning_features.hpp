@@ -8,7 +8,9 @@
 
 namespace flying {
 
-/// A stretch of time in which the features of one pair are looked at, and what bounds their motion in it.
+// [toi.features.window]
+/// A stretch of time in which the features of one pair are looked at, and what bounds their
+/// motion in it.
 struct Window
 {
     double from = 0.0;  ///< [s]
@@ -16,7 +18,9 @@ struct Window
     double speed = 0.0; ///< bound on the relative speed of the two positions within it [m/s]
     GapTolerance tolerance;
 };
+// [toi.features.window]
 
+// [toi.features.strike]
 /// First strike of a pair within a window; `tired` where a march gave up at `time`.
 struct Strike
 {
@@ -24,7 +28,9 @@ struct Strike
     double time = k_never;
     Feature feature;
 };
+// [toi.features.strike]
 
+// [toi.features.declared]
 /// relative  flight of A as seen from B; turning_a, turning_b  how they turn
 /// The features of the answer are named from A's and B's side as they are given here.
 /// Relative: RelativeFlight, or CentralPairFlight whose bound holds throughout the window
@@ -45,5 +51,6 @@ template <typename Relative>
 template <typename Relative>
 [[nodiscard]] Strike first_strike(const Polygon& a, const Turning& turning_a, const HalfPlane& wall,
                                   const Relative& relative, const Window& window);
+// [toi.features.declared]
 
 } // namespace flying
