@@ -134,10 +134,12 @@ std::optional<EventFailure> EventEngine::handle_impact(const Event& event)
         // [events.impact.meet]
 
         // [events.impact.crowding]
-        // Bodies that go nowhere between impacts, or creep into each other, are being crowded
+        // Where neither went anywhere since its last impact, or they creep into each other, both are being crowded; a
+        // heavy body that hardly moves between the blows of a light one is not
         const bool creeps = is_creeping(a, b, touch);
-        sheets_[a].crowding = creeps || !a_moved ? sheets_[a].crowding + 1 : 0;
-        sheets_[b].crowding = creeps || !b_moved ? sheets_[b].crowding + 1 : 0;
+        const bool has_room = !creeps && (a_moved || b_moved);
+        sheets_[a].crowding = has_room ? 0 : sheets_[a].crowding + 1;
+        sheets_[b].crowding = has_room ? 0 : sheets_[b].crowding + 1;
         // [events.impact.crowding]
 
         // [events.impact.push]
@@ -178,7 +180,7 @@ std::optional<EventFailure> EventEngine::handle_impact(const Event& event)
 bool EventEngine::move_to(int body, double time)
 {
     Row& row = rows_[body];
-    if (row.kind == Kind::is_static) return true;
+    if (row.kind == Kind::is_static) return false;
     const double way = top_speed(body) * (time - row.time);
 
     const BodyState after = state_at(flyer(body), time);
