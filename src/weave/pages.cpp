@@ -46,7 +46,8 @@ std::string masthead(const Material& material, const ChapterEntry& entry)
 std::string receipt_line(const Material& material, const Numbered& numbered)
 {
     const auto number = [](double value) {
-        return value == 0.0 ? std::string("0") : format_value(value, "%.1e").value_or("?");
+        const std::string shown = value == 0.0 ? "0" : format_value(value, "%.1e").value_or("?");
+        return "<span class=\"value\">" + shown + "</span>";
     };
     const std::string& id = numbered.block->name;
     if (numbered.kind == BlockKind::definition) return "";

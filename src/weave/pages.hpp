@@ -60,7 +60,9 @@ private:
     [[nodiscard]] std::string live(const Chapter& chapter, const Block& block);
     [[nodiscard]] std::string output(const Chapter& chapter, const Block& block);
     [[nodiscard]] std::string exercise(const Chapter& chapter, const Block& block, const std::string& page);
-    [[nodiscard]] std::string insert(const std::string& text, bool in_math, const Place& place);
+    /// Where an insert stands.
+    enum class Site { prose, sentence_start, formula };
+    [[nodiscard]] std::string insert(const std::string& text, Site site, const Place& place);
     [[nodiscard]] std::string math(const std::string& tex, const Place& place);
     [[nodiscard]] std::string caption(const Block& block);
 

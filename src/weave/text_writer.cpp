@@ -113,6 +113,17 @@ std::string TextWriter::text(const Block& block, const std::string& page)
     return out;
 }
 
+namespace {
+
+/// Whether the next word after these begins a sentence.
+bool begins_sentence(const std::string& words)
+{
+    const std::size_t last = words.find_last_not_of(" \n");
+    return last == std::string::npos || words[last] == '.' || words[last] == '!' || words[last] == '?';
+}
+
+} // namespace
+
 std::string TextWriter::inline_text(const std::vector<std::pair<int, std::string>>& lines, const std::string& file)
 {
     std::string out;
@@ -126,7 +137,7 @@ std::string TextWriter::inline_text(const std::vector<std::pair<int, std::string
             out += math(piece.text, place);
             break;
         case PieceKind::insert:
-            out += insert(piece.text, false, place);
+            out += insert(piece.text, begins_sentence(out) ? Site::sentence_start : Site::prose, place);
             break;
         case PieceKind::code: {
             Fragment fragment;
@@ -154,14 +165,14 @@ std::string TextWriter::math(const std::string& tex, const Place& place)
     auto from = tex.cbegin();
     for (std::sregex_iterator at(tex.begin(), tex.end(), k_insert), end; at != end; ++at) {
         filled.append(from, (*at)[0].first);
-        filled += insert((*at)[1].str(), true, place);
+        filled += insert((*at)[1].str(), Site::formula, place);
         from = (*at)[0].second;
     }
     filled.append(from, tex.cend());
     return fragments_.add_formula(filled, false, place);
 }
 
-std::string TextWriter::insert(const std::string& text, bool in_math, const Place& place)
+std::string TextWriter::insert(const std::string& text, Site site, const Place& place)
 {
     const Insert insert = parse_insert(text);
     if (insert.kind == "given") return insert.name;
@@ -179,7 +190,7 @@ std::string TextWriter::insert(const std::string& text, bool in_math, const Plac
             problems_.add(place, fmt::format("format `{}` of a value", insert.format), "one like %.3g, %.1e, %.2f");
             return "?";
         }
-        if (!in_math) return fragments_.add_html("<span class=\"value\">" + *shown + "</span>");
+        if (site != Site::formula) return fragments_.add_html("<span class=\"value\">" + *shown + "</span>");
         std::string tex = replace_all(*shown, "\u2009\u00b7\u2009", "\\cdot ");
         tex = replace_all(tex, "\u2212", "-");
         return replace_all(replace_all(tex, "<sup>", "^{"), "</sup>", "}");
@@ -198,7 +209,8 @@ std::string TextWriter::insert(const std::string& text, bool in_math, const Plac
     if (insert.kind == "ch") {
         for (const ChapterEntry& entry : material_.book.chapters) {
             if (entry.name.substr(std::min<std::size_t>(3, entry.name.size())) != insert.name) continue;
-            const std::string words = insert.format.empty() ? fmt::format("chapter {}", entry.number) : insert.format;
+            const char* const word = site == Site::sentence_start ? "Chapter" : "chapter";
+            const std::string words = insert.format.empty() ? fmt::format("{} {}", word, entry.number) : insert.format;
             if (!entry.written) return words;
             return fragments_.add_html(fmt::format("<a class=\"reference\" title=\"{}\" href=\"{}.html\">{}</a>",
                                                    escape_html(entry.title), entry.page(), escape_html(words)));

@@ -71,3 +71,19 @@ TEST_CASE("a warning of Doxygen fails the book, and the last good book stays")
     CHECK(problems.report() == "doxygen: src/rods/rod.hpp:3: warning: odd; expected no warning\n");
     CHECK(tree.read("build/html/index.html") == "the last good book");
 }
+
+TEST_CASE("a reference to a chapter has a capital where it begins a sentence")
+{
+    const ExampleTree tree;
+    tree.replace("chapters/01-hinge/chapter.md", "a finger turns it.",
+                 "a finger turns it. {{ch:hinge}} asks, and {{ch:hinge}} answers.");
+    Problems problems;
+    const Woven woven = tree.weave(problems);
+    CHECK(problems.report() == "");
+    std::string words;
+    for (const Fragment& fragment : woven.pages.fragments.list()) {
+        for (const char* word : {">Chapter 1<", ">chapter 1<"})
+            if (fragment.text.find(word) != std::string::npos) words += word;
+    }
+    CHECK(words.find(">Chapter 1<>chapter 1<") != std::string::npos);
+}

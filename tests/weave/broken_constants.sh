@@ -1,0 +1,71 @@
+#!/usr/bin/env bash
+# Spoils one constant of the engine at a time, in a copy of the sources: the book's build must then stop, and name the
+# equation. Prints a line for each; the last one is `N broken constants found, M missed`.
+# Usage: broken_constants.sh [FOLDER]     (the copy and its build; default build/broken)
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+folder=${1:-$root/build/broken}
+jobs=${FLYING_JOBS:-$(nproc 2>/dev/null || echo 2)}
+
+# file | what stands there, as a fixed string | what is put in its place | page | the equation that must be named
+breaks=(
+    'src/motion/flight.hpp|(0.5 * t) * g|(0.5005 * t) * g|01|flight.position'
+    'src/motion/kepler.cpp|Twofold(2.0 * mu)|Twofold(2.002 * mu)|01|kepler'
+    'src/mass/rectangle.cpp|(width * width + height * height) / 12.0|(width * width + height * height) / 12.012|02|rectangle.inertia'
+    'src/mass/rectangle.cpp|0.5 * m * (radius * radius)|0.5005 * m * (radius * radius)|02|rectangle.disc'
+    'src/mass/rectangle.cpp|0.5 * m * (inner * inner|0.5005 * m * (inner * inner|02|rectangle.annulus'
+    'src/mass/regular_polygon.cpp|half.sine / 3.0|half.sine / 3.003|03|regular.inertia'
+    'src/geometry/moments.cpp|Twofold(0.5) * sums.twice_area|Twofold(0.5005) * sums.twice_area|04|polygon.area'
+    'src/geometry/moments.cpp|sums.second / Twofold(12.0)|sums.second / Twofold(12.012)|04|polygon.inertia'
+    'src/collide/manifold.cpp|const double part = (along|const double part = 1.001 * (along|05|axis.cut'
+    'src/collide/vertex_edge.cpp|0.5 * entry.depth|0.5005 * entry.depth|06|corner.middle'
+    'src/response/one_point.cpp|return -(1.0 + e) * v_n|return -(1.001 + e) * v_n|07|impulse.normal'
+    'src/response/one_point.cpp|const double newton = (1.0 + e)|const double newton = (1.001 + e)|07|impulse'
+)
+
+# Copies what the project keeps; what has not changed keeps its time, so that little is compiled again
+refresh() {
+    mkdir -p "$folder/sources"
+    (cd "$root" && git ls-files -z | xargs -0 cp --parents -u -p -t "$folder/sources")
+}
+
+make_page() { # chapter: builds its programs and runs what its page quotes
+    cmake --build "$folder/build" --parallel "$jobs" --target "page_$1" >"$folder/page.log" 2>&1
+}
+
+refresh
+cmake -S "$folder/sources" -B "$folder/build" -G Ninja -DCMAKE_BUILD_TYPE=Release >"$folder/configure.log"
+for page in 01 02 03 04 05 06 07; do
+    make_page "$page" || {
+        tail -n 40 "$folder/page.log"
+        echo "page $page can't be made even with every constant right"
+        exit 1
+    }
+done
+
+found=0
+missed=0
+for line in "${breaks[@]}"; do
+    IFS='|' read -r file right wrong page equation <<<"$line"
+    text=$(<"$root/$file")
+    if [[ $text != *"$right"* ]]; then
+        echo "MISSED  $file no longer says: $right"
+        missed=$((missed + 1))
+        continue
+    fi
+    printf '%s\n' "${text/"$right"/"$wrong"}" >"$folder/sources/$file"
+    if make_page "$page"; then
+        echo "MISSED  $file: $wrong  (page $page was made)"
+        missed=$((missed + 1))
+    elif named=$(grep -o -m 1 "equation [a-z_.]*$equation[a-z_.]*" "$folder/page.log"); then
+        echo "found   $file: $wrong  ($named)"
+        found=$((found + 1))
+    else
+        echo "MISSED  $file: $wrong  (page $page stopped without naming $equation)"
+        missed=$((missed + 1))
+    fi
+    cp "$root/$file" "$folder/sources/$file"
+done
+echo "$found broken constants found, $missed missed"
+((missed == 0))
