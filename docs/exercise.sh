@@ -51,6 +51,11 @@ check() {
             status=1
         elif "$build/chapters/$chapter/exercise_${number}_${name}_mine" --no-colors=1 >"$log" 2>&1; then
             echo "$name: passes"
+            solution=chapters/$chapter/exercises/$name/solution.hpp
+            if [[ -f $root/$solution ]] && ! cmp -s "$root/$solution" "$answer"; then
+                printf '%s: the book does it like this (%s)\n\n' "$name" "$solution"
+                sed 's/^/    /' "$root/$solution"
+            fi
         else
             grep -vE '^\[doctest\] (doctest version|run with)' "$log" | head -n 40
             echo "$name: not yet; the hint is in chapters/$chapter/exercises/$name/hint.md"

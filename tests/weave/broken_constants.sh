@@ -62,7 +62,8 @@ for line in "${breaks[@]}"; do
         echo "found   $file: $wrong  ($named)"
         found=$((found + 1))
     else
-        echo "MISSED  $file: $wrong  (page $page stopped without naming $equation)"
+        echo "MISSED  $file: $wrong  (page $page stopped without naming $equation; it named:" \
+            "$(grep -o 'equation [a-z_.]*' "$folder/page.log" | sort -u | tr '\n' ' '))"
         missed=$((missed + 1))
     fi
     cp "$root/$file" "$folder/sources/$file"
