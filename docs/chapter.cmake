@@ -82,6 +82,7 @@ function(flying_chapter)
     endif()
 
     # Collect the receipts. A test that fails leaves none, and stops the book.
+    set(receipts "")
     if(TARGET chapter_${number})
         set(receipts ${FLYING_BOOK_FOLDER}/receipts/chapter_${number}.json)
         target_include_directories(chapter_${number} PRIVATE ${PROJECT_SOURCE_DIR}/src)
@@ -106,7 +107,8 @@ function(flying_chapter)
             COMMAND exercise_${number}_${name}_solution --minimal
             COMMAND ${CMAKE_COMMAND} -E make_directory ${FLYING_BOOK_FOLDER}/exercises/${chapter}
             COMMAND ${CMAKE_COMMAND} -E touch ${passed}
-            DEPENDS exercise_${number}_${name}_solution COMMENT "Trying the solution of ${chapter}/${name}" VERBATIM)
+            # After the receipts: a formula that broke is named as such before an exercise stumbles over it
+            DEPENDS exercise_${number}_${name}_solution ${receipts} COMMENT "Trying the solution of ${chapter}/${name}" VERBATIM)
         list(APPEND matter ${passed})
     endforeach()
 

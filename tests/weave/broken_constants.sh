@@ -19,7 +19,7 @@ breaks=(
     'src/geometry/moments.cpp|Twofold(0.5) * sums.twice_area|Twofold(0.5005) * sums.twice_area|04|polygon.area'
     'src/geometry/moments.cpp|sums.second / Twofold(12.0)|sums.second / Twofold(12.012)|04|polygon.inertia'
     'src/collide/manifold.cpp|const double part = (along|const double part = 1.001 * (along|05|axis.cut'
-    'src/collide/vertex_edge.cpp|0.5 * entry.depth|0.5005 * entry.depth|06|corner.middle'
+    'src/collide/vertex_edge.cpp|along = 0.5 * (low + high)|along = 0.5005 * (low + high)|06|corner.middle'
     'src/response/one_point.cpp|return -(1.0 + e) * v_n|return -(1.001 + e) * v_n|07|impulse.normal'
     'src/response/one_point.cpp|const double newton = (1.0 + e)|const double newton = (1.001 + e)|07|impulse'
 )
