@@ -68,49 +68,27 @@ bool PairList::update(std::span<const RestBody> bodies, std::span<const Collisio
 // [rest.pairs.sweep]
 void PairList::find_partners(std::span<const RestBody> bodies)
 {
-    // Line up along the axis on which the bodies are spread furthest
+    // Sweep over the boxes of all that have one
     const int count = static_cast<int>(bodies.size());
-    Aabb spread{Vec2::Zero(), Vec2::Zero()};
-    bool any = false;
-    std::vector<int>& order = order_;
-    order.clear();
+    boxed_.clear();
     for (int k = 0; k < count; ++k) {
         if (!bodies[k].is_active || std::holds_alternative<HalfPlane>(bodies[k].shape)) continue;
-        order.push_back(k);
-        if (bodies[k].is_static) continue;
-        const Vec2& x = bodies[k].state.position;
-        spread = any ? Aabb{spread.min.cwiseMin(x), spread.max.cwiseMax(x)} : Aabb{x, x};
-        any = true;
+        boxed_.push_back({k, bodies[k].is_static, boxes_[k]});
     }
-    const Vec2 size = spread.max - spread.min;
-    const int axis = size.x() >= size.y() ? 0 : 1;
-    const int other = 1 - axis;
-    std::sort(order.begin(), order.end(),
-              [&](int j, int k) { return std::tuple(boxes_[j].min[axis], j) < std::tuple(boxes_[k].min[axis], k); });
-
-    // Sweep along it, over boxes that lie side by side
-    line_.clear();
-    for (const int k : order) {
-        line_.push_back({boxes_[k].min[axis], boxes_[k].max[axis], boxes_[k].min[other], boxes_[k].max[other], k,
-                         bodies[k].is_static});
-    }
+    sweep_.line_up(boxed_);
     found_.clear();
-    for (std::size_t i = 0; i < line_.size(); ++i) {
-        const Span one = line_[i];
-        for (std::size_t l = i + 1; l < line_.size() && line_[l].low <= one.high; ++l) {
-            const Span& two = line_[l];
-            if (two.bottom > one.top || one.bottom > two.top) continue;
-            if (one.is_static && two.is_static) continue;
-            found_.emplace_back(std::min(one.body, two.body), std::max(one.body, two.body));
-        }
-    }
+    sweep_.for_each_pair([&](int a, int b) {
+        found_.emplace_back(a, b);
+        return true;
+    });
 
     // Walls without end meet whoever reaches into them
     for (int w = 0; w < count; ++w) {
         const auto* wall = std::get_if<HalfPlane>(&bodies[w].shape);
         if (!wall || !bodies[w].is_active) continue;
-        for (const int k : order) {
-            if (!bodies[k].is_static && overlap(boxes_[k], *wall)) found_.emplace_back(std::min(w, k), std::max(w, k));
+        for (const BoxedBody& other : boxed_) {
+            const int k = other.body;
+            if (!other.is_static && overlap(other.box, *wall)) found_.emplace_back(std::min(w, k), std::max(w, k));
         }
     }
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "broadphase/sweep.hpp"
 #include "collide/separation.hpp"
 #include "geometry/aabb.hpp"
 #include "rest/rest_body.hpp"
@@ -57,21 +58,11 @@ private:
         double angle = 0.0;
         double room = 0.0; ///< by which the box is larger than the body [m]
     };
-    /// A box on the line: its ends along the line, and across.
-    struct Span
-    {
-        double low;
-        double high;
-        double bottom;
-        double top;
-        int body;
-        bool is_static;
-    };
     bool valid_ = false;
-    std::vector<Span> line_;
     std::vector<Home> homes_;
     std::vector<Aabb> boxes_;
-    std::vector<int> order_; // bodies by the lower end of their boxes
+    std::vector<BoxedBody> boxed_; // all that have a box and take part
+    Sweep sweep_;
     std::vector<int> partner_start_;
     std::vector<int> partners_;
     std::vector<std::pair<int, int>> found_;

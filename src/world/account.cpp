@@ -4,7 +4,8 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <numeric>
+
+#include "broadphase/sweep.hpp"
 
 namespace flying {
 namespace {
@@ -64,29 +65,19 @@ Account take_account(const std::vector<BodyView>& bodies, const Scene& scene)
 // [account.overlap]
 double deepest_overlap(const std::vector<BodyView>& bodies, const std::vector<CollisionShape>& shapes)
 {
-    // Sort boxes by their left ends, then compare each with those that start before its right end
-    const int count = static_cast<int>(bodies.size());
     std::vector<Pose> poses;
-    std::vector<Aabb> boxes;
+    std::vector<BoxedBody> boxed;
     for (const BodyView& body : bodies) {
         poses.push_back(pose_of(body.state));
-        boxes.push_back(bounding_box(*body.shape, poses.back()));
+        boxed.push_back({static_cast<int>(boxed.size()), body.is_static, bounding_box(*body.shape, poses.back())});
     }
-    std::vector<int> order(boxes.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::sort(order.begin(), order.end(), [&](int p, int q) {
-        return boxes[p].min.x() != boxes[q].min.x() ? boxes[p].min.x() < boxes[q].min.x() : p < q;
-    });
-
+    Sweep sweep;
+    sweep.line_up(boxed);
     double deepest = 0.0;
-    for (int i = 0; i < count; ++i) {
-        const int p = order[i];
-        for (int j = i + 1; j < count && boxes[order[j]].min.x() <= boxes[p].max.x(); ++j) {
-            const int q = order[j];
-            if ((bodies[p].is_static && bodies[q].is_static) || !overlap(boxes[p], boxes[q])) continue;
-            deepest = std::max(deepest, -separation(shapes[p], poses[p], shapes[q], poses[q]));
-        }
-    }
+    sweep.for_each_pair([&](int a, int b) {
+        deepest = std::max(deepest, -separation(shapes[a], poses[a], shapes[b], poses[b]));
+        return true;
+    });
     return deepest;
 }
 // [account.overlap]

@@ -1,0 +1,106 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "broadphase/all_pairs.hpp"
+#include "broadphase/grid.hpp"
+#include "broadphase/sweep.hpp"
+#include "math/random.hpp"
+
+/// Boxes in random places, and every way of this chapter to find those that overlap.
+namespace flying {
+
+using Pairs = std::vector<std::pair<int, int>>;
+
+// [which-pairs.boxes]
+/// Discs of radius R at random places of a room, by their boxes.
+inline std::vector<BoxedBody> discs_in_room(int n, double R, double W, double H, Random& random)
+{
+    std::vector<BoxedBody> bodies;
+    for (int k = 0; k < n; ++k) {
+        const Vec2 x{random.uniform(0.0, W), random.uniform(0.0, H)};
+        bodies.push_back({k, false, {x - Vec2(R, R), x + Vec2(R, R)}});
+    }
+    return bodies;
+}
+// [which-pairs.boxes]
+
+// [which-pairs.oracle]
+inline Pairs pairs_of_all(std::span<const BoxedBody> bodies)
+{
+    Pairs pairs;
+    for_each_pair_of_all(bodies, [&](int a, int b) { pairs.emplace_back(a, b); });
+    return pairs;
+}
+// [which-pairs.oracle]
+
+// [which-pairs.by_sweep]
+inline Pairs pairs_of_sweep(const Sweep& sweep)
+{
+    Pairs pairs;
+    sweep.for_each_pair([&](int a, int b) {
+        pairs.emplace_back(a, b);
+        return true;
+    });
+    std::sort(pairs.begin(), pairs.end());
+    return pairs;
+}
+// [which-pairs.by_sweep]
+
+// [which-pairs.by_grid]
+/// Middle of a box.
+inline Vec2 middle(const Aabb& box) { return 0.5 * (box.min + box.max); }
+
+/// The pairs that a grid finds, and how many it compares to find them. Moving bodies lie in the
+/// cells of their middles; static ones are named to all who come near.
+struct GridLook
+{
+    Pairs pairs;
+    long compared = 0;
+};
+
+inline GridLook pairs_of_grid(const Grid& grid, std::span<const BoxedBody> bodies)
+{
+    GridLook look;
+    const auto compare = [&](int a, int b) {
+        ++look.compared;
+        if (overlap(bodies[a].box, bodies[b].box)) look.pairs.emplace_back(std::min(a, b), std::max(a, b));
+    };
+    for (const BoxedBody& body : bodies) {
+        if (body.is_static) continue;
+        grid.for_each_near(grid.cell_of(body.body), [&](int other) {
+            if (other > body.body) compare(body.body, other);
+        });
+        for (const int other : grid.statics_near(grid.cell_of(body.body))) compare(body.body, other);
+    }
+    std::sort(look.pairs.begin(), look.pairs.end());
+    return look;
+}
+// [which-pairs.by_grid]
+
+// [which-pairs.fill]
+/// The grid that the engine would make for these bodies, with all of them in it. `radius` is that
+/// of the largest bounding circle of those that move.
+inline Grid filled_grid(std::span<const BoxedBody> bodies, double radius)
+{
+    Aabb extent;
+    int movers = 0;
+    for (const BoxedBody& body : bodies) {
+        if (body.is_static) continue;
+        const Vec2 x = middle(body.box);
+        extent = movers == 0 ? Aabb{x, x} : Aabb{extent.min.cwiseMin(x), extent.max.cwiseMax(x)};
+        ++movers;
+    }
+    Grid grid = make_grid(extent, radius, static_cast<int>(bodies.size()), movers);
+    for (const BoxedBody& body : bodies) {
+        if (body.is_static) grid.insert_static(body.body, body.box, radius);
+        else grid.insert(body.body, grid.cell_at(middle(body.box)));
+    }
+    return grid;
+}
+// [which-pairs.fill]
+
+} // namespace flying
