@@ -8,6 +8,7 @@
 #include "geometry/polygon.hpp"
 #include "math/random.hpp"
 #include "motion/flight.hpp"
+#include "support/receipts.hpp"
 #include "toi/predict.hpp"
 
 using namespace flying;
@@ -301,7 +302,8 @@ TEST_CASE("no first touch is missed or late, against dense sampling of the dista
     }
     CHECK(impacts > 500);
     CHECK(worst_gap <= 1e-13); // of bodies of size 1
-    MESSAGE(impacts << " impacts, worst gap " << worst_gap);
+    RECORD_VALUE("toi.dense.impacts", impacts);
+    RECORD_VALUE("toi.dense.gap", worst_gap);
 }
 
 TEST_CASE("asking in pieces, and looking before the circles meet, changes no bit")
@@ -364,6 +366,7 @@ TEST_CASE("lengths, times and masses by powers of two scale a prediction bit for
     }
 }
 
+// [toi.tests.safe-step]
 TEST_CASE("a safe step never passes a root of a function whose bend is bounded")
 {
     // f = a cos(w t + p) + b: |f''| <= a w^2; the exact first root by arccosine
@@ -380,3 +383,4 @@ TEST_CASE("a safe step never passes a root of a function whose bend is bounded")
         CHECK(safe_step(f, -w * std::sin(p), w * w) <= root * (1.0 + 1e-12) + 1e-12);
     }
 }
+// [toi.tests.safe-step]
