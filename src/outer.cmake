@@ -1,6 +1,24 @@
 # Scenes as text: toml++ is header-only here (scene/toml_library.hpp)
 find_path(FLYING_TOML toml++/toml.h REQUIRED)
 flying_module(scene world)
+
+# The engine for pages: a library for its tests, and a module of WebAssembly, beside it a program for Node
+flying_module(live scene)
+if(FLYING_WASM)
+    add_executable(flying_wasm ${CMAKE_CURRENT_SOURCE_DIR}/live/exports.cpp)
+    target_link_libraries(flying_wasm PRIVATE flying_live)
+    set_target_properties(flying_wasm PROPERTIES OUTPUT_NAME flying SUFFIX .wasm
+        RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+    # The stack first, so that one that is too deep traps instead of overwriting what lies below
+    target_link_options(flying_wasm PRIVATE -mexec-model=reactor -Wl,--strip-all -Wl,--stack-first
+        -Wl,-z,stack-size=1048576)
+    foreach(script docs/theme/engine.js tests/differential/bits/flying)
+        get_filename_component(name ${script} NAME)
+        configure_file(${PROJECT_SOURCE_DIR}/${script} ${PROJECT_BINARY_DIR}/bin/${name} COPYONLY)
+    endforeach()
+    return()
+endif()
+
 # Cairo's pictures
 pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo)
 flying_module(draw world)

@@ -84,9 +84,9 @@ void EventEngine::go_on_from(const Resume& resume, const std::vector<BodyState>&
 // [events.go_on_from]
 
 // [events.advance]
-std::optional<EventFailure> EventEngine::advance(double time, long most)
+std::optional<EventFailure> EventEngine::advance(double time, std::int64_t most)
 {
-    for (long handled = 0; !queue_.empty() && queue_.next().time <= time;) {
+    for (std::int64_t handled = 0; !queue_.empty() && queue_.next().time <= time;) {
         if (handled == most) return std::nullopt;
         const Event event = queue_.next();
         queue_.pop();

@@ -57,15 +57,15 @@ struct EventFailure
 /// Work done so far, and work left out.
 struct EventCounts
 {
-    long events = 0;               ///< all that were handled
-    long impacts = 0;              ///< in which some point was pushed
-    long cells = 0;                ///< cells left
-    long looks = 0;                ///< pairs looked at again
-    long predictions = 0;          ///< pairs predicted, all told
-    long stale = 0;                ///< events that had been overtaken
-    long static_pairs_skipped = 0;
-    long far_pairs_skipped = 0;    ///< pairs that the grid left alone, compared with all pairs
-    long far_features_skipped = 0; ///< predictions of turning pairs whose bounding circles never meet
+    std::int64_t events = 0;      ///< all that were handled
+    std::int64_t impacts = 0;     ///< in which some point was pushed
+    std::int64_t cells = 0;       ///< cells left
+    std::int64_t looks = 0;       ///< pairs looked at again
+    std::int64_t predictions = 0; ///< pairs predicted, all told
+    std::int64_t stale = 0;       ///< events that had been overtaken
+    std::int64_t static_pairs_skipped = 0;
+    std::int64_t far_pairs_skipped = 0;    ///< pairs that the grid left alone, compared with all pairs
+    std::int64_t far_features_skipped = 0; ///< predictions of turning pairs whose bounding circles never meet
 };
 // [events.counts]
 
@@ -91,7 +91,7 @@ public:
     EventEngine(std::vector<EventBody> bodies, const EventEngineOptions& options);
 
     /// Handle every event up to `time`, or `most` of them.  [s]
-    [[nodiscard]] std::optional<EventFailure> advance(double time, long most);
+    [[nodiscard]] std::optional<EventFailure> advance(double time, std::int64_t most);
 
     // [events.engine.asked]
     [[nodiscard]] double time() const { return now_; }

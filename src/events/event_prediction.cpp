@@ -107,7 +107,7 @@ void EventEngine::predict_partners(int body, const Wants& wants)
         for (int other = 0; other < body_count(); ++other) look(other);
         return;
     }
-    const long before = counts_.predictions;
+    const std::int64_t before = counts_.predictions;
     const Cell& cell = grid_->cell_of(body);
     grid_->for_each_near(cell, look);
     for (const int other : grid_->statics_near(cell)) look(other);

@@ -98,7 +98,7 @@ ImpactResult resolve_rounds(std::span<const PointFrame> points, PairMotion motio
         threshold = tolerance::k_approach * speed;
     }
     const auto approaches = [&](const PointFrame& point) { return speed_along(point.normal, motion) < -threshold; };
-    return result_of(motion, true, std::ranges::none_of(points, approaches));
+    return result_of(motion, true, std::none_of(points.begin(), points.end(), approaches));
 }
 // [impulse.rounds]
 

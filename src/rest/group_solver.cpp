@@ -16,7 +16,7 @@ constexpr int k_newton_steps = 20;
 constexpr double k_may_bear = 0.25;
 constexpr int k_corrections = 48;
 /// Factorisations that one solve may take, and sweeps that follow where they didn't do.
-constexpr long k_budget = 60;
+constexpr std::int64_t k_budget = 60;
 constexpr int k_last_sweeps = 64;
 /// Stiffness of the first descents; softer points leave more to the next.
 constexpr double k_descent_stiffness = 0x1p20;
@@ -158,7 +158,7 @@ bool GroupSolver::solve(std::span<Mover> movers, std::span<const int> members, s
     bool bold = true;
     bool swept = false;
     double descent_stiffness = k_descent_stiffness;
-    const long budget = counts_.factorisations + k_budget;
+    const std::int64_t budget = counts_.factorisations + k_budget;
     for (int k = 0; k < k_corrections && !content && counts_.factorisations < budget; ++k) {
         measure_slips(movers, points);
         stiffness_ = rest_tolerance::k_stiffness;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -12,11 +13,11 @@ namespace flying {
 /// What a solve took.
 struct SolveCounts
 {
-    long accepted = 0; ///< groups whose impulses of the step before were right already
-    long solved = 0;   ///< groups that were solved to rounding
-    long unsolved = 0; ///< groups that ended with what sweeps could do
-    long sweeps = 0;   ///< over all points of a group
-    long factorisations = 0;
+    std::int64_t accepted = 0; ///< groups whose impulses of the step before were right already
+    std::int64_t solved = 0;   ///< groups that were solved to rounding
+    std::int64_t unsolved = 0; ///< groups that ended with what sweeps could do
+    std::int64_t sweeps = 0;   ///< over all points of a group
+    std::int64_t factorisations = 0;
 };
 
 /// Finds the impulses of one group of bodies that lean on each other, so that every point is content:

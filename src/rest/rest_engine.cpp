@@ -25,7 +25,7 @@ namespace {
     const auto* whole = std::get_if<Polygon>(&shape);
     if (!whole || parts.parts.size() == 1) return result;
     const auto is_side = [&](const Vec2& from, const Vec2& to) {
-        return std::ranges::any_of(whole->edges(), [&](const Edge& edge) {
+        return std::any_of(whole->edges().begin(), whole->edges().end(), [&](const Edge& edge) {
             return whole->vertices()[edge.from] == from && whole->vertices()[edge.to] == to;
         });
     };
@@ -183,7 +183,7 @@ void RestEngine::gather_groups()
         Group& group = groups_[slot_of(point)];
         points_[group.first_point + group.point_count++] = point;
     }
-    counts_.groups += static_cast<long>(groups_.size());
+    counts_.groups += static_cast<std::int64_t>(groups_.size());
     counts_.points += points;
 }
 // [rest.groups]

@@ -24,14 +24,14 @@ struct RestOptions
 /// Work done so far.
 struct RestCounts
 {
-    long steps = 0;
-    long looks = 0;     ///< searches for pairs
-    long manifolds = 0; ///< pairs whose points were sought
-    long points = 0;    ///< points solved for
-    long groups = 0;    ///< groups solved for
-    long impacts = 0;   ///< points at which an approach was ended
-    long asleep = 0;    ///< bodies left out, over all steps
-    long placed = 0;    ///< groups whose overlap was taken off
+    std::int64_t steps = 0;
+    std::int64_t looks = 0;     ///< searches for pairs
+    std::int64_t manifolds = 0; ///< pairs whose points were sought
+    std::int64_t points = 0;    ///< points solved for
+    std::int64_t groups = 0;    ///< groups solved for
+    std::int64_t impacts = 0;   ///< points at which an approach was ended
+    std::int64_t asleep = 0;    ///< bodies left out, over all steps
+    std::int64_t placed = 0;    ///< groups whose overlap was taken off
 };
 
 /// Seconds spent, where a clock was lent.
@@ -159,7 +159,7 @@ private:
     std::vector<RestBody> bodies_;
     RestOptions options_;
     double start_ = 0.0;
-    long steps_ = 0;
+    std::int64_t steps_ = 0;
     std::vector<CollisionShape> shapes_;
     std::vector<std::vector<char>>
         real_edges_;             // of each body: for each part's edges in turn, whether it is a side of the shape

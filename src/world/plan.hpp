@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -17,9 +18,9 @@ struct Skip
 {
     std::string name;     ///< as `--without NAME` takes it
     SkipClass kind = SkipClass::neutral;
-    bool active = false;  ///< the work is left out in this scene
-    std::string reason;   ///< why it is, or why it is not
-    long saved = 0;       ///< after a run: how often the work was left out
+    bool active = false;    ///< the work is left out in this scene
+    std::string reason;     ///< why it is, or why it is not
+    std::int64_t saved = 0; ///< after a run: how often the work was left out
     std::string saved_unit; ///< what `saved` counts, such as "pairs"
 };
 

@@ -29,9 +29,9 @@ struct BodyReport
 /// What one stage of the work cost.
 struct StageCost
 {
-    std::string name;     ///< "predict", "impact", ...
-    long count = 0;       ///< how often it was entered
-    double seconds = 0.0; ///< in all; 0 where nobody lent the world a stopwatch [s]
+    std::string name;       ///< "predict", "impact", ...
+    std::int64_t count = 0; ///< how often it was entered
+    double seconds = 0.0;   ///< in all; 0 where nobody lent the world a stopwatch [s]
 };
 
 /// Bodies given from one integrator to the other.
@@ -46,10 +46,10 @@ struct Handover
 /// The world at one moment, and what it took to get there.
 struct Report
 {
-    double time = 0.0;       ///< [s]
-    std::string engine;      ///< "events", "rest", or "events, then rest"
-    long events = 0;         ///< all handled
-    long collisions = 0;     ///< impulses between bodies, walls included
+    double time = 0.0;               ///< [s]
+    std::string engine;              ///< "events", "rest", or "events, then rest"
+    std::int64_t events = 0;         ///< all handled
+    std::int64_t collisions = 0;     ///< impulses between bodies, walls included
     std::vector<Handover> handovers; ///< in the order in which they came
     Energy energy;
     double initial_total = 0.0; ///< [J]

@@ -89,15 +89,15 @@ struct World::Parts
     std::vector<Handover> handovers{};
     double (*seconds)() = nullptr;
     double initial_total = 0.0;
-    double max_overlap = 0.0;           ///< measured at reports
-    long earlier_events = 0;            ///< before this world was resumed
-    long earlier_collisions = 0;
+    double max_overlap = 0.0;        ///< measured at reports
+    std::int64_t earlier_events = 0; ///< before this world was resumed
+    std::int64_t earlier_collisions = 0;
     bool failed = false;
 
     void start_rest(double time);
     [[nodiscard]] std::vector<BodyView> view() const;
     [[nodiscard]] std::optional<RunFailure> hand_over(const EventFailure& failure);
-    void advance_rest(double time, long most);
+    void advance_rest(double time, std::int64_t most);
 };
 
 World::World(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -214,7 +214,7 @@ std::optional<RunFailure> World::Parts::hand_over(const EventFailure& failure)
 // [world.hand-over]
 
 // [world.advance]
-std::optional<RunFailure> World::advance(double time, long max_events)
+std::optional<RunFailure> World::advance(double time, std::int64_t max_events)
 {
     if (parts_->failed) return std::nullopt;
     if (!parts_->rest) {
@@ -226,11 +226,11 @@ std::optional<RunFailure> World::advance(double time, long max_events)
     return std::nullopt;
 }
 
-void World::Parts::advance_rest(double time, long most)
+void World::Parts::advance_rest(double time, std::int64_t most)
 {
     // A step that ends at `time` but for rounding belongs to it
     const double whole = time + 1e-9 * options.step;
-    for (long made = 0; rest->time() + options.step <= whole; ++made) {
+    for (std::int64_t made = 0; rest->time() + options.step <= whole; ++made) {
         if (made == most) {
             rest_clock = rest->time();
             return;
@@ -267,15 +267,15 @@ bool World::is_static(int index) const { return parts_->engine.is_static(index);
 const Scene& World::scene() const { return parts_->scene; }
 const std::vector<Handover>& World::handovers() const { return parts_->handovers; }
 
-long World::events() const
+std::int64_t World::events() const
 {
-    const long steps = parts_->rest ? parts_->rest->counts().steps : 0;
+    const std::int64_t steps = parts_->rest ? parts_->rest->counts().steps : 0;
     return parts_->earlier_events + parts_->engine.counts().events + steps;
 }
 
-long World::collisions() const
+std::int64_t World::collisions() const
 {
-    const long impacts = parts_->rest ? parts_->rest->counts().impacts : 0;
+    const std::int64_t impacts = parts_->rest ? parts_->rest->counts().impacts : 0;
     return parts_->earlier_collisions + parts_->engine.counts().impacts + impacts;
 }
 

@@ -29,8 +29,8 @@ struct Snapshot
     double time = 0.0;             ///< [s]
     std::vector<BodyState> bodies; ///< the scene's, each at the time of its last event
     std::uint64_t log_hash = 0;
-    long events = 0;
-    long collisions = 0;
+    std::int64_t events = 0;
+    std::int64_t collisions = 0;
     double max_overlap = 0.0;      ///< [m]
     double initial_total = 0.0;    ///< [J]
     std::vector<int> crowding;     ///< of each body and wall: impacts in a row without room between them
@@ -68,7 +68,7 @@ public:
     ///             stands at the last one
     /// Returns the failure that stopped the run, if any; the clock then stands at its time, and the world can still be
     /// asked and reported but moves no more.
-    [[nodiscard]] std::optional<RunFailure> advance(double time, long max_events = -1);
+    [[nodiscard]] std::optional<RunFailure> advance(double time, std::int64_t max_events = -1);
 
     [[nodiscard]] double time() const;
     [[nodiscard]] int body_count() const; ///< the scene's bodies, without the box's walls
@@ -80,8 +80,8 @@ public:
     [[nodiscard]] bool is_static(int index) const;
     [[nodiscard]] const Scene& scene() const;
 
-    [[nodiscard]] long events() const; ///< handled, steps of the resting integrator among them
-    [[nodiscard]] long collisions() const;
+    [[nodiscard]] std::int64_t events() const; ///< handled, steps of the resting integrator among them
+    [[nodiscard]] std::int64_t collisions() const;
     [[nodiscard]] const std::vector<Handover>& handovers() const;
     [[nodiscard]] std::uint64_t log_hash() const; ///< of all events so far
     [[nodiscard]] Report report();                ///< measures overlap anew, changes nothing else

@@ -132,7 +132,7 @@ TEST_CASE("a forbidden word is found in the engine, and left alone outside it")
     for (const std::string code :
          {"throw 1;", "try {", "} catch (...) {", "x = std::sin(y);", "x = cos (y);", "x = std::pow(y, 2);",
           "x = std::atan2(y, z);", "auto t = std::chrono::now();", "std::cout << x;", "printf(x);", "std::thread t;",
-          "std::mt19937 g;", "thread_local int i;", "s = std::format(x);", "Eigen::Rotation2D<double> r;"}) {
+          "std::mt19937 g;", "thread_local int i;", "s = std::format(x);", "long n = 0;", "std::ranges::sort(v);", "Eigen::Rotation2D<double> r;"}) {
         CAPTURE(code);
         const Tree tree(Files{{"src/math/a.cpp", "int a;\n" + code + "\n"}, {"src/app/a.cpp", code + "\n"}});
         const Faults faults = house::word_faults(tree.sources());

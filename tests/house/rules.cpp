@@ -40,8 +40,8 @@ const std::set<std::string> k_headers = {
     "memory",    "numbers", "numeric",     "optional",    "queue",      "set",      "span",         "string",
     "tuple",     "utility", "string_view", "type_traits", "variant",    "vector",   "system_error", "initializer_list"};
 
-// Words that mean the same wherever they stand
-const std::set<std::string> k_words = {"throw", "try", "catch", "thread_local", "Rotation2D", "Rotation2Dd"};
+// Words that mean the same wherever they stand. `long` has 64 bits here and 32 in WebAssembly: std::int64_t says it.
+const std::set<std::string> k_words = {"throw", "try", "catch", "thread_local", "Rotation2D", "Rotation2Dd", "long"};
 
 // Words forbidden as functions: preceded by neither a dot nor an arrow, followed by a parenthesis
 const std::set<std::string> k_functions = {
@@ -55,7 +55,7 @@ const std::set<std::string> k_standard = {"cout",          "cerr",       "clog",
                                           "chrono",        "thread",     "jthread",       "mutex",
                                           "atomic",        "async",      "future",        "format",
                                           "random_device", "mt19937",    "mt19937_64",    "source_location",
-                                          "views",         "filesystem", "unordered_map", "unordered_set",
+                                          "views",         "ranges",     "filesystem", "unordered_map", "unordered_set",
                                           "ofstream",      "ifstream",   "fopen"};
 
 std::set<std::string> reach(const std::string& module)

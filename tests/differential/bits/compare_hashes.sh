@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Same bits from every compiler: runs the scenes of chapters/scenes and a set of generated ones through several builds
-# of `flying` and compares the hashes that their reports give.
+# Same bits from every compiler, for this machine and for WebAssembly: runs the scenes of chapters/scenes and a set of
+# generated ones through several builds of `flying` and compares the hashes that their reports give.
 #
 #   compare_hashes.sh PROGRAM PROGRAM...
 #
@@ -14,19 +14,26 @@ scenes=${FLYING_SCENES:-$here/../../../chapters/scenes}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# Generated scenes: what `flying generate` is called with. Seeds are part of the list.
+# Generated scenes: what `flying generate` is called with, then, behind a bar, what `flying simulate` is. Seeds are part of
+# the list. Event by event, by small steps, and handed over from one to the other; stacks and piles until they rest.
 generated=(
     "balls --seed 11"
     "gas --seed 12"
     "gas --seed 13 --shape polygon --count 40 --until 2"
     "gas --seed 14 --shape dumbbell --count 20 --until 2"
     "polygons --seed 15"
-    "cradle --seed 16"
+    "polygons --seed 22 --gravity 0 -9.81 --restitution 1 --friction 0.3 --until 3 | --engine events"
+    "cradle --seed 16 --count 7 --until 5"
     "billiard --seed 17 --billiard pi --exponent 3"
     "billiard --seed 18 --billiard rectangle"
     "stack --seed 19 --until 5"
+    "stack --seed 23 --count 12 --mass-ratio 20 --until 10 | --engine rest"
     "pyramid --seed 20 --until 5"
+    "pyramid --seed 24 --count 6 --until 5 | --engine rest --step 0.005"
     "pile --seed 21 --until 5"
+    "pile --seed 25 --shape polygon --count 60 --until 8 | --engine rest"
+    "pile --seed 26 --shape disc --count 80 --until 8"
+    "gas --seed 27 --shape polygon --count 30 --gravity 0 -9.81 --restitution 0.5 --friction 0.4 --until 10"
 )
 
 (($# >= 2)) || {
@@ -44,10 +51,10 @@ agree=0
 differ=0
 
 # What one program makes of a scene, as "status hash events time"
-answer() { # program scene
+answer() { # program scene [option...]
     local status=0 report=$work/report.json
     rm -f "$report"
-    "$1" simulate "$2" --report "$report" --quiet >"$work/said" 2>&1 </dev/null || status=$?
+    "$1" simulate "$2" --report "$report" --quiet "${@:3}" >"$work/said" 2>&1 </dev/null || status=$?
     local key found line="status=$status"
     for key in hash events time; do
         found=$(grep -o -E -m 1 "\"$key\": *\"?[-+0-9a-zA-Z.]+" "$report" 2>/dev/null | head -n 1 || true)
@@ -56,10 +63,10 @@ answer() { # program scene
     echo "$line"
 }
 
-compare() { # name scene: every program on the same file
+compare() { # name scene [option...]: every program on the same file
     local first='' line program
     for program in "${programs[@]}"; do
-        line=$(answer "$program" "$2")
+        line=$(answer "$program" "${@:2}")
         [[ -n $first ]] || first=$line
         if [[ $line != "$first" || $line != status=0\ hash=?*\ events=* ]]; then
             differ=$((differ + 1))
@@ -75,30 +82,31 @@ compare() { # name scene: every program on the same file
 }
 
 # Every program has to write the same scene, too
-compare_generated() { # options...
-    local first=$work/first.toml other=$work/other.toml program
-    if ! "${programs[0]}" generate "$@" >"$first" 2>"$work/said"; then
+compare_generated() { # "generate's words" or "generate's words | simulate's"
+    local first=$work/first.toml other=$work/other.toml program words how=()
+    read -r -a words <<<"${1%%|*}"
+    [[ $1 != *\|* ]] || read -r -a how <<<"${1#*|}"
+    if ! "${programs[0]}" generate "${words[@]}" >"$first" 2>"$work/said"; then
         differ=$((differ + 1))
-        echo "DIFFERS  generate $*: ${programs[0]} fails"
+        echo "DIFFERS  generate $1: ${programs[0]} fails"
         sed 's/^/    | /' "$work/said" | head -n 5
         return 0
     fi
     for program in "${programs[@]:1}"; do
-        if ! "$program" generate "$@" >"$other" 2>"$work/said" || ! cmp -s "$first" "$other"; then
+        if ! "$program" generate "${words[@]}" >"$other" 2>"$work/said" || ! cmp -s "$first" "$other"; then
             differ=$((differ + 1))
-            echo "DIFFERS  generate $*: $program writes another scene than ${programs[0]}"
+            echo "DIFFERS  generate $1: $program writes another scene than ${programs[0]}"
             return 0
         fi
     done
-    compare "generate $*" "$first"
+    compare "generate $1" "$first" "${how[@]}"
 }
 
 for scene in "$scenes"/*.toml; do
     [[ ! -e $scene ]] || compare "$(basename "$scene")" "$scene"
 done
-for options in "${generated[@]}"; do
-    read -r -a words <<<"$options"
-    compare_generated "${words[@]}"
+for line in "${generated[@]}"; do
+    compare_generated "$line"
 done
 
 echo "$agree scenes agree, $differ differ"
