@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -26,7 +27,7 @@ public:
     /// The axis of the last look: 0 for x, 1 for y.
     [[nodiscard]] int axis() const { return axis_; }
     /// Places by which bodies were moved along the line, in all looks.
-    [[nodiscard]] long shifts() const { return shifts_; }
+    [[nodiscard]] std::int64_t shifts() const { return shifts_; }
     // [sweep.declared]
 
     // [sweep.side_by_side]
@@ -80,7 +81,7 @@ private:
 
     std::vector<Span> line_; // by lower end, then by id
     int axis_ = 0;
-    long shifts_ = 0;
+    std::int64_t shifts_ = 0;
     // [sweep.members]
 };
 // [sweep.class]
