@@ -9,8 +9,8 @@ namespace flying {
 Grid::Grid(double cell_size, int columns, int rows, int bodies)
     : cell_size_(cell_size), column_mask_(static_cast<std::uint64_t>(columns) - 1),
       row_mask_(static_cast<std::uint64_t>(rows) - 1), row_shift_(std::countr_zero(static_cast<unsigned>(columns))),
-      head_(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), -1), next_(bodies, -1), cell_of_(bodies),
-      statics_(head_.size())
+      heads_(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows)), next_(bodies, -1), cell_of_(bodies),
+      statics_(1)
 {
 }
 // [grid.construct]
@@ -29,21 +29,45 @@ Cell Grid::cell_at(const Vec2& point) const
 // [grid.move]
 void Grid::insert(int body, const Cell& cell)
 {
-    int& head = head_[index(cell)];
+    int& first = heads_[index(cell)].first;
     cell_of_[body] = cell;
-    next_[body] = head;
-    head = body;
+    next_[body] = first;
+    first = body;
 }
 
 void Grid::move(int body, const Cell& to)
 {
     // Find who points at the body: cells hold one or two
-    int* link = &head_[index(cell_of_[body])];
+    int* link = &heads_[index(cell_of_[body])].first;
     while (*link != body) link = &next_[*link];
     *link = next_[body];
     insert(body, to);
 }
 // [grid.move]
+
+// [grid.renumber]
+void Grid::renumber(std::span<const int> old_ids)
+{
+    const std::vector<Cell> old_cells = cell_of_;
+    for (Head& head : heads_) head.first = -1;
+    for (std::size_t k = old_ids.size(); k-- > 0;) insert(static_cast<int>(k), old_cells[old_ids[k]]);
+}
+
+std::uint64_t Grid::along_curve(const Cell& cell) const
+{
+    // Put a zero between each bit and the next
+    const auto spread = [](std::uint64_t x) {
+        x = (x | x << 16) & 0x0000ffff0000ffffull;
+        x = (x | x << 8) & 0x00ff00ff00ff00ffull;
+        x = (x | x << 4) & 0x0f0f0f0f0f0f0f0full;
+        x = (x | x << 2) & 0x3333333333333333ull;
+        return (x | x << 1) & 0x5555555555555555ull;
+    };
+    const auto column = static_cast<std::uint64_t>(cell.column) & column_mask_;
+    const auto row = static_cast<std::uint64_t>(cell.row) & row_mask_;
+    return spread(column) | spread(row) << 1;
+}
+// [grid.renumber]
 
 // [grid.statics]
 void Grid::insert_static(int body, const Aabb& box, double margin)
@@ -58,7 +82,12 @@ void Grid::insert_static(int body, const Aabb& box, double margin)
     const std::int64_t last_row = std::min(high.row, low.row + static_cast<std::int64_t>(row_mask_));
     for (std::int64_t row = low.row; row <= last_row; ++row) {
         for (std::int64_t column = low.column; column <= last_column; ++column) {
-            statics_[index({column, row})].push_back(body);
+            int& statics = heads_[index({column, row})].statics;
+            if (statics == 0) {
+                statics = static_cast<int>(statics_.size());
+                statics_.emplace_back();
+            }
+            statics_[statics].push_back(body);
         }
     }
 }

@@ -51,8 +51,14 @@ public:
     /// margin  bounding radius of the largest body that moves  [m]
     void insert_static(int body, const Aabb& box, double margin);
 
+    /// Give the bodies in cells other ids: body k is the one that was body old_ids[k].
+    void renumber(std::span<const int> old_ids);
+
+    /// Where a cell lies on a curve that visits all cells and stays near a place for long (Morton's curve).
+    [[nodiscard]] std::uint64_t along_curve(const Cell& cell) const;
+
     /// Static bodies that a body with its centre in this cell may meet.
-    [[nodiscard]] std::span<const int> statics_near(const Cell& cell) const { return statics_[index(cell)]; }
+    [[nodiscard]] std::span<const int> statics_near(const Cell& cell) const { return statics_[heads_[index(cell)].statics]; }
     // [grid.declared]
 
     // [grid.visit]
@@ -60,7 +66,7 @@ public:
     template <typename Visit>
     void for_each_in(const Cell& cell, Visit&& visit) const
     {
-        for (int other = head_[index(cell)]; other >= 0; other = next_[other]) visit(other);
+        for (int other = heads_[index(cell)].first; other >= 0; other = next_[other]) visit(other);
     }
 
     /// Call visit(other) for every body in the nine cells about this one.
@@ -75,7 +81,29 @@ public:
     }
     // [grid.visit]
 
+    // [grid.fetch]
+    /// Ask the memory for what a visit to the cells about this one will read: first the cells, later the bodies' places in
+    /// them. Hints, which cost little and change nothing.
+    void fetch_near(const Cell& cell) const
+    {
+        for (std::int64_t row = cell.row - 1; row <= cell.row + 1; ++row) {
+            __builtin_prefetch(&heads_[index({cell.column - 1, row})]);
+            __builtin_prefetch(&heads_[index({cell.column + 1, row})]);
+        }
+    }
+    void fetch_cell_of(int body) const { __builtin_prefetch(&cell_of_[body]); }
+    // [grid.fetch]
+
 private:
+    // [grid.head]
+    /// What a cell knows.
+    struct Head
+    {
+        int first = -1;  // body in it, -1 where there is none
+        int statics = 0; // index of its list of static bodies
+    };
+    // [grid.head]
+
     // [grid.index]
     [[nodiscard]] std::size_t index(const Cell& cell) const
     {
@@ -90,10 +118,10 @@ private:
     std::uint64_t column_mask_;
     std::uint64_t row_mask_;
     int row_shift_;
-    std::vector<int> head_; // first body of each cell, -1 where there is none
-    std::vector<int> next_; // of each body, in its cell
+    std::vector<Head> heads_; // of each cell
+    std::vector<int> next_;   // of each body, in its cell
     std::vector<Cell> cell_of_;
-    std::vector<std::vector<int>> statics_;
+    std::vector<std::vector<int>> statics_; // lists that cells name; the first is empty
     // [grid.members]
 };
 // [grid.class]

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "broadphase/grid.hpp"
 #include "toi/prediction.hpp"
 
@@ -20,6 +22,24 @@ struct CellExit
 [[nodiscard]] inline CellExit next_cell_exit(const Flyer& flyer, const Cell& cell, double cell_size, double now)
 {
     CellExit exit;
+    // [events.cell_exit.straight]
+    // On a straight path only the two borders ahead count
+    const auto column = static_cast<double>(cell.column);
+    const auto row = static_cast<double>(cell.row);
+    const Vec2& x = flyer.state.position;
+    const Vec2& v = flyer.state.velocity;
+    const Vec2& a = flyer.acceleration;
+    if (a.x() == 0.0 && a.y() == 0.0) {
+        const int right = v.x() > 0.0 ? 1 : 0;
+        const int up = v.y() > 0.0 ? 1 : 0;
+        const double room_x = (column + right) * cell_size - x.x();
+        const double room_y = (row + up) * cell_size - x.y();
+        const double time_x = v.x() != 0.0 ? flyer.state.time + room_x / v.x() : k_never;
+        const double time_y = v.y() != 0.0 ? flyer.state.time + room_y / v.y() : k_never;
+        if (time_x <= time_y) return {std::max(time_x, now), {cell.column + (2 * right - 1), cell.row}};
+        return {std::max(time_y, now), {cell.column, cell.row + (2 * up - 1)}};
+    }
+    // [events.cell_exit.straight]
     // [events.cell_exit.crossing]
     const auto consider = [&](double room, double speed, double acceleration, Cell to) {
         // `room` is the distance to the border; it falls through zero when the body crosses
@@ -34,11 +54,6 @@ struct CellExit
     };
     // [events.cell_exit.crossing]
     // [events.cell_exit.borders]
-    const auto column = static_cast<double>(cell.column);
-    const auto row = static_cast<double>(cell.row);
-    const Vec2& x = flyer.state.position;
-    const Vec2& v = flyer.state.velocity;
-    const Vec2& a = flyer.acceleration;
     consider((column + 1.0) * cell_size - x.x(), v.x(), a.x(), {cell.column + 1, cell.row});
     consider(x.x() - column * cell_size, -v.x(), -a.x(), {cell.column - 1, cell.row});
     consider((row + 1.0) * cell_size - x.y(), v.y(), a.y(), {cell.column, cell.row + 1});

@@ -18,7 +18,9 @@ EventEngine::EventEngine(std::vector<EventBody> bodies, const EventEngineOptions
         const BodyState& state = body.flyer.state;
         const bool is_disc = std::holds_alternative<Disc>(body.shape);
         const Kind kind = body.is_static ? Kind::is_static : is_disc ? Kind::disc : Kind::polygon;
-        rows_.push_back({state.position, state.velocity, state.time, bounding_radius(body.shape), 0, kind});
+        const int id = static_cast<int>(rows_.size());
+        rows_.push_back({state.position, state.velocity, state.time, bounding_radius(body.shape), 0, kind, id});
+        row_of_.push_back(id);
         sheets_.push_back({state.angle, state.spin, body.inertia, body.material, 0});
         if (!body.is_static) acceleration_ = body.flyer.acceleration;
         if (body.flyer.central) central_ = *body.flyer.central;
@@ -28,17 +30,6 @@ EventEngine::EventEngine(std::vector<EventBody> bodies, const EventEngineOptions
     predict_all();
 }
 // [events.set_up]
-
-// [events.flyer]
-Flyer EventEngine::flyer(int body) const
-{
-    const Row& row = rows_[body];
-    const Sheet& sheet = sheets_[body];
-    const BodyState state{row.position, row.velocity, sheet.angle, sheet.spin, row.time};
-    if (row.kind == Kind::is_static) return {state};
-    return {state, acceleration_, central_ ? &*central_ : nullptr};
-}
-// [events.flyer]
 
 // [events.pose]
 Pose EventEngine::pose(int body) const { return {rows_[body].position, Rotation::of(sheets_[body].angle)}; }
@@ -57,7 +48,7 @@ double EventEngine::top_speed(int body) const
 EventEngine::Resume EventEngine::resume() const
 {
     Resume resume{now_, log_.value(), max_overlap_, {}};
-    for (const Sheet& sheet : sheets_) resume.crowding.push_back(sheet.crowding);
+    for (const int row : row_of_) resume.crowding.push_back(sheets_[row].crowding);
     return resume;
 }
 // [events.resume]
@@ -68,12 +59,13 @@ void EventEngine::go_on_from(const Resume& resume, const std::vector<BodyState>&
     now_ = resume.time;
     log_ = Hash(resume.log_hash);
     max_overlap_ = resume.max_overlap;
-    for (std::size_t k = 0; k < sheets_.size(); ++k) sheets_[k].crowding = resume.crowding[k];
+    for (std::size_t k = 0; k < row_of_.size(); ++k) sheets_[row_of_[k]].crowding = resume.crowding[k];
     for (std::size_t k = 0; k < states.size(); ++k) {
-        rows_[k].position = states[k].position;
-        rows_[k].time = states[k].time;
-        set_motion(static_cast<int>(k), states[k].velocity, states[k].spin);
-        sheets_[k].angle = states[k].angle;
+        const int row = row_of_[k];
+        rows_[row].position = states[k].position;
+        rows_[row].time = states[k].time;
+        set_motion(row, states[k].velocity, states[k].spin);
+        sheets_[row].angle = states[k].angle;
     }
 
     // Put the bodies into the cells in which they are by now, and foresee all anew
@@ -90,6 +82,7 @@ std::optional<EventFailure> EventEngine::advance(double time, std::int64_t most)
         if (handled == most) return std::nullopt;
         const Event event = queue_.next();
         queue_.pop();
+        if (fetches_ahead_) fetch_ahead();
         if (!is_current(event)) {
             ++counts_.stale;
             continue;
@@ -119,8 +112,8 @@ std::optional<EventFailure> EventEngine::handle(const Event& event)
 // [events.impact]
 std::optional<EventFailure> EventEngine::handle_impact(const Event& event)
 {
-    const int a = event.a;
-    const int b = event.b;
+    const int a = row_of_[event.a];
+    const int b = row_of_[event.b];
     bool ended = true;
     {
         const StageTimer timer(options_.seconds, seconds_.impact);
@@ -129,7 +122,7 @@ std::optional<EventFailure> EventEngine::handle_impact(const Event& event)
         // Bring the two bodies, and no other, to the moment of the impact
         const bool a_moved = move_to(a, event.time);
         const bool b_moved = move_to(b, event.time);
-        if (has_spun_out(a) || has_spun_out(b)) return EventFailure{EventFailure::Kind::spun_out, event.time, a, b};
+        if (has_spun_out(a) || has_spun_out(b)) return EventFailure{EventFailure::Kind::spun_out, event.time, event.a, event.b};
         const double touch = find_points(a, b, event.time);
         // [events.impact.meet]
 
@@ -155,21 +148,22 @@ std::optional<EventFailure> EventEngine::handle_impact(const Event& event)
         log_impact(event);
         // [events.impact.push]
     }
-    if (!ended) return EventFailure{EventFailure::Kind::unresolved, event.time, a, b};
+    if (!ended) return EventFailure{EventFailure::Kind::unresolved, event.time, event.a, event.b};
 
     // [events.impact.crowd_limit]
     constexpr int k_crowd = 1000; // impacts in a row of one body that leave it no room to move
-    const int crowding_a = is_static(a) ? 0 : sheets_[a].crowding;
-    const int crowding_b = is_static(b) ? 0 : sheets_[b].crowding;
+    const int crowding_a = is_fixed(a) ? 0 : sheets_[a].crowding;
+    const int crowding_b = is_fixed(b) ? 0 : sheets_[b].crowding;
     if (std::max(crowding_a, crowding_b) > k_crowd) {
-        return EventFailure{EventFailure::Kind::crowded, event.time, a, b};
+        return EventFailure{EventFailure::Kind::crowded, event.time, event.a, event.b};
     }
     // [events.impact.crowd_limit]
 
     // [events.impact.foresee]
     predict_after_impact(a, -1);
-    predict_after_impact(b, rows_[a].kind == Kind::is_static ? -1 : a);
+    predict_after_impact(b, is_fixed(a) ? -1 : a);
     if (queue_.size() > sweep_at_) sweep_queue();
+    if (grid_ && counts_.cells > line_up_at_) line_up_again();
     // [events.impact.foresee]
     return std::nullopt;
 }
@@ -183,7 +177,7 @@ bool EventEngine::move_to(int body, double time)
     if (row.kind == Kind::is_static) return false;
     const double way = top_speed(body) * (time - row.time);
 
-    const BodyState after = state_at(flyer(body), time);
+    const BodyState after = state_at(flyer_of(body), time);
     row.position = after.position;
     row.velocity = after.velocity;
     row.time = time;
@@ -200,7 +194,7 @@ bool EventEngine::is_creeping(int a, int b, double touch) const
     double press = acceleration_.norm();
     for (const int body : {a, b}) {
         const double spin = sheets_[body].spin;
-        if (spin != 0.0 && !is_static(body)) press += spin * spin * rows_[body].radius;
+        if (spin != 0.0 && !is_fixed(body)) press += spin * spin * rows_[body].radius;
     }
     double approach = 0.0;
     for (const ImpactPoint& point : points_) {
@@ -229,10 +223,10 @@ void EventEngine::set_motion(int body, const Vec2& velocity, double spin)
 void EventEngine::log_impact(const Event& event)
 {
     log_.add(static_cast<std::uint64_t>(event.a) << 32 | static_cast<std::uint32_t>(event.b));
-    const Row& a = rows_[event.a];
-    const Row& b = rows_[event.b];
-    const Sheet& sheet_a = sheets_[event.a];
-    const Sheet& sheet_b = sheets_[event.b];
+    const Row& a = rows_[row_of_[event.a]];
+    const Row& b = rows_[row_of_[event.b]];
+    const Sheet& sheet_a = sheets_[row_of_[event.a]];
+    const Sheet& sheet_b = sheets_[row_of_[event.b]];
     log_.add(std::array{event.time, a.position.x(), a.position.y(), a.velocity.x(), a.velocity.y(), sheet_a.angle,
                         sheet_a.spin, b.position.x(), b.position.y(), b.velocity.x(), b.velocity.y(), sheet_b.angle,
                         sheet_b.spin});
@@ -260,7 +254,7 @@ double EventEngine::find_points(int a, int b, double time)
     constexpr int k_most_tries = 8;
     double slack = k_gather * tolerance.touch;
     for (int k = 0; k < k_most_tries; ++k, slack *= k_widen) {
-        find_touches(shapes_[a], pose_a, shapes_[b], pose_b, slack, touches_);
+        find_touches(shape_of(a), pose_a, shape_of(b), pose_b, slack, touches_);
         if (!touches_.empty()) break;
     }
     // [events.find_points.gather]

@@ -97,10 +97,10 @@ public:
     [[nodiscard]] double time() const { return now_; }
     [[nodiscard]] int body_count() const { return static_cast<int>(rows_.size()); }
     /// A body's flight since its last impact.
-    [[nodiscard]] Flyer flyer(int body) const;
+    [[nodiscard]] Flyer flyer(int body) const { return flyer_of(row_of_[body]); }
     [[nodiscard]] const Shape& shape(int body) const { return shapes_[body]; }
-    [[nodiscard]] const Inertia& inertia(int body) const { return sheets_[body].inertia; }
-    [[nodiscard]] bool is_static(int body) const { return rows_[body].kind == Kind::is_static; }
+    [[nodiscard]] const Inertia& inertia(int body) const { return sheets_[row_of_[body]].inertia; }
+    [[nodiscard]] bool is_static(int body) const { return is_fixed(row_of_[body]); }
 
     [[nodiscard]] std::uint64_t log_hash() const { return log_.value(); }
     [[nodiscard]] double max_overlap() const { return max_overlap_; }
@@ -131,21 +131,23 @@ private:
     // [events.engine.kinds]
 
     // [events.engine.row]
-    /// What predictions read: one line of the fast memory for each body.
-    struct Row
+    /// What predictions read: one line of the fast memory for each body. Rows are not in the order of the bodies' ids:
+    /// neighbours in the plane are neighbours in memory.
+    struct alignas(64) Row
     {
         Vec2 position = Vec2::Zero(); // at `time`, like the velocity
         Vec2 velocity = Vec2::Zero();
         double time = 0.0;
         double radius = 0.0; // of the bounding circle; infinite for a half-plane
-        std::uint32_t stamp = 0;
+        std::uint32_t stamp = 0; // how often it was pushed
         Kind kind = Kind::disc;
+        int id = 0;
     };
     // [events.engine.row]
 
     // [events.engine.sheet]
     /// What only impacts and turning pairs read.
-    struct Sheet
+    struct alignas(64) Sheet
     {
         double angle = 0.0; // at the row's time
         double spin = 0.0;
@@ -158,9 +160,30 @@ private:
     // [events.engine.is_current]
     [[nodiscard]] bool is_current(const Event& event) const
     {
-        return event.stamp_a == rows_[event.a].stamp && (event.b < 0 || event.stamp_b == rows_[event.b].stamp);
+        // Stamps only grow: their sum is the same where both are
+        const std::uint32_t stamp = rows_[row_of_[event.a]].stamp;
+        return event.stamp == (event.b < 0 ? stamp : stamp + rows_[row_of_[event.b]].stamp);
     }
     // [events.engine.is_current]
+    // [events.engine.rows]
+    // From here on bodies are named by their rows, but in events and failures, which name them by id
+    [[nodiscard]] bool is_fixed(int row) const { return rows_[row].kind == Kind::is_static; }
+    [[nodiscard]] const Shape& shape_of(int row) const { return shapes_[rows_[row].id]; }
+    [[nodiscard]] Flyer flyer_of(int body) const
+    {
+        const Row& row = rows_[body];
+        const Sheet& sheet = sheets_[body];
+        const BodyState state{row.position, row.velocity, sheet.angle, sheet.spin, row.time};
+        if (row.kind == Kind::is_static) return {state};
+        return {state, acceleration_, central_ ? &*central_ : nullptr};
+    }
+    template <typename CellOf>
+    [[nodiscard]] std::vector<int> order_along_curve(const CellOf& cell_of) const;
+    void line_up(const std::vector<int>& old_rows);
+    void line_up_again();
+    void fetch_ahead() const;
+    // [events.engine.rows]
+
     // [events.engine.verbs]
     [[nodiscard]] std::optional<EventFailure> handle(const Event& event);
     [[nodiscard]] std::optional<EventFailure> handle_impact(const Event& event);
@@ -173,8 +196,9 @@ private:
     template <typename Wants>
     void predict_partners(int body, const Wants& wants);
     void predict_pair(int p, int q);
-    void predict_movers(int a, int b);
-    void predict_general(int a, int b, double from, int windows);
+    void predict_movers(int p, int q);
+    void predict_general(int p, int q, double from, int windows);
+    void push_pair(double time, int p, int q, Event::Kind kind);
     void predict_cell(int body, double now);
 
     double find_points(int a, int b, double time);
@@ -192,9 +216,13 @@ private:
     EventEngineOptions options_;
     std::vector<Row> rows_;
     std::vector<Sheet> sheets_;
+    std::vector<int> row_of_;         // by id, like the shapes
     std::vector<Shape> shapes_;
-    std::vector<int> everywhere_;     // static bodies that no cell can hold
+    std::vector<int> everywhere_;     // rows of static bodies that no cell can hold
+    bool fetches_ahead_ = false;      // for more bodies than the fast memory holds
+    long line_up_at_ = 0;             // when so many cells have been left, rows are put in order again
     Vec2 acceleration_ = Vec2::Zero(); // of all that move [m/s^2]
+    bool falls_ = false;              // there is such an acceleration
     std::optional<CentralField> central_; // round whose centre all fly that move
     std::optional<Grid> grid_;
     EventQueue queue_;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 #include "events/cell_exit.hpp"
 #include "events/event_engine.hpp"
@@ -25,30 +26,30 @@ void EventEngine::set_up_grid()
     double largest = 0.0;
     int movers = 0;
     Aabb extent{Vec2::Constant(k_never), Vec2::Constant(-k_never)};
-    std::vector<Vec2> places(rows_.size(), Vec2::Zero());
+    const auto place = [&](int body) { return state_at(flyer_of(body), now_).position; };
     for (int body = 0; body < body_count(); ++body) {
-        if (is_static(body)) continue;
-        const Flyer flying_body = flyer(body);
-        places[body] = state_at(flying_body, now_).position;
+        if (is_fixed(body)) continue;
+        const Vec2 here = place(body);
         largest = std::max(largest, rows_[body].radius);
-        extent.min = extent.min.cwiseMin(places[body]);
-        extent.max = extent.max.cwiseMax(places[body]);
+        extent.min = extent.min.cwiseMin(here);
+        extent.max = extent.max.cwiseMax(here);
         ++movers;
     }
     if (movers == 0) return;
     grid_ = make_grid(extent, largest, body_count(), movers);
     // [events.set_up_grid.cells]
 
+    line_up(order_along_curve([&](int body) { return grid_->cell_at(place(body)); }));
     for (int body = 0; body < body_count(); ++body) {
-        if (!is_static(body)) {
-            grid_->insert(body, grid_->cell_at(places[body]));
+        if (!is_fixed(body)) {
+            grid_->insert(body, grid_->cell_at(place(body)));
             continue;
         }
         // [events.set_up_grid.statics]
         // A wall along an axis is met only near its surface: nobody is ever behind it
-        const auto* wall = std::get_if<HalfPlane>(&shapes_[body]);
+        const auto* wall = std::get_if<HalfPlane>(&shape_of(body));
         if (!wall) {
-            grid_->insert_static(body, bounding_box(shapes_[body], pose(body)), largest);
+            grid_->insert_static(body, bounding_box(shape_of(body), pose(body)), largest);
         } else if (wall->normal.x() == 0.0 || wall->normal.y() == 0.0) {
             const bool level = wall->normal.x() == 0.0;
             const double surface = wall->offset * (level ? wall->normal.y() : wall->normal.x());
@@ -63,19 +64,153 @@ void EventEngine::set_up_grid()
 }
 // [events.set_up_grid]
 
+// [events.line_up]
+/// The order in which rows follow a curve through the cells; static bodies come last.
+/// cell_of(row)  where a mover lies
+template <typename CellOf>
+std::vector<int> EventEngine::order_along_curve(const CellOf& cell_of) const
+{
+    constexpr std::uint64_t k_last = ~std::uint64_t{0};
+    std::vector<std::pair<std::uint64_t, int>> keys;
+    for (int row = 0; row < body_count(); ++row) {
+        keys.emplace_back(is_fixed(row) ? k_last : grid_->along_curve(cell_of(row)), row);
+    }
+    std::sort(keys.begin(), keys.end());
+    std::vector<int> order;
+    for (const auto& [key, row] : keys) order.push_back(row);
+    return order;
+}
+
+/// Put the rows in another order: row k is the one that was row old_rows[k]. No result knows of it, for order comes from
+/// ids.
+void EventEngine::line_up(const std::vector<int>& old_rows)
+{
+    std::vector<Row> rows;
+    std::vector<Sheet> sheets;
+    rows.reserve(rows_.size());
+    sheets.reserve(rows_.size());
+    for (const int old : old_rows) {
+        row_of_[rows_[old].id] = static_cast<int>(rows.size());
+        rows.push_back(rows_[old]);
+        sheets.push_back(sheets_[old]);
+    }
+    rows_.swap(rows);
+    sheets_.swap(sheets);
+
+    // By the time bodies have crossed so many cells, neighbours are no longer who they were
+    constexpr long k_cells_a_body = 16;
+    line_up_at_ = counts_.cells + k_cells_a_body * body_count();
+    constexpr int k_fast_rows = 4096;
+    fetches_ahead_ = body_count() > k_fast_rows;
+}
+
+void EventEngine::line_up_again()
+{
+    const std::vector<int> order = order_along_curve([&](int row) { return grid_->cell_of(row); });
+    line_up(order);
+    const auto first_fixed = std::find_if(order.begin(), order.end(), [&](int row) { return is_fixed(row); });
+    grid_->renumber({order.begin(), first_fixed});
+}
+// [events.line_up]
+
+// [events.fetch_ahead]
+/// Ask the memory for what the events to come will read, so that it is there when they do: first where a body's row is,
+/// then the row, then the cells about it, then the rows of those who are in them.
+void EventEngine::fetch_ahead() const
+{
+    constexpr std::size_t k_rows = 12; // events ahead
+    constexpr std::size_t k_bodies = 9;
+    constexpr std::size_t k_cells = 6;
+    constexpr std::size_t k_neighbours = 3;
+    if (const Event* event = queue_.upcoming(k_rows)) {
+        __builtin_prefetch(&row_of_[event->a]);
+        if (event->b >= 0) __builtin_prefetch(&row_of_[event->b]);
+    }
+    if (const Event* event = queue_.upcoming(k_bodies)) {
+        for (const int body : {event->a, event->b}) {
+            if (body < 0) continue;
+            const int row = row_of_[body];
+            __builtin_prefetch(&rows_[row]);
+            __builtin_prefetch(&sheets_[row]);
+            __builtin_prefetch(&shapes_[body]);
+            __builtin_prefetch(reinterpret_cast<const char*>(&shapes_[body]) + sizeof(Shape) - 1);
+            grid_->fetch_cell_of(row);
+        }
+    }
+    if (const Event* event = queue_.upcoming(k_cells)) grid_->fetch_near(grid_->cell_of(row_of_[event->a]));
+    if (const Event* event = queue_.upcoming(k_neighbours)) {
+        grid_->for_each_near(grid_->cell_of(row_of_[event->a]), [&](int other) { __builtin_prefetch(&rows_[other]); });
+    }
+}
+// [events.fetch_ahead]
+
+// [events.predict_movers]
+/// Two bodies under one acceleration: discs meet when their circles do; others are looked at when their bounding circles
+/// do. The same numbers as `predict`, straight from the rows: in every product both signs turn with the order of the two.
+inline void EventEngine::predict_movers(int a, int b)
+{
+    // [events.predict_movers.start]
+    const Row& row_a = rows_[a];
+    const Row& row_b = rows_[b];
+    const double start = std::max(row_a.time, row_b.time);
+    const double t_a = start - row_a.time;
+    const double t_b = start - row_b.time;
+    Vec2 offset = (row_a.position + t_a * row_a.velocity) - (row_b.position + t_b * row_b.velocity);
+    Vec2 rate = row_a.velocity - row_b.velocity;
+    if (falls_) {
+        offset = position_after(row_a.position, row_a.velocity, acceleration_, t_a) -
+                 position_after(row_b.position, row_b.velocity, acceleration_, t_b);
+        rate = (row_a.velocity + t_a * acceleration_) - (row_b.velocity + t_b * acceleration_);
+    }
+    const double reach = row_a.radius + row_b.radius;
+    // [events.predict_movers.start]
+
+    // [events.predict_movers.kinds]
+    double time = k_never;
+    auto kind = Event::Kind::impact;
+    if (row_a.kind == Kind::disc && row_b.kind == Kind::disc) {
+        time = start + time_to_meet(offset, rate, reach);
+    } else if (options_.skips_far_features) {
+        const Passage passage = passage_through_circle(offset, rate, bounding_reach(reach));
+        if (!(passage.leave > 0.0)) {
+            ++counts_.far_features_skipped;
+            return;
+        }
+        time = start + std::max(passage.enter, 0.0);
+        kind = Event::Kind::look;
+    } else {
+        predict_general(a, b, start, 1);
+        return;
+    }
+    if (time != k_never) push_pair(time, a, b, kind);
+    // [events.predict_movers.kinds]
+}
+// [events.predict_movers]
+
+// [events.predict_pair]
+/// Foresee the impact of two bodies, named in any order, as their flights are now.
+inline void EventEngine::predict_pair(int p, int q)
+{
+    ++counts_.predictions;
+    if (is_fixed(p) || is_fixed(q) || central_) predict_general(p, q, std::max(rows_[p].time, rows_[q].time), 0);
+    else predict_movers(p, q);
+}
+// [events.predict_pair]
+
 // [events.predict_all]
 void EventEngine::predict_all()
 {
     const StageTimer timer(options_.seconds, seconds_.predict);
+    falls_ = acceleration_ != Vec2::Zero();
     for (int a = 0; a < body_count(); ++a) {
-        if (!is_static(a)) {
+        if (!is_fixed(a)) {
             predict_cell(a, std::max(now_, rows_[a].time));
-            predict_partners(a, [&](int other) { return other > a || is_static(other); });
+            predict_partners(a, [&](int other) { return other > a || is_fixed(other); });
             continue;
         }
         // Two static bodies never meet; with the skip off, look all the same
         for (int b = a + 1; b < body_count(); ++b) {
-            if (!is_static(b)) continue;
+            if (!is_fixed(b)) continue;
             if (options_.skips_static_pairs) ++counts_.static_pairs_skipped;
             else predict_pair(a, b);
         }
@@ -87,7 +222,7 @@ void EventEngine::predict_all()
 // [events.predict_after_impact]
 void EventEngine::predict_after_impact(int body, int partner)
 {
-    if (is_static(body)) return;
+    if (is_fixed(body)) return;
     const StageTimer timer(options_.seconds, seconds_.predict);
     predict_cell(body, rows_[body].time);
     predict_partners(body, [&](int other) { return other != partner; });
@@ -121,7 +256,7 @@ void EventEngine::handle_look(const Event& event)
 {
     const StageTimer timer(options_.seconds, seconds_.look);
     ++counts_.looks;
-    predict_general(event.a, event.b, event.time, 1);
+    predict_general(row_of_[event.a], row_of_[event.b], event.time, 1);
 }
 // [events.handle_look]
 
@@ -130,21 +265,19 @@ void EventEngine::handle_cell(const Event& event)
 {
     const StageTimer timer(options_.seconds, seconds_.cells);
     ++counts_.cells;
-    const int body = event.a;
+    const int body = row_of_[event.a];
     const Cell from = grid_->cell_of(body);
-    const Cell to = next_cell_exit(flyer(body), from, grid_->cell_size(), event.time).to;
+    const Cell to = next_cell_exit(flyer_of(body), from, grid_->cell_size(), event.time).to;
     grid_->move(body, to);
 
     // [events.handle_cell.new]
-    // Look at those who were too far away until now
+    // Look at those who were too far away until now, in the three cells ahead
     const auto look = [&](int other) {
         if (other != body) predict_pair(body, other);
     };
-    for (std::int64_t row = to.row - 1; row <= to.row + 1; ++row) {
-        for (std::int64_t column = to.column - 1; column <= to.column + 1; ++column) {
-            const bool is_new = std::abs(column - from.column) > 1 || std::abs(row - from.row) > 1;
-            if (is_new) grid_->for_each_in({column, row}, look);
-        }
+    const Cell step{to.column - from.column, to.row - from.row};
+    for (const int side : {-1, 0, 1}) {
+        grid_->for_each_in({to.column + step.column + side * step.row, to.row + step.row + side * step.column}, look);
     }
     const std::span<const int> known = grid_->statics_near(from);
     for (const int other : grid_->statics_near(to)) {
@@ -159,81 +292,42 @@ void EventEngine::handle_cell(const Event& event)
 void EventEngine::predict_cell(int body, double now)
 {
     if (!grid_) return;
-    const CellExit exit = next_cell_exit(flyer(body), grid_->cell_of(body), grid_->cell_size(), now);
-    if (exit.time != k_never) queue_.push({exit.time, body, -1, rows_[body].stamp, 0, Event::Kind::cell});
+    const CellExit exit = next_cell_exit(flyer_of(body), grid_->cell_of(body), grid_->cell_size(), now);
+    if (exit.time != k_never) queue_.push({exit.time, rows_[body].id, -1, rows_[body].stamp, Event::Kind::cell});
 }
 // [events.predict_cell]
-
-// [events.predict_pair]
-/// Foresee the impact of two bodies, named in any order, as their flights are now.
-void EventEngine::predict_pair(int p, int q)
-{
-    const int a = std::min(p, q);
-    const int b = std::max(p, q);
-    ++counts_.predictions;
-    if (is_static(a) || is_static(b) || central_) predict_general(a, b, std::max(rows_[a].time, rows_[b].time), 0);
-    else predict_movers(a, b);
-}
-// [events.predict_pair]
-
-// [events.predict_movers]
-/// Two bodies under one acceleration: discs meet when their circles do; others are looked at when their bounding circles
-/// do. The same numbers as `predict`, straight from the rows.
-void EventEngine::predict_movers(int a, int b)
-{
-    // [events.predict_movers.start]
-    const Row& row_a = rows_[a];
-    const Row& row_b = rows_[b];
-    const double start = std::max(row_a.time, row_b.time);
-    const double t_a = start - row_a.time;
-    const double t_b = start - row_b.time;
-    const Vec2 position_a = position_after(row_a.position, row_a.velocity, acceleration_, t_a);
-    const Vec2 position_b = position_after(row_b.position, row_b.velocity, acceleration_, t_b);
-    const Vec2 velocity_a = row_a.velocity + t_a * acceleration_;
-    const Vec2 velocity_b = row_b.velocity + t_b * acceleration_;
-    const Vec2 offset = position_a - position_b;
-    const Vec2 rate = velocity_a - velocity_b;
-    const double reach = row_a.radius + row_b.radius;
-    // [events.predict_movers.start]
-
-    // [events.predict_movers.kinds]
-    Event event{k_never, a, b, row_a.stamp, row_b.stamp, Event::Kind::impact};
-    if (row_a.kind == Kind::disc && row_b.kind == Kind::disc) {
-        event.time = start + time_to_meet(offset, rate, reach);
-    } else if (options_.skips_far_features) {
-        const Passage passage = passage_through_circle(offset, rate, bounding_reach(reach));
-        if (!(passage.leave > 0.0)) {
-            ++counts_.far_features_skipped;
-            return;
-        }
-        event.time = start + std::max(passage.enter, 0.0);
-        event.kind = Event::Kind::look;
-    } else {
-        predict_general(a, b, start, 1);
-        return;
-    }
-    if (event.time != k_never) queue_.push(event);
-    // [events.predict_movers.kinds]
-}
-// [events.predict_movers]
 
 // [events.predict_general]
 /// Any two bodies, looked at through no more than so many windows: what happens later may never come to be, for one of
 /// them may be struck before.
-void EventEngine::predict_general(int a, int b, double from, int windows)
+void EventEngine::predict_general(int p, int q, double from, int windows)
 {
+    const bool in_order = rows_[p].id < rows_[q].id;
+    const int a = in_order ? p : q;
+    const int b = in_order ? q : p;
     PredictOptions options;
     options.windows = windows;
     options.skips_far_features = options_.skips_far_features;
-    const Prediction prediction = predict(shapes_[a], flyer(a), shapes_[b], flyer(b), from, options);
+    const Prediction prediction = predict(shape_of(a), flyer_of(a), shape_of(b), flyer_of(b), from, options);
     if (prediction.kind == Prediction::Kind::never) {
         ++counts_.far_features_skipped;
         return;
     }
     const auto kind = prediction.kind == Prediction::Kind::impact ? Event::Kind::impact : Event::Kind::look;
-    queue_.push({prediction.time, a, b, rows_[a].stamp, rows_[b].stamp, kind});
+    push_pair(prediction.time, a, b, kind);
 }
 // [events.predict_general]
+
+// [events.push_pair]
+/// p, q  in any order
+void EventEngine::push_pair(double time, int p, int q, Event::Kind kind)
+{
+    const Row& row_p = rows_[p];
+    const Row& row_q = rows_[q];
+    const auto [a, b] = std::minmax(row_p.id, row_q.id);
+    queue_.push({time, a, b, row_p.stamp + row_q.stamp, kind});
+}
+// [events.push_pair]
 
 // [events.sweep_queue]
 void EventEngine::sweep_queue()

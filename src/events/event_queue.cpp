@@ -15,7 +15,7 @@ struct HappensAfter
 // [queue.happens_after]
 
 // [queue.day_length]
-/// Events of one day: few enough for the heap to stay in the fast cache, many enough for the days to be few.
+/// Events of one day: few enough to stay in the fast cache, many enough for the days to be few.
 constexpr std::size_t k_events_a_day = 2048;
 // [queue.day_length]
 
@@ -24,17 +24,21 @@ constexpr std::size_t k_events_a_day = 2048;
 // [queue.push_today]
 void EventQueue::push_today(const Event& event)
 {
-    today_.push_back(event);
-    std::push_heap(today_.begin(), today_.end(), HappensAfter{});
+    late_.push_back(event);
+    std::push_heap(late_.begin(), late_.end(), HappensAfter{});
 }
 // [queue.push_today]
 
 // [queue.pop]
 void EventQueue::pop()
 {
-    if (today_.empty()) turn_page();
-    std::pop_heap(today_.begin(), today_.end(), HappensAfter{});
-    today_.pop_back();
+    if (today_.empty() && late_.empty()) turn_page();
+    if (late_is_next()) {
+        std::pop_heap(late_.begin(), late_.end(), HappensAfter{});
+        late_.pop_back();
+    } else {
+        today_.pop_back();
+    }
     --size_;
 }
 // [queue.pop]
@@ -61,13 +65,15 @@ void EventQueue::turn_page()
         today_.swap(days_[next_day_]);
         ++next_day_;
     }
-    std::make_heap(today_.begin(), today_.end(), HappensAfter{});
+    std::sort(today_.begin(), today_.end(), HappensAfter{});
 }
 // [queue.turn_page]
 
 // [queue.gather_all]
 void EventQueue::gather_all()
 {
+    today_.insert(today_.end(), late_.begin(), late_.end());
+    late_.clear();
     for (std::size_t day = next_day_; day < days_.size(); ++day) {
         today_.insert(today_.end(), days_[day].begin(), days_[day].end());
         days_[day].clear();
@@ -108,7 +114,10 @@ void EventQueue::lay_out()
         }
         today_.swap(all);
     }
-    std::make_heap(today_.begin(), today_.end(), HappensAfter{});
+
+    // Too few for days
+    late_.swap(today_);
+    std::make_heap(late_.begin(), late_.end(), HappensAfter{});
 }
 // [queue.lay_out]
 
@@ -116,6 +125,7 @@ void EventQueue::lay_out()
 void EventQueue::clear()
 {
     today_.clear();
+    late_.clear();
     days_.clear();
     far_.clear();
     next_day_ = 0;

@@ -16,11 +16,10 @@ struct Event
         impact, ///< the pair meets
     };
 
-    double time = 0.0;         ///< [s]
-    int a = -1;                ///< lower id
-    int b = -1;                ///< higher id; -1 for a cell
-    std::uint32_t stamp_a = 0; ///< how often a had been pushed when this was foreseen
-    std::uint32_t stamp_b = 0;
+    double time = 0.0;       ///< [s]
+    int a = -1;              ///< lower id
+    int b = -1;              ///< higher id; -1 for a cell
+    std::uint32_t stamp = 0; ///< how often a and b together had been pushed when this was foreseen
     Kind kind = Kind::impact;
 };
 // [queue.event]
@@ -40,9 +39,10 @@ struct Event
 // [queue.order]
 
 // [queue.class]
-/// Events by the order in which they happen. The near future is a heap; what lies farther off waits in days, unordered,
-/// until its day comes (a calendar: Paul, "A complexity O(1) priority queue for event driven molecular dynamics
-/// simulations", 2007). Events that are overtaken stay until they come up, or until `keep_if` sweeps them out.
+/// Events by the order in which they happen. What lies farther off waits in days, unordered, until its day comes (a
+/// calendar: Paul, "A complexity O(1) priority queue for event driven molecular dynamics simulations", 2007). Then the day
+/// is put in order, once; what is foreseen for today while it lasts goes to a heap beside it. Events that are overtaken
+/// stay until they come up, or until `keep_if` sweeps them out.
 class EventQueue
 {
 public:
@@ -60,11 +60,19 @@ public:
     /// The first event; only where not empty.
     [[nodiscard]] const Event& next()
     {
-        if (today_.empty()) turn_page();
-        return today_.front();
+        if (today_.empty() && late_.empty()) turn_page();
+        return late_is_next() ? late_.front() : today_.back();
     }
     void pop();
     // [queue.next]
+
+    // [queue.upcoming]
+    /// The event that comes so many places after the first, as far as today's order is known; null where it isn't.
+    [[nodiscard]] const Event* upcoming(std::size_t places) const
+    {
+        return places < today_.size() ? &today_[today_.size() - 1 - places] : nullptr;
+    }
+    // [queue.upcoming]
 
     [[nodiscard]] bool empty() const { return size_ == 0; }
     [[nodiscard]] std::size_t size() const { return size_; }
@@ -88,6 +96,10 @@ public:
 private:
     /// Days since the first one, never decreasing with time.
     [[nodiscard]] double day_of(double time) const { return (time - first_day_starts_) * days_a_second_; }
+    [[nodiscard]] bool late_is_next() const
+    {
+        return today_.empty() || (!late_.empty() && happens_before(late_.front(), today_.back()));
+    }
     void push_today(const Event& event);
     void push_later(const Event& event);
     void turn_page();
@@ -95,7 +107,8 @@ private:
     void lay_out();
 
     // [queue.parts]
-    std::vector<Event> today_;             // heap
+    std::vector<Event> today_;             // the last comes first
+    std::vector<Event> late_;              // of today, or of all days where there are none: heap
     std::vector<std::vector<Event>> days_; // from tomorrow on, all of one length; empty while there is only today
     std::vector<Event> far_;               // after the last day
     std::size_t next_day_ = 0;             // tomorrow, in days_
