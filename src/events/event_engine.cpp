@@ -222,6 +222,7 @@ void EventEngine::set_motion(int body, const Vec2& velocity, double spin)
 // [events.log_impact]
 void EventEngine::log_impact(const Event& event)
 {
+    last_impact_ = event;
     log_.add(static_cast<std::uint64_t>(event.a) << 32 | static_cast<std::uint32_t>(event.b));
     const Row& a = rows_[row_of_[event.a]];
     const Row& b = rows_[row_of_[event.b]];

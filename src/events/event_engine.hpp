@@ -103,6 +103,8 @@ public:
     [[nodiscard]] bool is_static(int body) const { return is_fixed(row_of_[body]); }
 
     [[nodiscard]] std::uint64_t log_hash() const { return log_.value(); }
+    /// The impact handled last; its bodies are -1 before the first.
+    [[nodiscard]] const Event& last_impact() const { return last_impact_; }
     [[nodiscard]] double max_overlap() const { return max_overlap_; }
     [[nodiscard]] const EventCounts& counts() const { return counts_; }
     [[nodiscard]] const EventSeconds& seconds() const { return seconds_; }
@@ -232,6 +234,7 @@ private:
     Hash log_;
     EventCounts counts_;
     EventSeconds seconds_;
+    Event last_impact_;
     std::vector<Touch> touches_;      // workspace of one impact
     std::vector<ImpactPoint> points_; // workspace of one impact
     // [events.engine.parts]
