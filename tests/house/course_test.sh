@@ -25,20 +25,13 @@ expect 2 'no such scene: .*/none.toml' run none.toml
 expect 2 'one scene at most' run a.toml b.toml
 expect 2 '--matrix only; found: --all' test --all
 expect 2 'no arguments; found: fast' build fast
+expect 0 '^./course stress' help
 expect 2 'book knows --open only; found: fast' book fast
 for name in chapter start check; do
     expect 2 'expected the number of a chapter, such as 02; found: nothing' "$name"
     expect 2 'expected the number of a chapter, such as 02; found: two' "$name" two
     expect 2 'no chapter 99' "$name" 99
 done
-
-# A command without a part behind it refuses, and the help doesn't list it as working
-expect 2 "'stress' is not there yet" stress
-help=$("$course" help)
-if grep -q '^./course stress' <<<"$help"; then
-    echo "course help: lists stress as working"
-    failures=$((failures + 1))
-fi
 
 [[ -z $(ls -A "$work") ]] || {
     echo "files were left behind: $(ls -A "$work")"

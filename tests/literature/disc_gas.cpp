@@ -50,18 +50,27 @@ Gas make_gas(const BoxOptions& options)
 {
     const int count = options.side * options.side;
     constexpr double k_walls_keep = 0.5; // walls keep discs off: the box is wider by as much as the runs ask for [diameters]
-    const double width = std::sqrt(count * 0.25 * std::numbers::pi / options.packing) + k_walls_keep;
+    constexpr double k_square = 0.7; // side of a square
+    const double area = options.squares ? k_square * k_square : 0.25 * std::numbers::pi;
+    const double width = std::sqrt(count * area / options.packing) + k_walls_keep;
     const double pitch = width / options.side;
     Random random(options.seed);
     std::vector<EventBody> bodies;
     double energy = 0.0;
     for (int k = 0; k < count; ++k) {
         EventBody body{Disc{0.5}, {}, {1.0, 8.0}, {options.restitution, 0.0}, false};
+        if (options.squares) {
+            constexpr double h = 0.5 * k_square;
+            body.shape = Polygon({{{-h, -h}, {h, -h}, {h, h}, {-h, h}}});
+            body.inertia.inv_moment_of_inertia = 6.0 / (k_square * k_square);
+            body.flyer.state.angle = random.uniform(-3.0, 3.0);
+        }
         const double room = 0.4 * (pitch - 1.0);
         const double x = random.uniform(-room, room);
         const double y = random.uniform(-room, room);
         body.flyer.state.position = {(k % options.side + 0.5) * pitch + x, (k / options.side + 0.5) * pitch + y};
         body.flyer.state.velocity = normal_pair(random);
+        if (options.equal_speeds) body.flyer.state.velocity.normalize();
         energy += 0.5 * body.flyer.state.velocity.squaredNorm();
         bodies.push_back(body);
     }
@@ -73,9 +82,9 @@ Gas make_gas(const BoxOptions& options)
     return {EventEngine(std::move(bodies), {}), count, width};
 }
 
-void mix(Gas& gas, double collisions_a_disc)
+void mix(Gas& gas, double collisions_a_body)
 {
-    const long enough = gas.engine.counts().impacts + static_cast<long>(0.5 * collisions_a_disc * gas.count);
+    const long enough = gas.engine.counts().impacts + static_cast<long>(0.5 * collisions_a_body * gas.count);
     while (gas.engine.counts().impacts < enough) {
         if (gas.engine.advance(gas.engine.time() + 1.0, -1)) return;
     }

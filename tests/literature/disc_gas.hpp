@@ -6,30 +6,32 @@
 
 #include "events/event_engine.hpp"
 
-/// A gas of equal hard discs in a square box, in the general event engine, and what it tells of its pressure.
+/// A gas of equal hard bodies in a square box, in the general event engine, and what it tells of its pressure.
 /// Units: a disc's diameter, its mass, and k T at the start.
 namespace flying::gas {
 
 struct BoxOptions
 {
-    int side = 32;              ///< side * side discs
+    int side = 32;              ///< side * side bodies
     double packing = 0.3;       ///< of the bulk, nearly
-    double restitution = 1.0;   ///< between discs; walls give everything back
+    double restitution = 1.0;   ///< between bodies; walls give everything back
     std::uint64_t seed = 1;
+    bool equal_speeds = false;  ///< at the start all have one speed, in any direction
+    bool squares = false;       ///< of side 0.7 in place of discs, without spin at the start
 };
 
 struct Gas
 {
     EventEngine engine;
-    int count = 0;      ///< of discs; the walls follow after them
+    int count = 0;      ///< of bodies; the walls follow after them
     double width = 0.0; ///< of the box, from 0 to width in both coordinates
 };
 
-/// Discs on a square lattice with velocities as Maxwell has them, scaled to a kinetic energy of 1 a disc exactly.
+/// Bodies on a square lattice with velocities as Maxwell has them, scaled to a kinetic energy of 1 a body exactly.
 [[nodiscard]] Gas make_gas(const BoxOptions& options);
 
-/// Let every disc collide this often, on average.
-void mix(Gas& gas, double collisions_a_disc);
+/// Let every body collide this often, on average.
+void mix(Gas& gas, double collisions_a_body);
 
 /// A mean with its standard error from block averages.
 struct Mean

@@ -56,6 +56,9 @@ constexpr Part k_parts[] = {
     {"roots", "first impacts against a dense search of its own", "pairs", 100'000'000, run_roots},
     {"shift", "the same impacts when all times are a million seconds later", "pairs", 1'000'000, run_shift},
     {"gas", "pressure and collision rate of hard discs at packing 0.3", "collisions", 500'000'000, run_gas},
+    {"speeds", "Maxwell's distribution in a gas that starts with one speed", "speeds", 10'000'000, run_speeds},
+    {"spins", "equal shares of energy in a gas of squares that starts without spin", "spins", 1'000'000, run_spins},
+    {"cooling", "a gas of discs at e = 0.99 cools as Haff says", "discs", 10'000, run_cooling},
 };
 
 void print_help()

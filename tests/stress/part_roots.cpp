@@ -19,7 +19,7 @@ void run_roots(const Job& job, Tally& tally)
     for (long k = 0; k < job.count; ++k) {
         const std::uint64_t seed = job.seed + static_cast<std::uint64_t>(k);
         const RandomPair pair = random_pair(seed);
-        const Verdict verdict = judge(pair);
+        const Verdict verdict = judge(pair, foresee(pair));
         impacts += verdict.impact ? 1 : 0;
         grazing += pair.is_grazing ? 1 : 0;
         samples += verdict.samples;

@@ -26,10 +26,12 @@ double log_uniform(Random& random, double low, double high)
 
 std::vector<Vec2> star_ring(Random& random, int corners, double least, double greatest)
 {
+    // No gap of half a turn between neighbours, or the origin would lie outside and the ring might turn the wrong way
+    const double play = corners == 3 ? 0.45 : 0.8;
     std::vector<Vec2> ring;
     for (int k = 0; k < corners; ++k) {
         const double radius = random.uniform(least, greatest);
-        ring.push_back(radius * direction(2.0 * k_pi * (k + random.uniform(0.0, 0.8)) / corners));
+        ring.push_back(radius * direction(2.0 * k_pi * (k + random.uniform(0.0, play)) / corners));
     }
     return ring;
 }
@@ -124,17 +126,6 @@ bool make_graze(FlyingPair& pair, double start, double horizon, double graze)
         if (is_near) return true;
     }
     return false;
-}
-
-/// Prediction after prediction, until there is an answer before the horizon.
-Prediction ask(const RandomPair& pair)
-{
-    constexpr int k_most = 1'000'000;
-    const FlyingPair& flying = pair.flying;
-    Prediction answer = predict(pair.shape_a, flying.flyer_a, pair.shape_b, flying.flyer_b, pair.start);
-    for (int k = 0; k < k_most && answer.kind == Prediction::Kind::not_before && answer.time < pair.horizon; ++k)
-        answer = predict(pair.shape_a, flying.flyer_a, pair.shape_b, flying.flyer_b, answer.time);
-    return answer;
 }
 
 double smaller_of(const FlyingPair& pair)
@@ -257,12 +248,21 @@ RandomPair random_pair(std::uint64_t seed)
     }
 }
 
-Verdict judge(const RandomPair& pair)
+Prediction foresee(const RandomPair& pair)
+{
+    constexpr int k_most = 1'000'000;
+    const FlyingPair& flying = pair.flying;
+    Prediction answer = predict(pair.shape_a, flying.flyer_a, pair.shape_b, flying.flyer_b, pair.start);
+    for (int k = 0; k < k_most && answer.kind == Prediction::Kind::not_before && answer.time < pair.horizon; ++k)
+        answer = predict(pair.shape_a, flying.flyer_a, pair.shape_b, flying.flyer_b, answer.time);
+    return answer;
+}
+
+Verdict judge(const RandomPair& pair, const Prediction& answer)
 {
     constexpr double k_contract = 1e-12; // [sizes] gap at an impact
     const FlyingPair& flying = pair.flying;
     const double size = smaller_of(flying);
-    const Prediction answer = ask(pair);
     Verdict verdict;
     verdict.impact = answer.kind == Prediction::Kind::impact && answer.time < pair.horizon;
     const double until = verdict.impact ? answer.time : pair.horizon;
@@ -303,7 +303,7 @@ Verdict judge(const RandomPair& pair)
 
 double shifted_root_error(RandomPair pair, double shift)
 {
-    const Prediction plain = ask(pair);
+    const Prediction plain = foresee(pair);
     const bool plain_hits = plain.kind == Prediction::Kind::impact && plain.time < pair.horizon;
     RandomPair later = std::move(pair);
     FlyingPair& flying = later.flying;
@@ -312,7 +312,7 @@ double shifted_root_error(RandomPair pair, double shift)
     const double moved = std::max(flying.flyer_a.state.time, flying.flyer_b.state.time);
     later.start = moved;
     later.horizon += shift;
-    const Prediction answer = ask(later);
+    const Prediction answer = foresee(later);
     const bool hits = answer.kind == Prediction::Kind::impact && answer.time < later.horizon;
 
     // Rounded times move each body by its speed times the rounding

@@ -38,7 +38,11 @@ struct Verdict
     std::string why;         ///< where not right
 };
 
-[[nodiscard]] Verdict judge(const RandomPair& pair);
+/// What the engine says of a pair: asked again and again until there is an answer up to the horizon.
+[[nodiscard]] Prediction foresee(const RandomPair& pair);
+
+/// Hold an answer, the engine's or any other, against the dense search.
+[[nodiscard]] Verdict judge(const RandomPair& pair, const Prediction& answer);
 
 /// The same pair with all times later by `shift`: how far the root moved beyond it, in units of what rounding allows.
 /// Negative where the pair doesn't fit: it grazes within that rounding.

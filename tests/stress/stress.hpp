@@ -38,5 +38,8 @@ struct Job
 void run_roots(const Job& job, Tally& tally);
 void run_shift(const Job& job, Tally& tally);
 void run_gas(const Job& job, Tally& tally);
+void run_speeds(const Job& job, Tally& tally);
+void run_spins(const Job& job, Tally& tally);
+void run_cooling(const Job& job, Tally& tally);
 
 } // namespace flying::stress
