@@ -222,7 +222,7 @@ private:
     std::vector<Shape> shapes_;
     std::vector<int> everywhere_;     // rows of static bodies that no cell can hold
     bool fetches_ahead_ = false;      // for more bodies than the fast memory holds
-    long line_up_at_ = 0;             // when so many cells have been left, rows are put in order again
+    std::int64_t line_up_at_ = 0;             // when so many cells have been left, rows are put in order again
     Vec2 acceleration_ = Vec2::Zero(); // of all that move [m/s^2]
     bool falls_ = false;              // there is such an acceleration
     std::optional<CentralField> central_; // round whose centre all fly that move

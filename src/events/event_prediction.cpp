@@ -98,7 +98,7 @@ void EventEngine::line_up(const std::vector<int>& old_rows)
     sheets_.swap(sheets);
 
     // By the time bodies have crossed so many cells, neighbours are no longer who they were
-    constexpr long k_cells_a_body = 16;
+    constexpr std::int64_t k_cells_a_body = 16;
     line_up_at_ = counts_.cells + k_cells_a_body * body_count();
     constexpr int k_fast_rows = 4096;
     fetches_ahead_ = body_count() > k_fast_rows;
