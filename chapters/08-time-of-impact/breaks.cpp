@@ -23,7 +23,7 @@ void throw_discs()
         std::printf("%7.0f m/s %6.2f", speed, x);
         if (looked == k_never) std::printf(" %27s", "passes through the wall");
         else std::printf(" %25.6f s", looked);
-        std::printf(" %17.15g s\n", found);
+        std::printf(" %17.9g s\n", found);
     }
 }
 // [toi.breaks.walls]

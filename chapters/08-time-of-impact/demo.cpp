@@ -18,12 +18,12 @@ void march_of_bar(double y, double spin, double looseness)
     int readings = 0;
     const auto read = [&](double time) {
         const EdgeReading now = read_corner(y, spin, time);
-        std::printf("%7d %18.15f %10.2e %9.3f %12.2e\n", ++readings, time, now.gap, now.gap_rate,
-                    expected - time);
+        std::printf("%7d %18.15f %10.2e", ++readings, time, now.gap);
+        std::printf("%10.3f %12.2e\n", now.gap_rate, expected - time);
         return now;
     };
-    std::printf("bar, %g m up, %g rad/s\nreading               time        gap      rate    too early\n",
-                y, spin);
+    std::printf("bar, %g m up, %g rad/s\n", y, spin);
+    std::printf("reading               time        gap      rate    too early\n");
     const MarchEnd end = march(read(0.0), read, bounds, 0.0, k_never);
     std::printf("found   %18.15f s, closed form %18.15f s\n", end.time, expected);
 }
@@ -66,9 +66,10 @@ void move_away(double spin)
         b.state.angle = 1.5;
         const Prediction answer = predict(bar(), a, bar(), b, 0.0, {.windows = 1000});
         if (moved == 0.0) here = answer.time;
-        const double noise = gap_tolerance(1.0, 1.0, moved + 4.0, 1.0 + spin, answer.time).noise;
-        std::printf("%11.0f m %18.15f %10.1e s %14.1e m\n", moved, answer.time,
-                    std::abs(answer.time - here), noise);
+        const double reach = moved + 4.0;
+        const double noise = gap_tolerance(1.0, 1.0, reach, 1.0 + spin, answer.time).noise;
+        const double off = std::abs(answer.time - here);
+        std::printf("%11.0f m %18.15f %10.1e s %14.1e m\n", moved, answer.time, off, noise);
     }
 }
 // [toi.demo.far]

@@ -138,7 +138,7 @@ void draw_parabola(const std::string& folder)
     s.formula(at(from + 0.5 * step, 0) + Vec2(0, 58), "τ", Anchor::middle, k_ink, 21.0);
     s.formula(at(1.42, f(1.42)) + Vec2(-14, 0), "f", Anchor::right, k_blue, 22.0);
     s.formula(below.back() + Vec2(10, 4), "g", Anchor::left, k_teal, 22.0);
-    s.words(at(from + newton, 0) + Vec2(12, -12), "Newton", Anchor::left, k_soft, 15.0);
+    s.words(at(from + newton, 0) + Vec2(12, -12), "Newton", Anchor::left, k_ink, 15.0);
     s.formula(at(1.64, 0) + Vec2(0, 26), "t", Anchor::middle, k_soft);
 }
 
@@ -202,13 +202,13 @@ void draw_noise(const std::string& folder)
     s.formula(at(31, 0) + Vec2(-4, 26), "t", Anchor::middle, k_soft);
 }
 
-/// Three waves: one strikes, one grazes, one stays above.
+/// Three waves: one strikes, one comes so near to zero that no eye sees it miss, one stays above.
 void draw_graze(const std::string& folder)
 {
     Sketch s(folder + "/graze.svg", 560, 290);
-    const auto at = [](double t, double y) { return Vec2(44.0 + 78.0 * t, 226.0 - 78.0 * y); };
+    const auto at = [](double t, double y) { return Vec2(92.0 + 70.0 * t, 226.0 - 78.0 * y); };
     const Tone tones[] = {k_rust, k_teal, k_blue};
-    const double depths[] = {0.42, 0.0, -0.42};
+    const double depths[] = {0.42, -1e-12, -0.42};
     const char* names[] = {"strikes", "grazes", "passes"};
     s.arrow(at(0, 0), at(6.5, 0), k_soft, 1.6);
     for (int k = 0; k < 3; ++k) {
@@ -229,7 +229,7 @@ void draw_graze(const std::string& folder)
         }
         s.path(curve, pale(tones[k], 0.6), 2.0);
         for (const Vec2& dot : dots) s.disc(dot, 3.6, tones[k], k_none);
-        s.words(at(0.2, 2.0 - depth) + Vec2(0, -5), names[k], Anchor::left, tones[k], 15.0);
+        s.words(at(0.0, 2.0 - depth) + Vec2(-12, 5), names[k], Anchor::right, tones[k], 15.0);
     }
     s.formula(at(6.45, 0) + Vec2(0, 26), "t", Anchor::middle, k_soft);
 }
@@ -276,8 +276,10 @@ void record_bar(const std::string& folder)
     std::ofstream trace(folder + "/bar.ndjson");
     trace << "{\"view\": [-1.5, -0.4, 1.5, 2.0], \"shapes\": [{\"rings\": [[[-1, -0.01], [1, -0.01], [1, 0.01], [-1, "
              "0.01]]]}, {\"rings\": [[[-1.5, -0.3], [1.5, -0.3], [1.5, 0], [-1.5, 0]]]}], \"fixed\": [false, true]}\n";
-    for (int k = 0; k <= 84; ++k) {
-        const double t = k / 60.0;
+    std::vector<double> times{found};
+    for (int k = 0; k <= 84; ++k) times.push_back(k / 60.0);
+    std::sort(times.begin(), times.end());
+    for (const double t : times) {
         const double late = t - found;
         const double ghost = t - meet;
         const double height = late < 0.0 ? y : y + after.velocity_b.y() * late;

@@ -63,8 +63,8 @@ TEST_CASE("a turning bar strikes the floor at the arc sine of its height")
         worst = std::max(worst, std::abs(read_corner(y, spin, answer.time).gap));
 
         // A few roundings of the height, over the speed at which the end comes down
-        CHECK_EQUATION("toi.bar", answer.time, t, 1e-13, {"y", y}, {"r", k_arm}, {"\\alpha", k_lean},
-                       {"\\omega", spin});
+        CHECK_EQUATION("toi.bar", answer.time, t, 1e-13, {"y", y}, {"r", k_arm},
+                       {"\\alpha", k_lean}, {"\\omega", spin});
         CHECK_TWIN("toi.bar", answer.time, std::asin(y / k_arm) / spin, 1e-13);
     }
     CHECK(worst <= 4e-15);
@@ -248,6 +248,47 @@ TEST_CASE("round a centre, the pull of the near future is that of half the dista
     CHECK(by_orbit > 100);
 }
 // [toi.tests.outlook]
+
+// [toi.tests.late]
+TEST_CASE("the same meeting a million seconds later is found a million seconds later")
+{
+    Random random(812);
+    constexpr double k_later = 0x1p20;
+    double worst = 0.0;
+    int meetings = 0;
+    for (int i = 0; i < 500; ++i) {
+        Flyer a;
+        a.state.position = {-3.0, random.uniform(-0.5, 0.5)};
+        a.state.velocity = {random.uniform(1.0, 3.0), 0.0};
+        a.state.spin = random.uniform(-0.5, 0.5);
+        Flyer b;
+        b.state.position = {3.0, 0.0};
+        b.state.velocity = {random.uniform(-3.0, -1.0), 0.0};
+        b.state.spin = random.uniform(-0.5, 0.5);
+        b.state.angle = random.uniform(-3.0, 3.0);
+        const double plain = predict(bar(), a, bar(), b, 0.0, {.windows = 1000}).time;
+        a.state.time = k_later;
+        b.state.time = k_later;
+        const double late = predict(bar(), a, bar(), b, k_later, {.windows = 1000}).time;
+        CHECK((plain < k_never) == (late < k_never));
+        if (plain == k_never) continue;
+
+        // How fast the gap closes: where it hardly does, its noise is worth any time
+        const auto gap = [&](double since) {
+            const double time = k_later + plain - since;
+            return separation(bar(), pose_of(state_at(a, time)), bar(), pose_of(state_at(b, time)));
+        };
+        if (gap(1.0 / 4096) < 0.5 / 4096) continue;
+        ++meetings;
+        worst = std::max(worst, std::abs(late - k_later - plain));
+    }
+    CHECK(meetings > 200);
+
+    // The noise of a gap at 2^20 s, for speeds below 4 m/s, over half a metre per second
+    CHECK(worst <= 2.0 * gap_tolerance(1.0, 1.0, 8.0, 4.0, k_later).noise);
+    RECORD_VALUE("toi.late.off", worst);
+}
+// [toi.tests.late]
 
 // [toi.tests.radial]
 TEST_CASE("a disc that falls straight in strikes the disc at the centre at the time of the closed form")

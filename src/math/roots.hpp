@@ -44,8 +44,9 @@ inline constexpr double k_never = std::numeric_limits<double>::infinity();
 // [roots.safe-step]
 
 // [roots.fall]
-/// When f + f_rate t + bend t^2 / 2 falls through zero: the root at which the rate is negative;
-/// never negative itself for f >= 0, and infinite where there is no such root.  [unit of time]
+/// When f + f_rate t + bend t^2 / 2 falls through zero: the root at which the rate is
+/// negative; never negative itself for f >= 0, and infinite where there is no such root.
+/// [unit of time]
 [[nodiscard]] inline double falling_root(double f, double f_rate, double bend)
 {
     const double discriminant = f_rate * f_rate - 2.0 * bend * f;

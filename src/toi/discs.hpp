@@ -8,8 +8,8 @@
 namespace flying {
 
 // [toi.two-discs]
-/// When two discs meet that fly under the same acceleration: the smaller root of a quadratic,
-/// for discs that approach.  [s] from now; infinite where they don't meet
+/// When two discs meet that fly under the same acceleration: the smaller root of a
+/// quadratic, for discs that approach.  [s] from now; infinite where they don't meet
 ///
 /// offset  from B's centre to A's [m]; rate  velocity of A relative to B [m/s]
 /// reach   sum of the radii [m]

@@ -19,10 +19,10 @@ struct GapTolerance
 // [toi.gap-tolerance.kinds]
 
 // [toi.gap-tolerance]
-/// smaller, larger  radii of the two bodies; equal where one of them is a half-plane   [m]
-/// reach            distance from the world's origin to where they might meet          [m]
-/// speed            bound on the speed of any point of either                          [m/s]
-/// time             the moment                                                         [s]
+/// smaller, larger  radii of the two bodies; equal where one of them is a half-plane [m]
+/// reach            distance from the world's origin to where they might meet [m]
+/// speed            bound on the speed of any point of either [m/s]
+/// time             the moment [s]
 [[nodiscard]] inline GapTolerance gap_tolerance(double smaller, double larger, double reach,
                                                 double speed, double time)
 {

@@ -74,7 +74,8 @@ template <typename A, typename B>
 // [toi.central.make]
 
 // [toi.central-bound]
-/// Set the bound on the relative acceleration that holds from `time` on. Returns until when.  [s]
+/// Set the bound on the relative acceleration that holds from `time` on.
+/// Returns until when.  [s]
 double look_ahead(CentralSearch& search, double time)
 {
     CentralPairFlight& relative = search.relative;

@@ -42,12 +42,13 @@ struct MarchBounds
 // [toi.touches]
 
 // [toi.strikes]
-/// The vertex touches the edge and approaches: faster than rounding, or at all where it lies so
-/// deep that to wait would let it sink.
+/// The vertex touches the edge and approaches: faster than rounding, or at all where it lies
+/// so deep that to wait would let it sink.
 [[nodiscard]] inline bool strikes(const EdgeReading& now, const MarchBounds& bounds)
 {
     const bool is_deep = now.gap < -0.5 * bounds.tolerance.touch;
-    return touches(now, bounds) && now.gap_rate < (is_deep ? 0.0 : -bounds.tolerance.approach);
+    const double slowest = is_deep ? 0.0 : -bounds.tolerance.approach;
+    return touches(now, bounds) && now.gap_rate < slowest;
 }
 // [toi.strikes]
 
@@ -70,8 +71,10 @@ struct MarchBounds
     // [toi.certain-step.ends]
     const double before = -slack - now.along;
     const double beyond = now.along - bounds.length;
-    if (before > 0.0) step = std::max(step, safe_step(before, -now.along_rate, bounds.bend));
-    if (beyond > slack) step = std::max(step, safe_step(beyond - slack, now.along_rate, bounds.bend));
+    if (before > 0.0)
+        step = std::max(step, safe_step(before, -now.along_rate, bounds.bend));
+    if (beyond > slack)
+        step = std::max(step, safe_step(beyond - slack, now.along_rate, bounds.bend));
     // [toi.certain-step.ends]
 
     // [toi.certain-step.graze]
@@ -100,8 +103,8 @@ struct MarchEnd
 ///
 /// first       the reading at `from`, taken already
 /// read(time)  the reading at a moment of the world's clock
-/// The time found is at or before the root by no more than the rounding of the gap or of the
-/// time.
+/// The time found is at or before the root by no more than the rounding of the gap or of
+/// the time.
 template <typename Read>
 [[nodiscard]] MarchEnd march(const EdgeReading& first, const Read& read,
                              const MarchBounds& bounds, double from, double until)

@@ -37,8 +37,8 @@ struct Seen
 // [toi.seen-from]
 /// offset, rate  of the point relative to the body's position, in the world's frame
 /// spin          of the body [rad/s]
-[[nodiscard]] Seen seen_from(const Rotation& world_from_body, double spin, const Vec2& offset,
-                             const Vec2& rate)
+[[nodiscard]] Seen seen_from(const Rotation& world_from_body, double spin,
+                             const Vec2& offset, const Vec2& rate)
 {
     const Rotation body_from_world = inverse(world_from_body);
     const Vec2 point = body_from_world * offset;
@@ -48,7 +48,8 @@ struct Seen
 // [toi.seen-from]
 
 // [toi.read-edge]
-[[nodiscard]] EdgeReading read_edge(const Seen& seen, const Edge& edge, const Vec2& edge_start)
+[[nodiscard]] EdgeReading read_edge(const Seen& seen, const Edge& edge,
+                                    const Vec2& edge_start)
 {
     const Vec2 from_start = seen.point - edge_start;
     return {edge.normal.dot(from_start), edge.normal.dot(seen.rate),
@@ -73,7 +74,8 @@ struct Seen
     const double q = std::abs(spin_q);
 
     // As a point of its own: its acceleration, and what Coriolis and the centrifugal term add
-    const double as_point = p * p * arm + 2.0 * q * (speed + p * arm) + q * q * (distance + arm);
+    const double as_point =
+        p * p * arm + 2.0 * q * (speed + p * arm) + q * q * (distance + arm);
 
     // As a position and an arm that turns by the difference of the spins
     const double turn = spin_p - spin_q;
@@ -180,18 +182,20 @@ void scan_vertices(const Side& p, const Side& q, const Relative& relative, doubl
 // [toi.vertices-on-edges]
 
 // [toi.distance]
-/// March of the distance between a point and a centre, less a radius. Distance bends upwards by
-/// itself, so that the acceleration alone bounds how fast it can fall.
+/// March of the distance between a point and a centre, less a radius. Distance bends upwards
+/// by itself, so that the acceleration alone bounds how fast it can fall.
 template <typename Offset>
 [[nodiscard]] MarchEnd march_distance(const Offset& offset_and_rate, double radius,
-                                      double acceleration, const Window& window, double until)
+                                      double acceleration, const Window& window,
+                                      double until)
 {
     const double bend = acceleration * (1.0 + tolerance::k_bend_margin);
     const MarchBounds bounds{bend, k_never, k_never, window.tolerance};
     const auto read = [&](double time) {
         const Seen seen = offset_and_rate(time);
         const double distance = seen.point.norm();
-        return EdgeReading{distance - radius, seen.point.dot(seen.rate) / distance, 0.0, 0.0};
+        const double rate = seen.point.dot(seen.rate) / distance;
+        return EdgeReading{distance - radius, rate, 0.0, 0.0};
     };
     return march(read(window.from), read, bounds, window.from, until);
 }
