@@ -176,7 +176,11 @@ inline void EventEngine::predict_movers(int a, int b)
             ++counts_.far_features_skipped;
             return;
         }
-        time = start + std::max(passage.enter, 0.0);
+        if (passage.enter <= 0.0) {
+            predict_general(a, b, start, 1); // the circles meet already
+            return;
+        }
+        time = start + passage.enter;
         kind = Event::Kind::look;
     } else {
         predict_general(a, b, start, 1);

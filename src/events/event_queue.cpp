@@ -16,7 +16,7 @@ struct HappensAfter
 
 // [queue.day_length]
 /// Events of one day: few enough to stay in the fast cache, many enough for the days to be few.
-constexpr std::size_t k_events_a_day = 2048;
+constexpr std::size_t k_events_a_day = 256;
 // [queue.day_length]
 
 } // namespace

@@ -51,7 +51,8 @@ class Turning
 {
 public:
     explicit Turning(const BodyState& body)
-        : angle_(body.angle), spin_(body.spin), time_(body.time), still_(Rotation::of(body.angle))
+        : angle_(body.angle), spin_(body.spin), time_(body.time),
+          still_(body.spin == 0.0 ? Rotation::of(body.angle) : Rotation{})
     {
     }
 

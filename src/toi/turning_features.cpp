@@ -126,21 +126,31 @@ void scan_vertices(const Side& p, const Side& q, const Relative& relative, doubl
     const double acceleration = acceleration_bound(relative);
     const double spin_p = p.turning.spin();
     const double spin_q = q.turning.spin();
-    const double distance = offset.norm() + window.speed * (window.until - window.from);
+    const double length = window.until - window.from;
+    const double distance = offset.norm() + window.speed * length;
+
+    // [toi.vertices-on-edges.reach]
+    // No vertex comes nearer to Q in this window than by so much
+    const double travel = (window.speed + std::abs(spin_p) * p.shape.radius()) * length;
+    const double circle =
+        q.shape.radius() * (1.0 + tolerance::k_bounding_margin) + window.tolerance.touch;
+    const double near = (circle + travel) * (1.0 + tolerance::k_bounding_margin);
+    // [toi.vertices-on-edges.reach]
 
     for (int k = 0; k < static_cast<int>(p.shape.vertices().size()); ++k) {
         if (p.shape.is_reflex(k)) continue;
         const Vec2& vertex = p.shape.vertices()[k];
-        const double arm = vertex.norm();
         const Vec2 r = p.at_start * vertex;
         const Vec2 point = offset + r;
+        if (point.squaredNorm() > near * near) continue;
+        const double arm = vertex.norm();
         const Vec2 point_rate = rate + cross(spin_p, r);
 
         // [toi.vertices-on-edges.circle]
         // Leave a vertex alone that stays out of the circle about Q
         const double bend_of_distance = acceleration + spin_p * spin_p * arm;
         const double reach = point.norm();
-        const double outside = reach - q.shape.radius() * (1.0 + tolerance::k_bounding_margin) - window.tolerance.touch;
+        const double outside = reach - circle;
         if (outside > 0.0) {
             const double clear = safe_step(outside, point.dot(point_rate) / reach, bend_of_distance);
             if (window.from + clear >= horizon(strike, window)) continue;
