@@ -17,7 +17,8 @@ using Pairs = std::vector<std::pair<int, int>>;
 
 // [which-pairs.boxes]
 /// Discs of radius R at random places of a room, by their boxes.
-inline std::vector<BoxedBody> discs_in_room(int n, double R, double W, double H, Random& random)
+inline std::vector<BoxedBody> discs_in_room(int n, double R, double W, double H,
+                                            Random& random)
 {
     std::vector<BoxedBody> bodies;
     for (int k = 0; k < n; ++k) {
@@ -52,10 +53,13 @@ inline Pairs pairs_of_sweep(const Sweep& sweep)
 
 // [which-pairs.by_grid]
 /// Middle of a box.
-inline Vec2 middle(const Aabb& box) { return 0.5 * (box.min + box.max); }
+inline Vec2 middle(const Aabb& box)
+{
+    return 0.5 * (box.min + box.max);
+}
 
-/// The pairs that a grid finds, and how many it compares to find them. Moving bodies lie in the
-/// cells of their middles; static ones are named to all who come near.
+/// The pairs that a grid finds, and how many it compares to find them. Moving bodies lie in
+/// the cells of their middles; static ones are named to all who come near.
 struct GridLook
 {
     Pairs pairs;
@@ -67,14 +71,16 @@ inline GridLook pairs_of_grid(const Grid& grid, std::span<const BoxedBody> bodie
     GridLook look;
     const auto compare = [&](int a, int b) {
         ++look.compared;
-        if (overlap(bodies[a].box, bodies[b].box)) look.pairs.emplace_back(std::min(a, b), std::max(a, b));
+        if (overlap(bodies[a].box, bodies[b].box))
+            look.pairs.emplace_back(std::min(a, b), std::max(a, b));
     };
     for (const BoxedBody& body : bodies) {
         if (body.is_static) continue;
         grid.for_each_near(grid.cell_of(body.body), [&](int other) {
             if (other > body.body) compare(body.body, other);
         });
-        for (const int other : grid.statics_near(grid.cell_of(body.body))) compare(body.body, other);
+        for (const int other : grid.statics_near(grid.cell_of(body.body)))
+            compare(body.body, other);
     }
     std::sort(look.pairs.begin(), look.pairs.end());
     return look;
@@ -82,8 +88,8 @@ inline GridLook pairs_of_grid(const Grid& grid, std::span<const BoxedBody> bodie
 // [which-pairs.by_grid]
 
 // [which-pairs.fill]
-/// The grid that the engine would make for these bodies, with all of them in it. `radius` is that
-/// of the largest bounding circle of those that move.
+/// The grid that the engine would make for these bodies, with all of them in it. `radius`
+/// is that of the largest bounding circle of those that move.
 inline Grid filled_grid(std::span<const BoxedBody> bodies, double radius)
 {
     Aabb extent;
@@ -91,7 +97,8 @@ inline Grid filled_grid(std::span<const BoxedBody> bodies, double radius)
     for (const BoxedBody& body : bodies) {
         if (body.is_static) continue;
         const Vec2 x = middle(body.box);
-        extent = movers == 0 ? Aabb{x, x} : Aabb{extent.min.cwiseMin(x), extent.max.cwiseMax(x)};
+        extent =
+            movers == 0 ? Aabb{x, x} : Aabb{extent.min.cwiseMin(x), extent.max.cwiseMax(x)};
         ++movers;
     }
     Grid grid = make_grid(extent, radius, static_cast<int>(bodies.size()), movers);

@@ -13,7 +13,8 @@ using namespace flying;
 
 namespace {
 
-/// Bodies of every size, some static, some of them on a lattice so that ends are equal and boxes just touch.
+/// Bodies of every size, some static, some of them on a lattice so that ends are equal and
+/// boxes just touch.
 std::vector<BoxedBody> random_boxes(Random& random)
 {
     const int n = random.below(60);
@@ -35,7 +36,8 @@ double largest_radius(const std::vector<BoxedBody>& bodies)
 {
     double largest = 0.0;
     for (const BoxedBody& body : bodies) {
-        if (!body.is_static) largest = std::max(largest, 0.5 * (body.box.max - body.box.min).norm());
+        if (!body.is_static)
+            largest = std::max(largest, 0.5 * (body.box.max - body.box.min).norm());
     }
     return largest;
 }
@@ -54,7 +56,8 @@ TEST_CASE("sweep and grid find the pairs of the oracle, among boxes of every kin
         sweep.line_up(bodies);
         CHECK(pairs_of_sweep(sweep) == expected);
         const double radius = largest_radius(bodies);
-        if (radius > 0.0) CHECK(pairs_of_grid(filled_grid(bodies, radius), bodies).pairs == expected);
+        if (radius > 0.0)
+            CHECK(pairs_of_grid(filled_grid(bodies, radius), bodies).pairs == expected);
         pairs += static_cast<long>(expected.size());
     }
     CHECK(pairs > 30'000);
@@ -62,21 +65,25 @@ TEST_CASE("sweep and grid find the pairs of the oracle, among boxes of every kin
 // [which-pairs.tests.same]
 
 // [which-pairs.tests.moving]
-TEST_CASE("a sweep that remembers finds the pairs of the oracle at every step of a motion, in the order of a fresh one")
+TEST_CASE("a sweep that remembers finds the pairs of the oracle at every step of a motion, "
+          "in the order of a fresh one")
 {
     Random random(902);
     for (int run = 0; run < 20; ++run) {
         std::vector<BoxedBody> bodies = discs_in_room(80, 0.4, 8.0, 6.0, random);
         std::vector<Vec2> velocity;
-        for (int k = 0; k < 80; ++k) velocity.push_back(Vec2{random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)});
+        for (int k = 0; k < 80; ++k)
+            velocity.push_back(Vec2{random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)});
         Sweep sweep;
         for (int step = 0; step < 100; ++step) {
-            // Now and then the motion is fast, the room is turned on its side, or a body comes in
+            // Now and then the motion is fast, the room is turned on its side, or a body
+            // comes in
             const double dt = step % 17 == 0 ? 3.0 : 0.03;
             for (std::size_t k = 0; k < bodies.size(); ++k) {
                 Aabb& box = bodies[k].box;
                 box = {box.min + dt * velocity[k], box.max + dt * velocity[k]};
-                if (step % 41 == 40) box = {Vec2(box.min.y(), box.min.x()), Vec2(box.max.y(), box.max.x())};
+                if (step % 41 == 40)
+                    box = {Vec2(box.min.y(), box.min.x()), Vec2(box.max.y(), box.max.x())};
             }
             if (step == 50) {
                 bodies.push_back({80, true, {Vec2(-1.0, 2.0), Vec2(9.0, 2.5)}});
@@ -88,8 +95,10 @@ TEST_CASE("a sweep that remembers finds the pairs of the oracle at every step of
             CHECK(pairs_of_sweep(sweep) == pairs_of_all(bodies));
             Pairs order;
             Pairs fresh_order;
-            sweep.for_each_pair([&](int a, int b) { return order.emplace_back(a, b), true; });
-            fresh.for_each_pair([&](int a, int b) { return fresh_order.emplace_back(a, b), true; });
+            sweep.for_each_pair(
+                [&](int a, int b) { return order.emplace_back(a, b), true; });
+            fresh.for_each_pair(
+                [&](int a, int b) { return fresh_order.emplace_back(a, b), true; });
             CHECK(order == fresh_order);
         }
         CHECK(sweep.shifts() > 0);
@@ -98,7 +107,8 @@ TEST_CASE("a sweep that remembers finds the pairs of the oracle at every step of
 // [which-pairs.tests.moving]
 
 // [which-pairs.tests.scenes]
-TEST_CASE("on every scene of the course, at any time, sweep and grid find the pairs of the oracle")
+TEST_CASE("on every scene of the course, at any time, sweep and grid find the pairs of the "
+          "oracle")
 {
     int scenes = 0;
     for (const auto& entry : std::filesystem::directory_iterator(FLYING_SCENES)) {
@@ -118,7 +128,9 @@ TEST_CASE("on every scene of the course, at any time, sweep and grid find the pa
                 const Aabb box = bounding_box(world.shape(k), pose_of(world.state(k)));
                 const Vec2 room = Vec2::Constant(0.5 * bounding_radius(world.shape(k)));
                 bodies.push_back({k, world.is_static(k), {box.min - room, box.max + room}});
-                if (!world.is_static(k)) radius = std::max(radius, 0.5 * (box.max - box.min + 2.0 * room).norm());
+                if (!world.is_static(k))
+                    radius =
+                        std::max(radius, 0.5 * (box.max - box.min + 2.0 * room).norm());
             }
             const Pairs expected = pairs_of_all(bodies);
             sweep.line_up(bodies);
@@ -136,7 +148,8 @@ TEST_CASE("a static box without end overlaps all, and a sweep ends when it is to
     Random random(903);
     constexpr double k_infinite = std::numeric_limits<double>::infinity();
     std::vector<BoxedBody> bodies = discs_in_room(30, 0.3, 9.0, 3.0, random);
-    bodies.push_back({30, true, {Vec2(-k_infinite, -k_infinite), Vec2(k_infinite, k_infinite)}});
+    bodies.push_back(
+        {30, true, {Vec2(-k_infinite, -k_infinite), Vec2(k_infinite, k_infinite)}});
     bodies.push_back({31, true, {Vec2(2.0, -k_infinite), Vec2(3.0, k_infinite)}});
     Sweep sweep;
     sweep.line_up(bodies);
@@ -151,7 +164,8 @@ TEST_CASE("a static box without end overlaps all, and a sweep ends when it is to
 // [which-pairs.tests.infinite]
 
 // [which-pairs.tests.scale]
-TEST_CASE("lengths by powers of two leave the order of the sweep and the cells of the grid as they are")
+TEST_CASE("lengths by powers of two leave the order of the sweep and the cells of the grid "
+          "as they are")
 {
     Random random(904);
     const std::vector<BoxedBody> bodies = discs_in_room(200, 0.3, 9.0, 7.0, random);

@@ -3,8 +3,13 @@
 namespace flying {
 
 // [broadphase.pair_finder]
-/// How the pairs that might meet are found: by looking at all of them, or at those in neighbouring cells.
-enum class PairFinder { all_pairs, grid };
+/// How the pairs that might meet are found: by looking at all of them, or at those in
+/// neighbouring cells.
+enum class PairFinder
+{
+    all_pairs,
+    grid
+};
 // [broadphase.pair_finder]
 
 } // namespace flying

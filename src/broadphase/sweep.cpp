@@ -4,7 +4,8 @@ namespace flying {
 namespace {
 
 // [sweep.axis]
-/// The axis along which the middles of the bodies that move are spread further: 0 for x, 1 for y.
+/// The axis along which the middles of the bodies that move are spread further: 0 for x,
+/// 1 for y.
 [[nodiscard]] int longer_axis(std::span<const BoxedBody> bodies)
 {
     Aabb spread;
@@ -28,7 +29,8 @@ Sweep::Span Sweep::span_of(const BoxedBody& body, int member) const
 {
     const Aabb& box = body.box;
     const int across = 1 - axis_;
-    return {box.min[axis_], box.max[axis_], box.min[across], box.max[across], body.body, member, body.is_static};
+    return {box.min[axis_], box.max[axis_], box.min[across], box.max[across],
+            body.body,      member,         body.is_static};
 }
 
 bool Sweep::starts_before(const Span& one, const Span& two)
@@ -46,9 +48,11 @@ void Sweep::line_up(std::span<const BoxedBody> bodies)
     axis_ = axis;
     if (!is_known) {
         line_.resize(bodies.size());
-        for (std::size_t k = 0; k < line_.size(); ++k) line_[k].member = static_cast<int>(k);
+        for (std::size_t k = 0; k < line_.size(); ++k)
+            line_[k].member = static_cast<int>(k);
     }
 
+    // [sweep.line_up.sort]
     // See where everybody is by now
     for (Span& span : line_) {
         span = span_of(bodies[static_cast<std::size_t>(span.member)], span.member);
@@ -56,12 +60,13 @@ void Sweep::line_up(std::span<const BoxedBody> bodies)
 
     // No two spans are equal, so that there is one order, however it is found
     if (!is_known || !put_right()) std::sort(line_.begin(), line_.end(), starts_before);
+    // [sweep.line_up.sort]
 }
 // [sweep.line_up]
 
 // [sweep.put_right]
-/// Let everyone step back past those that start later. False, and no order, where that is not
-/// over soon: then so much has changed that sorting afresh is cheaper.
+/// Let everyone step back past those that start later. False, and no order, where that is
+/// not over soon: then so much has changed that sorting afresh is cheaper.
 bool Sweep::put_right()
 {
     constexpr std::size_t k_most_places = 8; // of a body, on average

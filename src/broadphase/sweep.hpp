@@ -11,16 +11,18 @@
 namespace flying {
 
 // [sweep.class]
-/// Finds the boxes that overlap by sweeping a line over them: only boxes that the line touches
-/// at one time are compared. The order in which it meets them is kept from one look to the next;
-/// where bodies have moved little, putting it right again takes hardly more than a walk.
+/// Finds the boxes that overlap by sweeping a line over them: only boxes that the line
+/// touches at one time are compared. The order in which it meets them is kept from one look
+/// to the next; where bodies have moved little, putting it right again takes hardly more
+/// than a walk.
 class Sweep
 {
 public:
     // [sweep.declared]
-    /// Line bodies up by the lower ends of their boxes, along the axis on which the middles of
-    /// those that move are spread further. Which pairs are found depends on the boxes alone, not
-    /// on what was lined up before.
+    /// Line bodies up by the lower ends of their boxes, along the axis on which the middles
+    /// of those that move are spread further. Which pairs are found depends on the boxes
+    /// alone, not on what was lined up before.
+    ///
     /// bodies  each id once; boxes may be infinite, but hold no NaN
     void line_up(std::span<const BoxedBody> bodies);
 
@@ -31,8 +33,8 @@ public:
     // [sweep.declared]
 
     // [sweep.side_by_side]
-    /// Call visit(one, two) for every two spans of the line that share a place, the one that
-    /// starts first in front. It returns true to go on, false to end the sweep.
+    /// Call visit(one, two) for every two spans of the line that share a place, the one
+    /// that starts first in front. It returns true to go on, false to end the sweep.
     template <typename Visit>
     void for_each_side_by_side(Visit&& visit) const
     {
@@ -46,8 +48,9 @@ public:
     // [sweep.side_by_side]
 
     // [sweep.pairs]
-    /// Call visit(a, b), ids with a < b, for every two bodies, not both static, whose boxes share
-    /// a point, in the order of the line. It returns true to go on, false to end the sweep.
+    /// Call visit(a, b), ids with a < b, for every two bodies, not both static, whose boxes
+    /// share a point, in the order of the line. It returns true to go on, false to end the
+    /// sweep.
     template <typename Visit>
     void for_each_pair(Visit&& visit) const
     {
