@@ -1,13 +1,10 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
 #include "math/random.hpp"
 #include "math/rotation.hpp"
 #include "motion/body.hpp"
 #include "motion/flight.hpp"
+#include "toi/bend.hpp"
 
 namespace flying {
 
@@ -61,18 +58,12 @@ struct TwoFlyers
         return (16.0 * near - far - 30.0 * gap(t)) / (12.0 * h * h);
     }
 
-    /// The smaller of the two bounds, at the moment.
+    /// The engine's bound, at the moment.
     [[nodiscard]] double bend_bound() const
     {
-        const double A = acceleration.norm();
-        const double L = (p.position - q.position).norm();
-        const double V = (p.velocity - q.velocity).norm();
-        const double r = vertex.norm();
-        const double wp = std::abs(p.spin);
-        const double wq = std::abs(q.spin);
-        const double turn = p.spin - q.spin;
-        const double as_point = A + wp * wp * r + 2 * wq * (V + wp * r) + wq * wq * (L + r);
-        return std::min(as_point, A + 2 * wq * V + wq * wq * L + turn * turn * r);
+        const double distance = (p.position - q.position).norm();
+        const double speed = (p.velocity - q.velocity).norm();
+        return bend_of_point(acceleration.norm(), speed, distance, vertex.norm(), p.spin, q.spin);
     }
 };
 

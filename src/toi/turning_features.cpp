@@ -1,6 +1,7 @@
 #include "toi/turning_features.hpp"
 
 #include "math/tolerance.hpp"
+#include "toi/bend.hpp"
 #include "toi/central_flight.hpp"
 
 namespace flying {
@@ -56,34 +57,6 @@ struct Seen
             edge.tangent.dot(from_start), edge.tangent.dot(seen.rate)};
 }
 // [toi.read-edge]
-
-// [toi.bend]
-/// Bound on the second derivative of a point of body P as a turning body Q sees it: two bounds
-/// hold, the smaller counts.
-///
-/// acceleration  of P relative to Q, its size                     [m/s^2]
-/// speed         bound on the relative speed of their positions   [m/s]
-/// distance      bound on the distance of their positions         [m]
-/// arm           of the point, from P's position                  [m]
-/// spin_p, spin_q                                                 [rad/s]
-[[nodiscard]] double bend_of_point(double acceleration, double speed, double distance, double arm,
-                                   double spin_p, double spin_q)
-{
-    // [toi.bend.two]
-    const double p = std::abs(spin_p);
-    const double q = std::abs(spin_q);
-
-    // As a point of its own: its acceleration, and what Coriolis and the centrifugal term add
-    const double as_point =
-        p * p * arm + 2.0 * q * (speed + p * arm) + q * q * (distance + arm);
-
-    // As a position and an arm that turns by the difference of the spins
-    const double turn = spin_p - spin_q;
-    const double as_arm = 2.0 * q * speed + q * q * distance + turn * turn * arm;
-    return (acceleration + std::min(as_point, as_arm)) * (1.0 + tolerance::k_bend_margin);
-    // [toi.bend.two]
-}
-// [toi.bend]
 
 // [toi.side]
 /// One polygon whose vertices are looked at, or whose edges are.

@@ -22,6 +22,8 @@ breaks=(
     'src/collide/vertex_edge.cpp|along = 0.5 * (low + high)|along = 0.5005 * (low + high)|06|corner.middle'
     'src/response/one_point.cpp|return -(1.0 + e) * v_n|return -(1.001 + e) * v_n|07|impulse.normal'
     'src/response/one_point.cpp|const double newton = (1.0 + e)|const double newton = (1.001 + e)|07|impulse'
+    'src/toi/bend.hpp|turn * turn * arm) *|1.001 * turn * turn * arm) *|08|toi.bend'
+    'src/math/roots.hpp|? 2.0 * f / denominator|? 2.002 * f / denominator|08|toi.step'
 )
 
 # Copies what the project keeps; what has not changed keeps its time, so that little is compiled again
@@ -36,7 +38,7 @@ make_page() { # chapter: builds its programs and runs what its page quotes
 
 refresh
 cmake -S "$folder/sources" -B "$folder/build" -G Ninja -DCMAKE_BUILD_TYPE=Release >"$folder/configure.log"
-for page in 01 02 03 04 05 06 07; do
+for page in 01 02 03 04 05 06 07 08; do
     make_page "$page" || {
         tail -n 40 "$folder/page.log"
         echo "page $page can't be made even with every constant right"
