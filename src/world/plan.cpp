@@ -5,10 +5,13 @@
 namespace flying {
 namespace {
 
+// [plan.fewest]
 /// Below this number of moving bodies, looking at all pairs costs less than keeping cells: measured with discs at packing
 /// 0.1, where the two break even between 20 and 40.
 constexpr int k_fewest_for_grid = 32;
+// [plan.fewest]
 
+// [plan.names]
 constexpr const char* k_grid = "grid";
 constexpr const char* k_static_pairs = "static-pairs";
 constexpr const char* k_far_features = "far-features";
@@ -17,7 +20,9 @@ constexpr const char* k_far_features = "far-features";
 {
     return std::to_string(count) + " " + (count == 1 ? one : many);
 }
+// [plan.names]
 
+// [plan.census]
 /// What the plan looks at.
 struct Census
 {
@@ -26,7 +31,9 @@ struct Census
     int movers_with_corners = 0;
     bool is_central = false;
 };
+// [plan.census]
 
+// [plan.take_census]
 [[nodiscard]] Census take_census(const Scene& scene)
 {
     Census census;
@@ -42,7 +49,9 @@ struct Census
     }
     return census;
 }
+// [plan.take_census]
 
+// [plan.grid]
 /// Pairs of bodies that can't meet as long as neither leaves its cell.
 [[nodiscard]] Skip far_pairs(const Census& census)
 {
@@ -58,7 +67,9 @@ struct Census
                               : movers + ", fewer than " + limit + ": comparing all pairs costs less than keeping cells";
     return skip;
 }
+// [plan.grid]
 
+// [plan.static_pairs]
 [[nodiscard]] Skip static_pairs(const Census& census)
 {
     Skip skip{k_static_pairs, SkipClass::neutral, census.statics >= 2, "", 0, "pairs"};
@@ -67,7 +78,9 @@ struct Census
                               : statics + ": there is no pair of them";
     return skip;
 }
+// [plan.static_pairs]
 
+// [plan.far_features]
 [[nodiscard]] Skip far_features(const Census& census)
 {
     const bool any_corners = census.movers_with_corners > 0 || census.statics > 4;
@@ -81,9 +94,11 @@ struct Census
                               : "discs have no corners to look at";
     return skip;
 }
+// [plan.far_features]
 
 } // namespace
 
+// [plan.make]
 std::vector<std::string> skip_names() { return {k_grid, k_static_pairs, k_far_features}; }
 
 Plan make_plan(const Scene& scene, const std::vector<std::string>& without)
@@ -92,6 +107,7 @@ Plan make_plan(const Scene& scene, const std::vector<std::string>& without)
     Plan plan;
     plan.skips = {far_pairs(census), static_pairs(census), far_features(census)};
 
+    // [plan.make.without]
     // Leave out what the user asked to leave out
     for (Skip& skip : plan.skips) {
         if (std::find(without.begin(), without.end(), skip.name) == without.end() || !skip.active) continue;
@@ -102,10 +118,12 @@ Plan make_plan(const Scene& scene, const std::vector<std::string>& without)
         return std::any_of(plan.skips.begin(), plan.skips.end(),
                            [&](const Skip& skip) { return skip.name == name && skip.active; });
     };
+    // [plan.make.without]
     plan.pair_finder = active(k_grid) ? PairFinder::grid : PairFinder::all_pairs;
     plan.skips_static_pairs = active(k_static_pairs);
     plan.skips_far_features = active(k_far_features);
     return plan;
 }
+// [plan.make]
 
 } // namespace flying

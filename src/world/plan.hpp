@@ -9,10 +9,13 @@
 
 namespace flying {
 
+// [plan.class]
 /// What a skip may do to the results. Neutral: not one bit changes. Ordered: neutral because order comes from ids.
 /// Altering: results change, and the price is measured.
 enum class SkipClass { neutral, ordered, altering };
+// [plan.class]
 
+// [plan.skip]
 /// One kind of work that a scene may not need.
 struct Skip
 {
@@ -23,7 +26,9 @@ struct Skip
     std::int64_t saved = 0; ///< after a run: how often the work was left out
     std::string saved_unit; ///< what `saved` counts, such as "pairs"
 };
+// [plan.skip]
 
+// [plan.plan]
 /// What a scene needs, and why the rest is skipped.
 struct Plan
 {
@@ -32,12 +37,15 @@ struct Plan
     bool skips_far_features = true;  ///< turning features wait until bounding circles meet
     std::vector<Skip> skips;         ///< every skip this program knows, active or not
 };
+// [plan.plan]
 
+// [plan.declared]
 /// The plan for a valid scene; a pure function.
 /// without  names of skips to leave inactive; unknown names are ignored here (`skip_names` tells those that are known)
 [[nodiscard]] Plan make_plan(const Scene& scene, const std::vector<std::string>& without = {});
 
 /// All names that `without` may hold.
 [[nodiscard]] std::vector<std::string> skip_names();
+// [plan.declared]
 
 } // namespace flying
