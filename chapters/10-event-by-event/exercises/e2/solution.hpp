@@ -1,0 +1,23 @@
+#pragma once
+
+#include "math/exact.hpp"
+
+/// A moment: the sum of both parts.
+struct Moment
+{
+    double epoch = 0.0;  ///< the nearest double [s]
+    double offset = 0.0; ///< what is left [s]
+};
+
+/// A time `dt` later.  [s]
+inline Moment later(const Moment& moment, double dt)
+{
+    const flying::Exact sum = flying::two_sum(moment.epoch, moment.offset + dt);
+    return {sum.rounded, sum.error};
+}
+
+/// From one moment to another.  [s]
+inline double between(const Moment& from, const Moment& to)
+{
+    return (to.epoch - from.epoch) + (to.offset - from.offset);
+}

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "few.hpp"
+
+namespace flying {
+
+// [events.wrong.stale]
+/// WRONG, and it looks right: what was foreseen happens, unless the two part already.
+inline void run_all_foreseen(Few& few, double until)
+{
+    for (int k = 0; k < static_cast<int>(few.discs.size()); ++k) few.foresee(k);
+    while (!few.queue.empty() && few.queue.next().time <= until) {
+        const Event event = few.queue.next();
+        few.queue.pop();
+        const FewDisc& p = few.discs[event.a];
+        const FewDisc& q = few.discs[event.b];
+        const Vec2 offset = p.place(event.time) - q.place(event.time);
+        if (offset.dot(p.v - q.v) >= 0.0) continue;
+        few.strike(event);
+        few.foresee(event.a);
+        few.foresee(event.b);
+    }
+}
+// [events.wrong.stale]
+
+/// How far a ball came that falls again and again.
+struct Hops
+{
+    long count = 0;
+    double time = 0.0;  ///< [s]
+    double speed = 0.0; ///< of the last rebound [m/s]
+};
+
+// [events.wrong.hops]
+/// WRONG, and it looks right: fly to the next impact, bounce, and so on until the
+/// time is up. speed, e, g  of the first rebound, restitution, gravity; patience hops
+/// until we give up
+inline Hops hop_until(double until, double speed, double e, double g, long patience)
+{
+    Hops hops{0, 0.0, speed};
+    while (hops.time < until && hops.count < patience) {
+        hops.time += 2.0 * hops.speed / g;
+        hops.speed *= e;
+        ++hops.count;
+    }
+    return hops;
+}
+// [events.wrong.hops]
+
+} // namespace flying
