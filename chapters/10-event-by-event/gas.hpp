@@ -72,8 +72,8 @@ inline double gas_rate(double z, double kT, double mass, double sigma)
 // [events.gas.rate]
 
 // [events.gas.series]
-/// Compressibility of hard discs by its virial series: the first ten coefficients, in
-/// units of the second (Clisby and McCoy 2006).  packing  up to 0.4 or so
+/// Compressibility of hard discs by its virial series, coefficients in units of the
+/// second (Clisby and McCoy 2006).  packing  up to 0.4 or so
 inline double compressibility(double packing)
 {
     constexpr std::array<double, 9> k_coefficients{1.0,      0.782004, 0.532232,

@@ -32,9 +32,8 @@ struct Hops
 };
 
 // [events.wrong.hops]
-/// WRONG, and it looks right: fly to the next impact, bounce, and so on until the
-/// time is up. speed, e, g  of the first rebound, restitution, gravity; patience hops
-/// until we give up
+/// WRONG, and it looks right: fly to the next impact, bounce, until the time is up.
+/// speed  of the first rebound; patience  hops until we give up
 inline Hops hop_until(double until, double speed, double e, double g, long patience)
 {
     Hops hops{0, 0.0, speed};

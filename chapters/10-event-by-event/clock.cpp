@@ -1,0 +1,52 @@
+#include <cstdio>
+#include <initializer_list>
+#include <numbers>
+
+#include "three.hpp"
+#include "wrong_few.hpp"
+
+using namespace flying;
+
+namespace {
+
+// [events.clock.hops]
+/// A ball at e = 1/2, whose first hop lasts a second.
+void hop_for_ever()
+{
+    std::printf("     hops     time   last rebound\n");
+    for (const long patience : {10L, 100L, 1000L, 10'000L, 1'000'000L}) {
+        const Hops hops = hop_until(10.0, 4.9, 0.5, 9.8, patience);
+        std::printf("%9ld %6.3f s %10.0e m/s\n", hops.count, hops.time, hops.speed);
+    }
+}
+// [events.clock.hops]
+
+// [events.clock.three]
+/// Three balls in a row: how often they meet, and what the angle says.
+void meet_in_a_row()
+{
+    std::printf("\n     e   pi / phi   impacts   gaps in the end\n");
+    for (const double e : {1.0, 0.5, 0.2, 0.1, 0.08, 0.076, 0.074, 0.07, 0.05}) {
+        EventEngine engine = three_in_a_row(e);
+        if (engine.advance(100.0, -1)) continue;
+        const auto gap = [&](int k) {
+            const double left = state_at(engine.flyer(k), 100.0).position.x();
+            return state_at(engine.flyer(k + 1), 100.0).position.x() - left - 1.0;
+        };
+        const double phi = row_angle(e);
+        std::printf("%6.3f", e);
+        if (phi > 0.0) std::printf("%11.2f", std::numbers::pi / phi);
+        else std::printf("%11s", "-");
+        std::printf(" %9ld %10.0e m, %.0e m\n", engine.counts().impacts, gap(0),
+                    gap(1));
+    }
+}
+// [events.clock.three]
+
+} // namespace
+
+int main()
+{
+    hop_for_ever();
+    meet_in_a_row();
+}
