@@ -109,6 +109,7 @@ void RestEngine::measure_reach()
     const double dt = options_.step;
     for (std::size_t k = 0; k < bodies_.size(); ++k) {
         const RestBody& body = bodies_[k];
+        if (asleep_[k]) ++counts_.asleep;
         if (body.is_static || asleep_[k] || !body.is_active) continue;
         const double speed = body.state.velocity.norm() + std::abs(body.state.spin) * radius_[k];
         reach_[k] = dt * (speed + dt * body.acceleration.norm()) + rest_tolerance::k_watch * radius_[k];
