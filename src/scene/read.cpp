@@ -73,7 +73,7 @@ std::string label_of_body(const std::string& name, std::size_t index)
     return name.empty() ? "body " + std::to_string(index) : "body " + quoted(name);
 }
 
-// [scene.shape]
+// [scene.read-shape]
 ShapeDef read_shape(TableReader shape)
 {
     constexpr const char* k_length = "a positive length [m]";
@@ -118,7 +118,7 @@ ShapeDef read_shape(TableReader shape)
     if (!kind.empty()) shape.refuse_unknown_keys();
     return def;
 }
-// [scene.shape]
+// [scene.read-shape]
 
 BodyDef read_body(FaultList& faults, const toml::table& table, std::size_t index)
 {
