@@ -67,7 +67,7 @@ void move_away(double spin)
         const Prediction answer = predict(bar(), a, bar(), b, 0.0, {.windows = 1000});
         if (moved == 0.0) here = answer.time;
         const double reach = moved + 4.0;
-        const double noise = gap_tolerance(1.0, 1.0, reach, 1.0 + spin, answer.time).noise;
+        const double noise = 4.0 * gap_tolerance(1.0, 1.0, reach, 1.0 + spin, answer.time).noise;
         const double off = std::abs(answer.time - here);
         std::printf("%11.0f m %18.15f %10.1e s %14.1e m\n", moved, answer.time, off, noise);
     }

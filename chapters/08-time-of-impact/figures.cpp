@@ -197,7 +197,7 @@ void draw_noise(const std::string& folder)
     for (int k = -27; k <= 27; ++k) s.disc(at(k, read_corner(y, spin, root + k * unit).gap), 3.4, k_blue, k_none);
     s.disc(at(offset, 0), 7.0, k_none, k_rust, 2.4);
     s.words(at(offset, 0) + Vec2(14, -16), "root", Anchor::left, k_rust);
-    s.words(at(-28, -0.84 * noise), "noise", Anchor::left, k_teal);
+    s.words(at(-28, -0.84 * noise), "here the march ends", Anchor::left, k_teal);
     s.words(at(28, 0.78 * noise), "gap, double by double", Anchor::right, k_blue, 15.0);
     s.formula(at(31, 0) + Vec2(-4, 26), "t", Anchor::middle, k_soft);
 }
