@@ -33,6 +33,10 @@ struct EventEngineOptions
     PairFinder pair_finder = PairFinder::grid;
     bool skips_static_pairs = true; ///< static bodies are not compared with each other
     bool skips_far_features = true; ///< turning features wait until bounding circles meet
+    bool skips_search = true;       ///< movers are predicted from their rows
+    bool skips_absent_field = true; ///< where nothing falls, paths are straight
+    bool skips_apart_rings = true;  ///< round a centre, rings apart never meet
+    bool skips_far_vertices = true; ///< vertices out of reach aren't followed
     double (*seconds)() = nullptr;  ///< a clock, lent to measure the stages; null to measure nothing [s]
 };
 // [events.options]
@@ -63,6 +67,7 @@ struct EventCounts
     std::int64_t looks = 0;       ///< pairs looked at again
     std::int64_t predictions = 0; ///< pairs predicted, all told
     std::int64_t stale = 0;       ///< events that had been overtaken
+    std::int64_t searches = 0;    ///< predictions and looks that took the general search
     std::int64_t static_pairs_skipped = 0;
     std::int64_t far_pairs_skipped = 0;    ///< pairs that the grid left alone, compared with all pairs
     std::int64_t far_features_skipped = 0; ///< predictions of turning pairs whose bounding circles never meet
@@ -225,6 +230,7 @@ private:
     std::int64_t line_up_at_ = 0;             // when so many cells have been left, rows are put in order again
     Vec2 acceleration_ = Vec2::Zero(); // of all that move [m/s^2]
     bool falls_ = false;              // there is such an acceleration
+    bool searches_all_ = false;       // every pair takes the general search
     std::optional<CentralField> central_; // round whose centre all fly that move
     std::optional<Grid> grid_;
     EventQueue queue_;

@@ -196,7 +196,7 @@ inline void EventEngine::predict_movers(int a, int b)
 inline void EventEngine::predict_pair(int p, int q)
 {
     ++counts_.predictions;
-    if (is_fixed(p) || is_fixed(q) || central_) predict_general(p, q, std::max(rows_[p].time, rows_[q].time), 0);
+    if (is_fixed(p) || is_fixed(q) || searches_all_) predict_general(p, q, std::max(rows_[p].time, rows_[q].time), 0);
     else predict_movers(p, q);
 }
 // [events.predict_pair]
@@ -205,7 +205,8 @@ inline void EventEngine::predict_pair(int p, int q)
 void EventEngine::predict_all()
 {
     const StageTimer timer(options_.seconds, seconds_.predict);
-    falls_ = acceleration_ != Vec2::Zero();
+    falls_ = acceleration_ != Vec2::Zero() || !options_.skips_absent_field;
+    searches_all_ = central_ || !options_.skips_search;
     for (int a = 0; a < body_count(); ++a) {
         if (!is_fixed(a)) {
             predict_cell(a, std::max(now_, rows_[a].time));
@@ -312,6 +313,9 @@ void EventEngine::predict_general(int p, int q, double from, int windows)
     PredictOptions options;
     options.windows = windows;
     options.skips_far_features = options_.skips_far_features;
+    options.skips_apart_rings = options_.skips_apart_rings;
+    options.skips_far_vertices = options_.skips_far_vertices;
+    ++counts_.searches;
     const Prediction prediction = predict(shape_of(a), flyer_of(a), shape_of(b), flyer_of(b), from, options);
     if (prediction.kind == Prediction::Kind::never) {
         ++counts_.far_features_skipped;

@@ -36,13 +36,14 @@ struct Search
     double radius_b = 0.0;    ///< infinite for a wall [m]
     double acceleration = 0.0; ///< relative [m/s^2]
     double tip_speed = 0.0;   ///< of the fastest points about their centres [m/s]
+    bool skips_far_vertices = true;
 };
 // [toi.search]
 
 // [toi.search.make]
 [[nodiscard]] Search make_search(const Flyer& a, double radius_a, const Flyer& b, double radius_b, double tip_speed)
 {
-    Search search{a, b, relative_flight(a, b, common_start(a, b)), radius_a, radius_b, 0.0, tip_speed};
+    Search search{a, b, relative_flight(a, b, common_start(a, b)), radius_a, radius_b, 0.0, tip_speed, true};
     search.acceleration = search.relative.acceleration.norm();
     return search;
 }
@@ -66,6 +67,7 @@ struct Search
 
     Window window;
     window.from = time;
+    window.skips_far_vertices = search.skips_far_vertices;
     window.until = std::min(latest, std::max(time + length, next_after(time)));
     window.speed = speed;
     if (search.acceleration > 0.0) window.speed += search.acceleration * (window.until - time);
@@ -219,7 +221,8 @@ template <typename Look>
                                 double from, const PredictOptions& options)
 {
     const double tips = tip_speed(a, flyer_a) + tip_speed(b, flyer_b);
-    const Search pair = make_search(flyer_a, a.radius(), flyer_b, b.radius(), tips);
+    Search pair = make_search(flyer_a, a.radius(), flyer_b, b.radius(), tips);
+    pair.skips_far_vertices = options.skips_far_vertices;
     const Turning turning_a(flyer_a.state);
     const Turning turning_b(flyer_b.state);
     const auto look = [&](const Window& window) {

@@ -12,6 +12,8 @@ struct PredictOptions
 {
     int windows = 16;               ///< how many windows of turning features to look at before answering `not_before`
     bool skips_far_features = true; ///< leave features alone until the bounding circles meet
+    bool skips_apart_rings = true;  ///< leave bodies alone whose rings don't overlap
+    bool skips_far_vertices = true; ///< leave vertices alone that stay out of reach
 };
 // [toi.predict.options]
 

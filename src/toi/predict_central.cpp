@@ -29,6 +29,7 @@ struct CentralSearch
     double smaller = 0.0;       ///< of the two; A's for a wall [m]
     double tip_speed = 0.0;     ///< of the fastest points about their centres [m/s]
     double reach = 0.0;         ///< of the coordinates from which the paths are known [m]
+    bool skips_far_vertices = true;
 };
 // [toi.central.search]
 
@@ -98,6 +99,7 @@ double look_ahead(CentralSearch& search, double time)
 
     Window window;
     window.from = time;
+    window.skips_far_vertices = search.skips_far_vertices;
     window.until = std::max(std::min(latest, time + length), next_after(time));
     window.speed = speed + bound * (window.until - time);
 
@@ -221,6 +223,7 @@ template <typename A, typename B>
                                 const PredictOptions& options)
 {
     CentralSearch pair = make_search(a, flyer_a, b, flyer_b);
+    pair.skips_far_vertices = options.skips_far_vertices;
     const Turning turning_a(flyer_a.state);
     const Turning turning_b(flyer_b.state);
     // [toi.central.pair.look]
@@ -239,11 +242,11 @@ template <typename A, typename B>
     };
     // [toi.central.pair.look]
     if constexpr (std::is_same_v<B, HalfPlane>) {
-        if (options.skips_far_features && never_meet(pair, b)) return {};
+        if (options.skips_apart_rings && never_meet(pair, b)) return {};
         const auto apart = [&](double time) { return circles_apart(pair, b, time); };
         return search_central(pair, apart, look, from, options);
     } else {
-        if (options.skips_far_features && never_meet(pair)) return {};
+        if (options.skips_apart_rings && never_meet(pair)) return {};
         const auto apart = [&](double time) { return circles_apart(pair, time); };
         return search_central(pair, apart, look, from, options);
     }

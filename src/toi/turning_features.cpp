@@ -115,7 +115,7 @@ void scan_vertices(const Side& p, const Side& q, const Relative& relative, doubl
         const Vec2& vertex = p.shape.vertices()[k];
         const Vec2 r = p.at_start * vertex;
         const Vec2 point = offset + r;
-        if (point.squaredNorm() > near * near) continue;
+        if (window.skips_far_vertices && point.squaredNorm() > near * near) continue;
         const double arm = vertex.norm();
         const Vec2 point_rate = rate + cross(spin_p, r);
 
@@ -124,7 +124,7 @@ void scan_vertices(const Side& p, const Side& q, const Relative& relative, doubl
         const double bend_of_distance = acceleration + spin_p * spin_p * arm;
         const double reach = point.norm();
         const double outside = reach - circle;
-        if (outside > 0.0) {
+        if (window.skips_far_vertices && outside > 0.0) {
             const double clear = safe_step(outside, point.dot(point_rate) / reach, bend_of_distance);
             if (window.from + clear >= horizon(strike, window)) continue;
         }
@@ -137,7 +137,9 @@ void scan_vertices(const Side& p, const Side& q, const Relative& relative, doubl
         bounds.bend = bend_of_point(acceleration, window.speed, distance, arm, spin_p, spin_q);
         bounds.depth = k_depth * window.tolerance.touch;
         bounds.tolerance = window.tolerance;
-        if (q.shape.is_convex() && time_in_front(seen, q.shape, bounds) >= horizon(strike, window) - window.from) continue;
+        if (window.skips_far_vertices && q.shape.is_convex() &&
+            time_in_front(seen, q.shape, bounds) >= horizon(strike, window) - window.from)
+            continue;
         // [toi.vertices-on-edges.front]
 
         // [toi.vertices-on-edges.march]

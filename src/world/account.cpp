@@ -103,6 +103,7 @@ Plan plan_with_savings(Plan plan, const EventCounts& counts)
         if (!skip.active) continue;
         if (skip.name == "grid") skip.saved = counts.far_pairs_skipped;
         if (skip.name == "static-pairs") skip.saved = counts.static_pairs_skipped;
+        if (skip.name == "search") skip.saved = counts.predictions + counts.looks - counts.searches;
         if (skip.name == "far-features") skip.saved = counts.far_features_skipped;
     }
     return plan;

@@ -15,6 +15,11 @@ constexpr int k_fewest_for_grid = 32;
 constexpr const char* k_grid = "grid";
 constexpr const char* k_static_pairs = "static-pairs";
 constexpr const char* k_far_features = "far-features";
+constexpr const char* k_cells = "cells";
+constexpr const char* k_search = "search";
+constexpr const char* k_field = "field";
+constexpr const char* k_rings = "rings";
+constexpr const char* k_far_vertices = "far-vertices";
 
 [[nodiscard]] std::string count_of(int count, const std::string& one, const std::string& many)
 {
@@ -29,7 +34,9 @@ struct Census
     int movers = 0;
     int statics = 0;
     int movers_with_corners = 0;
+    int statics_with_corners = 0;
     bool is_central = false;
+    bool falls = false;
 };
 // [plan.census]
 
@@ -42,10 +49,11 @@ struct Census
         census.is_central = true;
         if (central->radius > 0.0) ++census.statics;
     }
+    census.falls = uniform_acceleration(scene.world.field) != Vec2::Zero();
     for (const BodyDef& body : scene.bodies) {
-        if (body.is_static) ++census.statics;
-        else ++census.movers;
-        if (!body.is_static && !std::holds_alternative<DiscDef>(body.shape)) ++census.movers_with_corners;
+        const bool has_corners = !std::holds_alternative<DiscDef>(body.shape);
+        ++(body.is_static ? census.statics : census.movers);
+        if (has_corners) ++(body.is_static ? census.statics_with_corners : census.movers_with_corners);
     }
     return census;
 }
@@ -83,11 +91,10 @@ struct Census
 // [plan.far_features]
 [[nodiscard]] Skip far_features(const Census& census)
 {
-    const bool any_corners = census.movers_with_corners > 0 || census.statics > 4;
+    const bool any_corners = census.movers_with_corners + census.statics_with_corners > 0;
     Skip skip{k_far_features, SkipClass::neutral, any_corners || census.is_central, "", 0, "looks at features"};
     if (census.is_central) {
-        skip.reason = "bodies whose rings round the centre don't overlap never meet, and features are looked at only "
-                      "while the bounding circles of a pair overlap";
+        skip.reason = "features are looked at only while the bounding circles of a pair overlap";
         return skip;
     }
     skip.reason = any_corners ? "corners and edges are looked at only while the bounding circles of a pair overlap"
@@ -96,16 +103,80 @@ struct Census
 }
 // [plan.far_features]
 
+// [plan.cells]
+/// What the grid is left out for where it doesn't pay: turned off, cells are kept all the same.
+[[nodiscard]] Skip cells(const Census& census)
+{
+    const bool few = census.movers < k_fewest_for_grid;
+    Skip skip{k_cells, SkipClass::ordered, few && census.movers > 0 && !census.is_central, "", 0, ""};
+    skip.reason = census.is_central ? "a central field: there are no cells to keep"
+                  : few             ? "fewer than " + std::to_string(k_fewest_for_grid) + " moving bodies: no cells are kept for them"
+                                    : "so many moving bodies are found faster by their cells";
+    return skip;
+}
+// [plan.cells]
+
+// [plan.search]
+/// The door through which every pair can be foreseen: shapes by kind, flights of any kind, features by windows.
+[[nodiscard]] Skip search(const Census& census)
+{
+    Skip skip{k_search, SkipClass::neutral, census.movers >= 2 && !census.is_central, "", 0, "searches"};
+    skip.reason = census.is_central    ? "a central field: no two flights have a closed form together"
+                  : census.movers < 2  ? "no two bodies move"
+                  : census.movers_with_corners > 0
+                      ? "two moving bodies are first foreseen as circles on straight paths, the roots of a quadratic"
+                      : "discs meet at the roots of a quadratic: no code for corners is entered for two of them";
+    return skip;
+}
+// [plan.search]
+
+// [plan.field]
+/// The terms of an acceleration that isn't there.
+[[nodiscard]] Skip field(const Census& census)
+{
+    Skip skip{k_field, SkipClass::neutral, !census.falls && !census.is_central, "", 0, ""};
+    skip.reason = skip.active ? "no field: flights are straight lines" : "a field accelerates what moves";
+    return skip;
+}
+// [plan.field]
+
+// [plan.rings]
+/// Pairs whose orbits keep them apart for ever.
+[[nodiscard]] Skip rings(const Census& census)
+{
+    Skip skip{k_rings, SkipClass::neutral, census.is_central, "", 0, ""};
+    skip.reason = census.is_central ? "bodies whose rings round the centre don't overlap never meet"
+                                    : "no central field: there are no rings";
+    return skip;
+}
+// [plan.rings]
+
+// [plan.far_vertices]
+/// Vertices that can't come to an edge within a look.
+[[nodiscard]] Skip far_vertices(const Census& census)
+{
+    const bool pairs = census.movers_with_corners > 1 || (census.movers_with_corners == 1 && census.statics_with_corners > 0);
+    Skip skip{k_far_vertices, SkipClass::neutral, pairs, "", 0, ""};
+    skip.reason = pairs ? "a vertex is followed only where it may reach the other body's circle, and come behind all its edges"
+                        : "no two bodies with corners can meet";
+    return skip;
+}
+// [plan.far_vertices]
+
 } // namespace
 
 // [plan.make]
-std::vector<std::string> skip_names() { return {k_grid, k_static_pairs, k_far_features}; }
+std::vector<std::string> skip_names()
+{
+    return {k_grid, k_cells, k_static_pairs, k_search, k_field, k_rings, k_far_features, k_far_vertices};
+}
 
 Plan make_plan(const Scene& scene, const std::vector<std::string>& without)
 {
     const Census census = take_census(scene);
     Plan plan;
-    plan.skips = {far_pairs(census), static_pairs(census), far_features(census)};
+    plan.skips = {far_pairs(census), cells(census),        static_pairs(census), search(census),
+                  field(census),     rings(census),        far_features(census), far_vertices(census)};
 
     // [plan.make.without]
     // Leave out what the user asked to leave out
@@ -119,9 +190,14 @@ Plan make_plan(const Scene& scene, const std::vector<std::string>& without)
                            [&](const Skip& skip) { return skip.name == name && skip.active; });
     };
     // [plan.make.without]
-    plan.pair_finder = active(k_grid) ? PairFinder::grid : PairFinder::all_pairs;
+    const bool keeps_cells = cells(census).active && !active(k_cells);
+    plan.pair_finder = active(k_grid) || keeps_cells ? PairFinder::grid : PairFinder::all_pairs;
     plan.skips_static_pairs = active(k_static_pairs);
     plan.skips_far_features = active(k_far_features);
+    plan.skips_search = active(k_search);
+    plan.skips_absent_field = active(k_field);
+    plan.skips_apart_rings = active(k_rings);
+    plan.skips_far_vertices = active(k_far_vertices);
     return plan;
 }
 // [plan.make]

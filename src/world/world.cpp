@@ -135,6 +135,10 @@ Expected<World> World::make(const Scene& scene, const WorldOptions& options)
     engine_options.pair_finder = plan.pair_finder;
     engine_options.skips_static_pairs = plan.skips_static_pairs;
     engine_options.skips_far_features = plan.skips_far_features;
+    engine_options.skips_search = plan.skips_search;
+    engine_options.skips_absent_field = plan.skips_absent_field;
+    engine_options.skips_apart_rings = plan.skips_apart_rings;
+    engine_options.skips_far_vertices = plan.skips_far_vertices;
     EventEngine engine(std::move(bodies), engine_options);
 
     World world(std::make_unique<Parts>(
