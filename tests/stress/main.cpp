@@ -55,6 +55,8 @@ struct Part
 constexpr Part k_parts[] = {
     {"roots", "first impacts against a dense search of its own", "pairs", 100'000'000, run_roots},
     {"shift", "the same impacts when all times are a million seconds later", "pairs", 1'000'000, run_shift},
+    {"skips", "every bit after every impact with each skip off, over random scenes", "scenes", 10'000, run_skips},
+    {"savings", "the work that each skip saves in the scenes of the chapters", "impacts a scene", 2'000, run_savings},
     {"gas", "pressure and collision rate of hard discs at packing 0.3", "collisions", 500'000'000, run_gas},
     {"speeds", "Maxwell's distribution in a gas that starts with one speed", "speeds", 10'000'000, run_speeds},
     {"spins", "equal shares of energy in a gas of squares that starts without spin", "spins", 1'000'000, run_spins},

@@ -37,6 +37,8 @@ struct Job
 
 void run_roots(const Job& job, Tally& tally);
 void run_shift(const Job& job, Tally& tally);
+void run_skips(const Job& job, Tally& tally);
+void run_savings(const Job& job, Tally& tally);
 void run_gas(const Job& job, Tally& tally);
 void run_speeds(const Job& job, Tally& tally);
 void run_spins(const Job& job, Tally& tally);
