@@ -3,7 +3,7 @@ load "growth.ini"
 set encoding utf8
 set logscale xy
 set format y "10^{%L}"
-set grid lc rgb "#dddddd"
+set grid xtics ytics lt 1 lw 1 lc rgb "#dddddd"
 set key box opaque
 set pointsize 0.9
 set rmargin 5
