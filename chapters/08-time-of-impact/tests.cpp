@@ -369,7 +369,7 @@ TEST_CASE("lengths, times and masses by powers of two scale a prediction bit for
 // [toi.tests.safe-step]
 TEST_CASE("a safe step never passes a root of a function whose bend is bounded")
 {
-    // f = a cos(w t + p) + b: |f''| <= a w^2; the exact first root by arccosine
+    // f = cos(w t + p) + b, so that |f''| <= w^2; its first root by the arc cosine
     Random random(10);
     for (int k = 0; k < 100000; ++k) {
         const double w = random.uniform(0.1, 10.0);
