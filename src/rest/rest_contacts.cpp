@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "response/push_line.hpp"
+#include "rest/near_points.hpp"
 #include "rest/rest_engine.hpp"
 #include "rest/rest_tolerance.hpp"
 
@@ -13,8 +14,8 @@ namespace {
 constexpr double k_deep = 0x1p-10;
 /// Looks at a pair that closes, each at the moment that the last one foresaw.
 constexpr int k_looks = 5;
-/// [sine] Normals this near are those of one edge.
-constexpr double k_same_normal = 0x1p-10;
+/// [steps] What closes later is left to the next step.
+constexpr double k_last_moment = 1.0 - 0x1p-30;
 
 /// Time until a gap closes that changes at speed u and acceleration a; more than `within` where it doesn't by then. [s]
 [[nodiscard]] double time_to_close(double gap, double u, double a, double within)
@@ -71,7 +72,7 @@ void RestEngine::collide_pair(int index)
     Manifold manifold;
     if (!(way.squaredNorm() > clear * clear)) {
         ++counts_.manifolds;
-        manifold = make_manifold(part_a.shape, pose_a, part_b.shape, pose_b, margin);
+        manifold = look(pair, pose_a, pose_b, margin);
     }
 
     // A gap that would close within the step is looked at when it does; bodies turn, so that one look may not do
@@ -79,12 +80,12 @@ void RestEngine::collide_pair(int index)
     double moment = 0.0;
     bool overlaps = false;
     for (int k = 0; k < manifold.count; ++k) overlaps = overlaps || manifold.contacts[k].separation < -k_deep * size;
-    for (int look = 0; look < k_looks && !overlaps; ++look) {
+    for (int k = 0; k < k_looks && !overlaps; ++k) {
         const double wait = next_closing(pair, manifold, moment, closing);
-        if (!(moment + wait <= options_.step) || wait == 0.0) break;
+        if (!(moment + wait <= k_last_moment * span_) || wait == 0.0) break;
         moment += wait;
         ++counts_.manifolds;
-        manifold = make_manifold(part_a.shape, pose_at(pair.a, moment), part_b.shape, pose_at(pair.b, moment), margin);
+        manifold = look(pair, pose_at(pair.a, moment), pose_at(pair.b, moment), margin);
         closing.closed = rest_tolerance::k_closed * size;
     }
     if (moment > 0.0 && manifold.count == 0) pair.count = 0;
@@ -104,7 +105,7 @@ Pose RestEngine::pose_at(int body, double moment) const
 /// does.
 double RestEngine::next_closing(const RestPair& pair, const Manifold& manifold, double moment, Closing& closing) const
 {
-    const double left = options_.step - moment;
+    const double left = span_ - moment;
     double wait = std::numeric_limits<double>::infinity();
     for (int k = 0; k < manifold.count; ++k) {
         const Contact& contact = manifold.contacts[k];
@@ -149,8 +150,6 @@ void RestEngine::add_points(int index, const Manifold& manifold, double moment)
     after.count = 0;
     for (int k = 0; k < manifold.count; ++k) {
         const Contact& contact = manifold.contacts[k];
-        if (!is_real(pair, contact)) continue;
-
         // Arms lead from where the centres are at the moment
         const Vec2 r_a = contact.point - (moment > 0.0 ? pose_at(pair.a, moment).position : poses_[pair.a].position);
         const Vec2 r_b = contact.point - (moment > 0.0 ? pose_at(pair.b, moment).position : poses_[pair.b].position);
@@ -160,7 +159,7 @@ void RestEngine::add_points(int index, const Manifold& manifold, double moment)
         point.pair = index;
         point.feature = contact.feature;
         point.gap = contact.separation;
-        point.left = options_.step - moment;
+        point.left = span_ - moment;
         point.fall = fall_at(pair, contact, moment);
         if (moment > 0.0 && point.gap <= rest_tolerance::k_closed * size) point.gap = std::min(point.gap, 0.0);
         max_overlap_ = moment > 0.0 ? max_overlap_ : std::max(max_overlap_, -contact.separation);
@@ -203,26 +202,14 @@ void RestEngine::set_arms(ContactPoint& c, const Vec2& n, const Vec2& r_a, const
 }
 // [rest.points]
 
-// [rest.real_edges]
-bool RestEngine::is_real(const RestPair& pair, const Contact& contact) const
+// [rest.look]
+Manifold RestEngine::look(const RestPair& pair, const Pose& pose_a, const Pose& pose_b, double margin) const
 {
-    // A normal that stands on a cut through a shape belongs to no side of it
-    const auto stands_on_cut = [&](int body, int part, const Vec2& normal) {
-        const std::vector<char>& real = real_edges_[body];
-        if (real.empty()) return false;
-        std::size_t first = 0;
-        for (int p = 0; p < part; ++p) first += std::get<Polygon>(shapes_[body].parts[p].shape).edges().size();
-        const Polygon& polygon = std::get<Polygon>(shapes_[body].parts[part].shape);
-        const Vec2 local = inverse(poses_[body].rotation) * normal;
-        for (std::size_t k = 0; k < polygon.edges().size(); ++k) {
-            if (!real[first + k] && (polygon.edges()[k].normal - local).cwiseAbs().maxCoeff() < k_same_normal)
-                return true;
-        }
-        return false;
-    };
-    return !stands_on_cut(pair.a, pair.part_a, contact.normal) && !stands_on_cut(pair.b, pair.part_b, -contact.normal);
+    const NearSide a{shapes_[pair.a].parts[pair.part_a].shape, pose_a, real_edges_[pair.a][pair.part_a]};
+    const NearSide b{shapes_[pair.b].parts[pair.part_b].shape, pose_b, real_edges_[pair.b][pair.part_b]};
+    return near_points(a, b, margin);
 }
-// [rest.real_edges]
+// [rest.look]
 
 // [rest.wake]
 bool RestEngine::wake_touched()
@@ -240,7 +227,10 @@ bool RestEngine::wake_touched()
             any = true;
         }
     }
-    if (any) measure_reach();
+    if (any) {
+        list_awake();
+        measure_reach(awake_);
+    }
     return any;
 }
 // [rest.wake]

@@ -32,6 +32,9 @@ struct RestCounts
     std::int64_t impacts = 0;   ///< points at which an approach was ended
     std::int64_t asleep = 0;    ///< bodies left out, over all steps
     std::int64_t placed = 0;    ///< groups whose overlap was taken off
+    std::int64_t halved = 0;    ///< steps, or parts of steps, that groups made in two halves
+    std::int64_t repeated = 0;  ///< steps made anew, because somebody got further than was looked at
+    std::int64_t paid = 0;      ///< groups slowed down, so that they have no more energy than before
 };
 
 /// Seconds spent, where a clock was lent.
@@ -113,9 +116,36 @@ private:
         int member_count = 0;
         int first_point = 0;
         int point_count = 0;
+        int all_points = 0;     ///< with those that this step leaves to the next, which stand after the others
+        bool is_content = true; ///< the impulses that were found are right to rounding
+    };
+    /// Groups whose step came out badly, to be made again in two halves.
+    struct Again
+    {
+        struct Part
+        {
+            int first_member = 0;
+            int member_count = 0;
+            int first_pair = 0;
+            int pair_count = 0;
+            double first_half = 0.0; ///< length of the first half: they may differ [s]
+        };
+        std::vector<Part> parts;
+        std::vector<int> members;
+        std::vector<int> pairs;
     };
 
-    void measure_reach();
+    void list_awake();
+    void measure_reach(std::span<const int> who);
+    [[nodiscard]] bool any_outran();
+    void note_outrun(const Group& group);
+    [[nodiscard]] bool is_sane(const Group& group) const;
+    void finish_groups(int depth, std::span<const int> pairs);
+    void note_again(const Group& group, Again& again);
+    void find_pairs_of(Again& again, std::span<const int> pairs);
+    void make_in_halves(int depth);
+    void scale_loads(std::span<const int> pairs, double factor);
+    [[nodiscard]] bool is_exact(const Group& group) const { return group.member_count <= options_.most_solved; }
     void expect_flight(int body);
     void expect_same(int body);
     void collide();
@@ -132,24 +162,40 @@ private:
     [[nodiscard]] double fall_at(const RestPair& pair, const Contact& contact, double moment) const;
     [[nodiscard]] Pose pose_at(int body, double moment) const;
     void add_points(int pair, const Manifold& manifold, double moment);
-    [[nodiscard]] bool is_real(const RestPair& pair, const Contact& contact) const;
+    [[nodiscard]] Manifold look(const RestPair& pair, const Pose& pose_a, const Pose& pose_b, double margin) const;
     [[nodiscard]] bool wake_touched();
     void wake_all_with(int group);
-    void gather_groups();
+    void gather_groups(std::span<const int> who);
     void solve_group(Group& group);
-    void take_off_overlap(const Group& group);
+    void solve_safely(Group& group);
     [[nodiscard]] bool set_bounds(Group& group);
     void move_as_pushed(const Group& group);
     void set_free(const Group& group, double time);
-    void find_impulses(const Group& group, double time);
+    void find_impulses(Group& group, double time);
     [[nodiscard]] double work_of_contacts(const Group& group, double& energy);
-    void limit_rebound(const Group& group);
-    void part_where_slip_ends(const Group& group);
+    void limit_rebound(Group& group);
+    void part_where_slip_ends(Group& group);
     [[nodiscard]] bool any_slip_ended(const Group& group, double still) const;
     [[nodiscard]] const Mover& start_of_part(int member) const;
     void scale_impulses(const Group& group, double factor);
     void add_part(const Group& group, double time);
     void calm(const Group& group);
+    void find_places(const Group& group);
+    /// The energy that a group has before and after, and what it has gained beyond the field's work.
+    struct Gain
+    {
+        double gained = 0.0; // [J]
+        double scale = 0.0;  // sum of the sizes of all that `gained` is made of [J]
+    };
+    [[nodiscard]] Gain gain_of(const Group& group) const;
+    [[nodiscard]] bool is_clear(const Group& group, double overlap) const;
+    [[nodiscard]] double overlap_at_start(const Group& group) const;
+    [[nodiscard]] double first_impact(const Group& group) const;
+    [[nodiscard]] bool is_fair(const Group& group, double overlap) const;
+    [[nodiscard]] bool may_overlap(const ContactPoint& c) const;
+    [[nodiscard]] double look_at_end(const Group& group);
+    void put_apart(const Group& group, double overlap);
+    void pay_for_rise(const Group& group);
     void move_group(const Group& group);
     void set_arms(ContactPoint& point, const Vec2& normal, const Vec2& r_a, const Vec2& r_b) const;
     [[nodiscard]] double field_speed(const Group& group) const;
@@ -160,16 +206,23 @@ private:
     RestOptions options_;
     double start_ = 0.0;
     std::int64_t steps_ = 0;
+    double span_ = 0.0; // length of the step, or part of one, that is being made [s]
     std::vector<CollisionShape> shapes_;
-    std::vector<std::vector<char>>
-        real_edges_;             // of each body: for each part's edges in turn, whether it is a side of the shape
+    std::vector<std::vector<std::vector<char>>> real_edges_; // of each body and part, as NearSide has it
     std::vector<double> radius_; // bounding radii [m]
+    std::vector<double> turning_; // how far a turn may bring any point of each: the same, 0 for discs [m]
     std::vector<double> reach_;  // how far each may get in a step [m]
+    std::vector<double> outrun_; // of those that an impact has made faster than that: how far they may get now [m]
+    std::vector<double> whole_reach_; // the same, of the whole step [m]
+    bool has_outrun_ = false;
+    std::vector<BodyState> saved_; // as the step has found them
+    std::vector<int> awake_;     // ascending
     std::vector<Pose> poses_;
     std::vector<Mover> movers_;
     std::vector<Mover> before_;
-    std::vector<Vec2> shift_; // places' share of impacts [m], and turns
+    std::vector<Vec2> shift_; // ways that the step leads [m], and turns
     std::vector<double> turn_;
+    std::vector<Pose> next_poses_; // where the step ends
     std::vector<Vec2> pull_;        // accelerations that are expected: of the last step, or the field's
     std::vector<double> turn_pull_; // the same of spins [1/s^2]
     PairList pairs_;
@@ -177,6 +230,11 @@ private:
     std::vector<ContactPoint> points_; // by groups
     std::vector<Group> groups_;
     std::vector<int> members_;
+    std::vector<Again> again_; // at each depth of halving
+    std::vector<int> part_of_; // of each body, while pairs are sorted out; -1 for none
+    std::vector<ContactPoint> left_out_;
+    std::vector<Vec2> shift_before_; // before overlap was taken off
+    std::vector<double> turn_before_;
     std::vector<int> parent_; // of each body, towards the lowest of its group
     std::vector<int> slot_;
     std::vector<char> asleep_;

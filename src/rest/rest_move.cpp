@@ -10,39 +10,63 @@ namespace {
 /// [impulses] What an impulse bears beyond an impact, if it is less, is the rounding of the solve.
 constexpr double k_load = 0x1p-30;
 
+/// What a point bore beyond its impact.  [N s]
+[[nodiscard]] double load_of(const ContactPoint& c)
+{
+    const double rest = c.normal - std::min(c.impact, c.normal);
+    return rest > k_load * c.normal ? rest : 0.0;
+}
+
 } // namespace
 
 void RestEngine::expect_same(int body)
 {
     const Mover& old = before_[body];
     const Mover& now = movers_[body];
-    pull_[body] = Vec2(now.v_x - old.v_x, now.v_y - old.v_y) / options_.step;
-    turn_pull_[body] = (now.spin - old.spin) / options_.step;
+    pull_[body] = Vec2(now.v_x - old.v_x, now.v_y - old.v_y) / span_;
+    turn_pull_[body] = (now.spin - old.spin) / span_;
 }
+
+// [rest.places]
+void RestEngine::find_places(const Group& group)
+{
+    // An impact has changed the velocity from its moment on, and not half the step long
+    const double dt = span_;
+    for (int k = 0; k < group.point_count; ++k) {
+        const ContactPoint& c = points_[group.first_point + k];
+        const double impact = std::min(c.impact, c.normal);
+        const double place = impact * (c.left - 0.5 * dt) + load_of(c) * (0.5 * (c.left - dt));
+        if (place == 0.0) continue;
+        Mover a{0.0, 0.0, 0.0, movers_[c.a].inv_mass, movers_[c.a].inv_moment};
+        Mover b{0.0, 0.0, 0.0, movers_[c.b].inv_mass, movers_[c.b].inv_moment};
+        push(c, place, c.tangent * (place / c.normal), a, b);
+        shift_[c.a] += Vec2(a.v_x, a.v_y);
+        turn_[c.a] += a.spin;
+        shift_[c.b] += Vec2(b.v_x, b.v_y);
+        turn_[c.b] += b.spin;
+    }
+
+    // For the rest, places move by the mean of the velocities before and after
+    for (int k = 0; k < group.member_count; ++k) {
+        const int member = members_[group.first_member + k];
+        const Mover& old = before_[member];
+        const Mover& now = movers_[member];
+        const Vec2 mean(0.5 * (old.v_x + now.v_x), 0.5 * (old.v_y + now.v_y));
+        shift_[member] += dt * mean;
+        turn_[member] += dt * (0.5 * (old.spin + now.spin));
+    }
+}
+// [rest.places]
 
 // [rest.move]
 void RestEngine::move_group(const Group& group)
 {
-    const double dt = options_.step;
-
-    // An impact has changed the velocity from its moment on, and not half the step long
+    // Remember what the points bore
     bool same = true;
     for (int k = 0; k < group.point_count; ++k) {
         const ContactPoint& c = points_[group.first_point + k];
         RestPair& pair = pairs_.pairs()[c.pair];
-        const double impact = std::min(c.impact, c.normal);
-        const double rest = c.normal - impact;
-        const double load = rest > k_load * c.normal ? rest : 0.0;
-        const double place = impact * (c.left - 0.5 * dt) + load * (0.5 * (c.left - dt));
-        if (place != 0.0) {
-            Mover a{0.0, 0.0, 0.0, movers_[c.a].inv_mass, movers_[c.a].inv_moment};
-            Mover b{0.0, 0.0, 0.0, movers_[c.b].inv_mass, movers_[c.b].inv_moment};
-            push(c, place, c.tangent * (place / c.normal), a, b);
-            shift_[c.a] += Vec2(a.v_x, a.v_y);
-            turn_[c.a] += a.spin;
-            shift_[c.b] += Vec2(b.v_x, b.v_y);
-            turn_[c.b] += b.spin;
-        }
+        const double load = load_of(c);
         const double share = c.normal > 0.0 ? load / c.normal : 0.0;
         const double tangent = c.tangent * share;
         for (int i = 0; i < pair.count; ++i) {
@@ -67,25 +91,23 @@ void RestEngine::move_group(const Group& group)
         }
     }
 
-    // Move by the mean of the velocities before and after
+    // Move
     for (int k = 0; k < group.member_count; ++k) {
         const int member = members_[group.first_member + k];
         BodyState& state = bodies_[member].state;
-        const Mover& old = before_[member];
         const Mover& now = movers_[member];
-        const Vec2 mean(0.5 * (old.v_x + now.v_x), 0.5 * (old.v_y + now.v_y));
-        const Vec2 way = dt * mean + shift_[member];
-        const double turn = dt * (0.5 * (old.spin + now.spin)) + turn_[member];
-        same = same && way.x() == 0.0 && way.y() == 0.0 && turn == 0.0 && now.v_x == 0.0 && now.v_y == 0.0 &&
+        const Vec2& way = shift_[member];
+        same = same && way.x() == 0.0 && way.y() == 0.0 && turn_[member] == 0.0 && now.v_x == 0.0 && now.v_y == 0.0 &&
                now.spin == 0.0;
         state.position += way;
-        state.angle += turn;
+        state.angle += turn_[member];
         state.velocity = Vec2(now.v_x, now.v_y);
         state.spin = now.spin;
-        state.time = time() + dt;
+        state.time = time() + options_.step;
     }
 
-    // What a step leaves as it was, the next leaves too
+    // What a whole step leaves as it was, the next leaves too
+    same = same && span_ == options_.step;
     for (int k = 0; k < group.member_count; ++k) {
         const int member = members_[group.first_member + k];
         still_[member] = same ? 1 : 0;

@@ -26,8 +26,8 @@ double RestEngine::work_of_contacts(const Group& group, double& energy)
     for (int k = 0; k < group.member_count; ++k) {
         const int member = members_[group.first_member + k];
         const Mover& now = movers_[member];
-        const Vec2 free(before_[member].v_x + options_.step * bodies_[member].acceleration.x(),
-                        before_[member].v_y + options_.step * bodies_[member].acceleration.y());
+        const Vec2 free(before_[member].v_x + span_ * bodies_[member].acceleration.x(),
+                        before_[member].v_y + span_ * bodies_[member].acceleration.y());
         const double shift = free.squaredNorm() / now.inv_mass;
         const double turn = before_[member].spin * before_[member].spin / now.inv_moment;
         const double shift_after = (now.v_x * now.v_x + now.v_y * now.v_y) / now.inv_mass;
@@ -37,7 +37,7 @@ double RestEngine::work_of_contacts(const Group& group, double& energy)
     return work;
 }
 
-void RestEngine::limit_rebound(const Group& group)
+void RestEngine::limit_rebound(Group& group)
 {
     // Without rebound contacts never do work; with friction and several points, Newton's law may
     double energy = 0.0;
@@ -51,7 +51,7 @@ void RestEngine::limit_rebound(const Group& group)
             if (c.bound > 0.0) c.bound *= to / share;
         }
         share = to;
-        find_impulses(group, options_.step);
+        find_impulses(group, span_);
     };
     for (int k = 0; k < k_rebound_halvings; ++k) {
         const double middle = 0.5 * (low + high);
@@ -80,10 +80,10 @@ bool RestEngine::any_slip_ended(const Group& group, double still) const
     return false;
 }
 
-void RestEngine::part_where_slip_ends(const Group& group)
+void RestEngine::part_where_slip_ends(Group& group)
 {
     const double still = rest_tolerance::k_slip * field_speed(group);
-    const double dt = options_.step;
+    const double dt = span_;
     double left = dt;
     for (const ContactPoint& c : std::span(points_).subspan(group.first_point, group.point_count)) {
         if (c.left != dt || c.impact > 0x1p-30 * c.normal) return;

@@ -11,6 +11,9 @@ namespace {
 /// Points of the largest group whose step is parted where slip ends.
 constexpr int k_most_parted = 12;
 
+/// Sweeps over a group that could not be solved.
+constexpr int k_safe_sweeps = 64;
+
 /// Share of an overlap that one step takes off a group that is swept.
 constexpr double k_push_share = 0.25;
 
@@ -20,13 +23,12 @@ constexpr double k_push_share = 0.25;
 void RestEngine::solve_group(Group& group)
 {
     if (group.point_count == 0) {
-        set_free(group, options_.step);
+        set_free(group, span_);
         return;
     }
     const bool exact = group.member_count <= options_.most_solved;
-    if (exact) take_off_overlap(group);
     const bool any_bounce = set_bounds(group);
-    find_impulses(group, options_.step);
+    find_impulses(group, span_);
     if (!exact) {
         move_as_pushed(group);
         return;
@@ -45,8 +47,8 @@ void RestEngine::move_as_pushed(const Group& group)
         const Mover& now = movers_[member];
         const Mover& pushed = place_movers_[member];
         const Vec2 mean(0.5 * (old.v_x + now.v_x), 0.5 * (old.v_y + now.v_y));
-        shift_[member] += options_.step * (Vec2(pushed.v_x, pushed.v_y) - mean);
-        turn_[member] += options_.step * (pushed.spin - 0.5 * (old.spin + now.spin));
+        shift_[member] += span_ * (Vec2(pushed.v_x, pushed.v_y) - mean);
+        turn_[member] += span_ * (pushed.spin - 0.5 * (old.spin + now.spin));
     }
 }
 
@@ -61,13 +63,13 @@ void RestEngine::set_free(const Group& group, double time)
     }
 }
 
-void RestEngine::find_impulses(const Group& group, double time)
+void RestEngine::find_impulses(Group& group, double time)
 {
     set_free(group, time);
     const std::span<ContactPoint> points = std::span(points_).subspan(group.first_point, group.point_count);
     const std::span<const int> members = std::span(members_).subspan(group.first_member, group.member_count);
     if (group.member_count <= options_.most_solved) {
-        solver_.solve(movers_, members, points, rest_tolerance::k_content * top_speed(group));
+        group.is_content = solver_.solve(movers_, members, points, rest_tolerance::k_content * top_speed(group));
     } else {
         GroupSolver::SweepPlan plan;
         plan.sweeps = options_.sweeps;
@@ -96,7 +98,7 @@ double RestEngine::field_speed(const Group& group) const
         const Vec2& g = bodies_[members_[group.first_member + k]].acceleration;
         top = std::max({top, std::abs(g.x()), std::abs(g.y())});
     }
-    return options_.step * top;
+    return span_ * top;
 }
 
 // [rest.bounds]
@@ -106,7 +108,7 @@ bool RestEngine::set_bounds(Group& group)
     for (int k = 0; k < group.point_count; ++k) {
         ContactPoint& c = points_[group.first_point + k];
         const double fall = c.fall;
-        const double moment = options_.step - c.left;
+        const double moment = span_ - c.left;
         const double u = normal_speed(c, before_[c.a], before_[c.b]) + moment * fall;
         const double gap = c.gap > touch_gap(c.a, c.b) ? c.gap : 0.0;
         c.impact = 0.0;
@@ -129,10 +131,15 @@ bool RestEngine::set_bounds(Group& group)
     // Where bodies are thrown back in this step, gaps that they may close are left to the next: it throws back by the
     // speed that they have then
     if (!any_bounce) return false;
+    left_out_.clear();
     const auto begin = points_.begin() + group.first_point;
-    const auto end = std::remove_if(begin, begin + group.point_count, [&](const ContactPoint& c) {
-        return c.restitution > 0.0 && c.normal == 0.0 && c.gap > touch_gap(c.a, c.b);
-    });
+    auto end = begin;
+    for (auto c = begin; c != begin + group.point_count; ++c) {
+        const bool may_close = c->restitution > 0.0 && c->normal == 0.0 && c->gap > touch_gap(c->a, c->b);
+        if (may_close) left_out_.push_back(*c);
+        else *end++ = *c;
+    }
+    std::copy(left_out_.begin(), left_out_.end(), end);
     group.point_count = static_cast<int>(end - begin);
     return true;
 }
@@ -163,48 +170,29 @@ void RestEngine::calm(const Group& group)
 }
 // [rest.calm]
 
-// [rest.overlap]
-void RestEngine::take_off_overlap(const Group& group)
+// [rest.solve.safely]
+void RestEngine::solve_safely(Group& group)
 {
-    double deepest = 0.0;
-    double tolerance = touch_gap(points_[group.first_point].a, points_[group.first_point].b);
-    for (int k = 0; k < group.point_count; ++k) {
-        const ContactPoint& c = points_[group.first_point + k];
-        const double touch = touch_gap(c.a, c.b);
-        tolerance = std::min(tolerance, touch);
-        if (c.left == options_.step && c.gap < -touch) deepest = std::max(deepest, -c.gap);
-    }
-    if (deepest == 0.0) return;
-    ++counts_.placed;
-
-    // The same conditions for places as for velocities: apart, least by the masses, and no friction
-    place_points_.assign(points_.begin() + group.first_point, points_.begin() + group.first_point + group.point_count);
-    for (ContactPoint& c : place_points_) {
-        const double gap = c.left == options_.step ? c.gap : std::max(c.gap, 0.0);
-        c.bound = -gap;
-        c.normal = c.tangent = 0.0;
-        c.friction = 0.0;
-    }
-    for (int k = 0; k < group.member_count; ++k) {
-        const int member = members_[group.first_member + k];
-        Mover& mover = place_movers_[member];
-        mover = movers_[member];
-        mover.v_x = mover.v_y = mover.spin = 0.0;
-    }
+    group.point_count = group.all_points;
+    // From nothing, without rebound, by sweeps: none of them does work, whatever it leaves
+    const std::span<ContactPoint> points = std::span(points_).subspan(group.first_point, group.point_count);
     const std::span<const int> members = std::span(members_).subspan(group.first_member, group.member_count);
-    solver_.solve(place_movers_, members, place_points_, 0.125 * tolerance);
-
-    for (int k = 0; k < group.point_count; ++k) {
-        ContactPoint& c = points_[group.first_point + k];
-        c.gap += normal_speed(c, place_movers_[c.a], place_movers_[c.b]);
-        if (c.gap < 0.0) c.gap = 0.0;
+    for (ContactPoint& c : points) {
+        c.normal = c.tangent = 0.0;
+        c.bound = c.left == span_ ? -std::max(c.gap, 0.0) / span_ : 0.0;
     }
+    set_free(group, span_);
+    GroupSolver::SweepPlan plan;
+    plan.sweeps = k_safe_sweeps;
+    plan.calming_sweeps = 0;
+    solver_.sweep_group(movers_, members, points, plan, place_movers_);
+    for (ContactPoint& c : points) c.impact = c.normal;
     for (const int member : members) {
-        const Mover& mover = place_movers_[member];
-        shift_[member] += Vec2(mover.v_x, mover.v_y);
-        turn_[member] += mover.spin;
+        const Mover& mover = movers_[member];
+        shift_[member] = span_ * Vec2(mover.v_x, mover.v_y);
+        turn_[member] = span_ * mover.spin;
     }
 }
-// [rest.overlap]
+// [rest.solve.safely]
 
 } // namespace flying

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <span>
+
+#include "collide/contact.hpp"
+#include "geometry/shape.hpp"
+#include "math/rotation.hpp"
+
+namespace flying {
+
+// [rest.near.side]
+/// One of the two convex parts that may meet: part of a body, or all of it.
+struct NearSide
+{
+    const Shape& shape;
+    const Pose& pose;
+    std::span<const char> real; ///< for each edge, whether it is a side of the body and no cut; empty where all are
+};
+// [rest.near.side]
+
+// [rest.near.declared]
+/// The points at which two convex parts touch, overlap, or might touch soon. What `make_manifold` finds, and beyond it
+/// - two corners that are near each other where no edge faces the other part: they make a point along the line between
+///   them;
+/// - where parts overlap over a cut, which is no side of a body: the shortest way out over a side, at one point. Points
+///   that stand on a cut and don't overlap belong to the neighbour on the other side of it, and are left out.
+///
+/// margin  points further apart than this make no contact [m]
+[[nodiscard]] Manifold near_points(const NearSide& a, const NearSide& b, double margin);
+// [rest.near.declared]
+
+} // namespace flying

@@ -1,0 +1,228 @@
+#include <algorithm>
+#include <cmath>
+
+#include "rest/rest_engine.hpp"
+#include "rest/stopwatch.hpp"
+
+namespace flying {
+namespace {
+
+/// Looks at who may meet whom, each with the speeds that the last has found.
+constexpr int k_most_tries = 4;
+/// [ways] Reach of a body that an impact has thrown this far.
+constexpr double k_outrun = 1.25;
+/// Halvings of a step before a group takes what comes out.
+constexpr int k_most_halvings = 7;
+
+} // namespace
+
+// [rest.step]
+void RestEngine::step()
+{
+    Stopwatch watch(options_.seconds);
+    span_ = options_.step;
+    std::ranges::fill(outrun_, 0.0);
+    list_awake();
+    saved_.resize(bodies_.size());
+    for (const int k : awake_) saved_[k] = bodies_[k].state;
+    for (int tries = 1;; ++tries) {
+        measure_reach(awake_);
+        if (pairs_.update(bodies_, shapes_, radius_, reach_)) ++counts_.looks;
+        watch.stop(seconds_.pairs);
+
+        do collide();
+        while (wake_touched());
+        watch.stop(seconds_.collide);
+
+        gather_groups(awake_);
+        for (Group& group : groups_) solve_group(group);
+        watch.stop(seconds_.solve);
+
+        // Look again where somebody may meet others than those that were looked at
+        const bool is_last = tries == k_most_tries;
+        if (!is_last && any_outran()) continue;
+        for (const int k : awake_) whole_reach_[k] = reach_[k];
+        finish_groups(0, {});
+        has_outrun_ = false;
+        make_in_halves(0);
+        watch.stop(seconds_.move);
+        if (is_last || !has_outrun_) break;
+        for (const int k : awake_) bodies_[k].state = saved_[k];
+        ++counts_.repeated;
+    }
+    ++steps_;
+    ++counts_.steps;
+}
+// [rest.step]
+
+// [rest.step.awake]
+void RestEngine::list_awake()
+{
+    awake_.clear();
+    for (int k = 0; k < static_cast<int>(bodies_.size()); ++k) {
+        if (asleep_[k]) ++counts_.asleep;
+        else if (!bodies_[k].is_static && bodies_[k].is_active) awake_.push_back(k);
+    }
+}
+// [rest.step.awake]
+
+// [rest.step.outran]
+bool RestEngine::any_outran()
+{
+    // Whoever an impact has made faster than its reach might meet others than those that were looked at
+    bool any = false;
+    for (const Group& group : groups_) {
+        if (!is_exact(group) || group.point_count == 0) continue;
+        for (int k = 0; k < group.member_count; ++k) {
+            const int member = members_[group.first_member + k];
+            const Mover& now = movers_[member];
+            const double way =
+                span_ * (std::sqrt(now.v_x * now.v_x + now.v_y * now.v_y) + std::abs(now.spin) * turning_[member]);
+            if (!(way > reach_[member]) || !std::isfinite(way)) continue;
+            outrun_[member] = k_outrun * way;
+            any = true;
+        }
+    }
+    if (!any) return false;
+    for (const RestPair& pair : pairs_.pairs()) {
+        const double more_a = outrun_[pair.a] - reach_[pair.a];
+        const double more_b = outrun_[pair.b] - reach_[pair.b];
+        if (pair.count > 0 || !(std::max(more_a, more_b) > 0.0)) continue;
+        const double margin = std::max(outrun_[pair.a], reach_[pair.a]) + std::max(outrun_[pair.b], reach_[pair.b]);
+        if (look(pair, poses_[pair.a], poses_[pair.b], margin).count > 0) return true;
+    }
+    return false;
+}
+
+void RestEngine::note_outrun(const Group& group)
+{
+    // The same, of a part of a step
+    for (int k = 0; k < group.member_count; ++k) {
+        const int member = members_[group.first_member + k];
+        const BodyState& now = bodies_[member].state;
+        const BodyState& old = saved_[member];
+        const double way = (now.position - old.position).norm() + std::abs(now.angle - old.angle) * turning_[member];
+        if (!(way > whole_reach_[member])) continue;
+        const double speed = now.velocity.norm() + std::abs(now.spin) * turning_[member];
+        outrun_[member] = k_outrun * std::max(way, options_.step * speed);
+        has_outrun_ = true;
+    }
+}
+// [rest.step.outran]
+
+// [rest.step.finish]
+void RestEngine::finish_groups(int depth, std::span<const int> pairs)
+{
+    again_.resize(k_most_halvings + 1);
+    Again& again = again_[depth];
+    again.parts.clear();
+    again.members.clear();
+    for (Group& group : groups_) {
+        find_places(group);
+        if (is_exact(group) && group.point_count > 0) {
+            double overlap = look_at_end(group);
+            if (depth < k_most_halvings && !is_fair(group, overlap)) {
+                note_again(group, again);
+                continue;
+            }
+            if (!is_clear(group, overlap)) {
+                solve_safely(group);
+                overlap = look_at_end(group);
+            }
+            put_apart(group, overlap);
+            pay_for_rise(group);
+        }
+        move_group(group);
+        if (depth > 0) note_outrun(group);
+    }
+    if (!again.parts.empty()) find_pairs_of(again, pairs);
+}
+// [rest.step.finish]
+
+// [rest.step.again]
+void RestEngine::note_again(const Group& group, Again& again)
+{
+    const int part = static_cast<int>(again.parts.size());
+    const double impact = first_impact(group);
+    again.parts.push_back(
+        {static_cast<int>(again.members.size()), group.member_count, 0, 0, impact < span_ ? impact : 0.5 * span_});
+    for (int k = 0; k < group.member_count; ++k) {
+        const int member = members_[group.first_member + k];
+        again.members.push_back(member);
+        part_of_[member] = part;
+    }
+}
+
+void RestEngine::find_pairs_of(Again& again, std::span<const int> pairs)
+{
+    // A pair belongs to the part that both its bodies belong to, or the one that moves
+    const auto part_of = [&](const RestPair& pair) {
+        const int a = part_of_[pair.a];
+        const int b = part_of_[pair.b];
+        if (bodies_[pair.a].is_static) return b;
+        if (bodies_[pair.b].is_static) return a;
+        return a == b ? a : -1;
+    };
+    const auto each = [&](auto&& act) {
+        const int count = static_cast<int>(pairs.empty() ? pairs_.pairs().size() : pairs.size());
+        for (int k = 0; k < count; ++k) {
+            const int pair = pairs.empty() ? k : pairs[k];
+            const int part = part_of(pairs_.pairs()[pair]);
+            if (part >= 0) act(pair, again.parts[part]);
+        }
+    };
+    each([](int, Again::Part& part) { ++part.pair_count; });
+    int first = 0;
+    for (Again::Part& part : again.parts) {
+        part.first_pair = first;
+        first += part.pair_count;
+        part.pair_count = 0;
+    }
+    again.pairs.resize(first);
+    each([&](int pair, Again::Part& part) { again.pairs[part.first_pair + part.pair_count++] = pair; });
+    for (const int member : again.members) part_of_[member] = -1;
+}
+// [rest.step.again]
+
+// [rest.step.halves]
+void RestEngine::make_in_halves(int depth)
+{
+    const double whole = span_;
+    for (std::size_t k = 0; k < again_[depth].parts.size(); ++k) {
+        const Again::Part part = again_[depth].parts[k];
+        const std::span<const int> members = std::span(again_[depth].members).subspan(part.first_member, part.member_count);
+        const std::span<const int> pairs = std::span(again_[depth].pairs).subspan(part.first_pair, part.pair_count);
+        double before = whole;
+        for (const double half : {part.first_half, whole - part.first_half}) {
+            span_ = half;
+            scale_loads(pairs, half / before);
+            before = half;
+            measure_reach(members);
+            found_.clear();
+            for (const int pair : pairs) collide_pair(pair);
+            gather_groups(members);
+            for (Group& group : groups_) solve_group(group);
+            finish_groups(depth + 1, pairs);
+            make_in_halves(depth + 1);
+        }
+        span_ = whole;
+        scale_loads(pairs, whole / before);
+        ++counts_.halved;
+    }
+    again_[depth].parts.clear();
+}
+
+void RestEngine::scale_loads(std::span<const int> pairs, double factor)
+{
+    // Impulses of half the time; by a power of two, so that no bit is lost on the way there and back
+    for (const int k : pairs) {
+        RestPair& pair = pairs_.pairs()[k];
+        for (int i = 0; i < pair.count; ++i) {
+            pair.normal[i] *= factor;
+            pair.tangent[i] *= factor;
+        }
+    }
+}
+// [rest.step.halves]
+
+} // namespace flying

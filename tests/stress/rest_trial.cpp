@@ -1,0 +1,250 @@
+#include "rest_trial.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "collide/separation.hpp"
+#include "geometry/make_polygon.hpp"
+#include "mass/polygon.hpp"
+#include "math/random.hpp"
+#include "support/random_polygons.hpp"
+
+namespace flying::stress {
+namespace {
+
+constexpr int k_walls = 4;
+
+/// One number out of a few.
+double pick(Random& random, std::initializer_list<double> from)
+{
+    return from.begin()[random.below(static_cast<int>(from.size()))];
+}
+
+Shape scaled(const Polygon& polygon, double factor)
+{
+    std::vector<std::vector<Vec2>> rings;
+    for (std::size_t k = 0; k + 1 < polygon.ring_starts().size(); ++k) {
+        rings.push_back(flying::testing::placed_ring(polygon, {}, static_cast<int>(k)));
+        for (Vec2& vertex : rings.back()) vertex *= factor;
+    }
+    const std::span<const std::vector<Vec2>> holes = std::span(rings).subspan(1);
+    return make_polygon(rings[0], holes).value().polygon;
+}
+
+Shape rectangle(double width, double height)
+{
+    const double x = 0.5 * width;
+    const double y = 0.5 * height;
+    return Polygon({{Vec2(-x, -y), Vec2(x, -y), Vec2(x, y), Vec2(-x, y)}});
+}
+
+/// A shape whose bounding radius is about `size`.
+Shape random_shape(Random& random, double size, int kinds)
+{
+    switch (random.below(kinds)) {
+    case 0: return Disc{size};
+    case 1: return rectangle(1.4 * size, 1.4 * size);
+    case 2: {
+        const double flat = random.uniform(0.05, 1.0);
+        return rectangle(2.0 * size, 2.0 * size * flat);
+    }
+    case 3: {
+        const Polygon polygon = flying::testing::random_convex(random);
+        return scaled(polygon, size / polygon.radius());
+    }
+    case 4: {
+        const Polygon polygon = flying::testing::random_star(random, false);
+        return scaled(polygon, size / polygon.radius());
+    }
+    default: {
+        const Polygon polygon = flying::testing::random_star(random, true);
+        return scaled(polygon, size / polygon.radius());
+    }
+    }
+}
+
+RestBody wall(const Vec2& normal, double offset, const Material& material)
+{
+    RestBody body{HalfPlane{normal, offset}, {}, {}, material};
+    body.is_static = true;
+    return body;
+}
+
+/// Put a body where it overlaps nobody; false where there is no room.
+bool place(Random& random, const RestScene& scene, const std::vector<CollisionShape>& shapes,
+           const CollisionShape& shape, RestBody& body)
+{
+    const double radius = bounding_radius(body.shape);
+    for (int attempt = 0; attempt < 200; ++attempt) {
+        const double x = random.uniform(scene.low.x() + radius, scene.high.x() - radius);
+        const double y = random.uniform(scene.low.y() + radius, scene.high.y() - radius);
+        body.state.position = Vec2(x, y);
+        body.state.angle = random.below(3) == 0 ? 0.0 : random.uniform(-4.0, 4.0);
+        bool is_free = true;
+        for (std::size_t k = 0; k < scene.bodies.size() && is_free; ++k) {
+            is_free = separation(shapes[k], pose_of(scene.bodies[k].state), shape, pose_of(body.state)) > 0.0;
+        }
+        if (is_free) return true;
+    }
+    return false;
+}
+
+double energy_of(const RestEngine& engine, const RestScene& scene)
+{
+    double sum = 0.0;
+    for (const RestBody& body : engine.bodies()) {
+        if (body.is_static) continue;
+        const BodyState& s = body.state;
+        const double mass = 1.0 / body.inertia.inv_mass;
+        sum += 0.5 * mass * s.velocity.squaredNorm() + 0.5 * s.spin * s.spin / body.inertia.inv_moment_of_inertia;
+        sum -= mass * body.acceleration.dot(s.position - scene.low);
+    }
+    return sum;
+}
+
+/// Energy above that of all bodies in the corner that the field points to.
+double energy_to_give(const RestEngine& engine, const RestScene& scene)
+{
+    double sum = energy_of(engine, scene);
+    for (const RestBody& body : engine.bodies()) {
+        if (body.is_static) continue;
+        const Vec2 g = body.acceleration;
+        const Vec2 size = scene.high - scene.low;
+        sum += (std::max(g.x(), 0.0) * size.x() + std::max(g.y(), 0.0) * size.y()) / body.inertia.inv_mass;
+    }
+    return sum;
+}
+
+struct Measured
+{
+    std::vector<CollisionShape> shapes;
+    std::vector<double> radius;
+};
+
+void measure_overlap(const RestEngine& engine, const Measured& measured, int step, RestFindings& findings)
+{
+    const std::span<const RestBody> bodies = engine.bodies();
+    findings.end_overlap = 0.0;
+    for (std::size_t a = 0; a < bodies.size(); ++a) {
+        for (std::size_t b = a + 1; b < bodies.size(); ++b) {
+            if (bodies[a].is_static && bodies[b].is_static) continue;
+            const double reach = measured.radius[a] + measured.radius[b];
+            if ((bodies[a].state.position - bodies[b].state.position).squaredNorm() > reach * reach) continue;
+            const double gap = separation(measured.shapes[a], pose_of(bodies[a].state), measured.shapes[b],
+                                          pose_of(bodies[b].state));
+            const double depth = -gap / std::min(measured.radius[a], measured.radius[b]);
+            findings.end_overlap = std::max(findings.end_overlap, depth);
+            if (!(depth > findings.overlap)) continue;
+            findings.overlap = depth;
+            findings.overlap_step = step;
+            findings.overlap_a = static_cast<int>(a);
+            findings.overlap_b = static_cast<int>(b);
+        }
+    }
+}
+
+} // namespace
+
+RestScene make_rest_scene(std::uint64_t seed)
+{
+    Random random(seed * 7919u + 1u);
+    RestScene scene;
+    const double unit = pick(random, {1.0, 1.0, 1e-3, 1e4}); // [m]
+    const double side = unit * random.uniform(4.0, 20.0);
+    const double height = unit * random.uniform(4.0, 20.0);
+    scene.low = unit * Vec2(random.uniform(-10.0, 0.0), 0.0);
+    scene.high = scene.low + Vec2(side, height);
+    const Material material{pick(random, {0.0, 0.5, 1.0, random.uniform()}),
+                            pick(random, {0.0, 0.3, 1.0, 3.0 * random.uniform()})};
+    const double pull = unit * pick(random, {0.0, 10.0, 10.0, 40.0 * random.uniform()}); // [m/s^2]
+    const double turn = random.below(3) == 0 ? random.uniform(-3.0, 3.0) : 0.0;
+    const Vec2 gravity = pull * Vec2(std::sin(turn), -std::cos(turn));
+    const double speed = unit * pick(random, {0.0, 3.0, 30.0 * random.uniform()});
+    const double spin = pick(random, {0.0, 3.0, 30.0 * random.uniform()});
+    const double spread = pick(random, {0.0, 1.0, 3.0});              // decades of size
+    const int kinds = 1 + random.below(6);
+    const double heavy = pick(random, {0.0, 0.0, 2.0, 6.0});          // decades of density
+    const int count = 1 + random.below(random.below(4) == 0 ? 40 : 14);
+    scene.step = pick(random, {1.0 / 60.0, 1.0 / 60.0, 1.0 / 240.0, 1.0 / 30.0});
+    scene.steps = static_cast<int>(5.0 / scene.step);
+
+    scene.bodies = {wall({1.0, 0.0}, scene.low.x(), material), wall({-1.0, 0.0}, -scene.high.x(), material),
+                    wall({0.0, 1.0}, scene.low.y(), material), wall({0.0, -1.0}, -scene.high.y(), material)};
+    std::vector<CollisionShape> shapes;
+    for (const RestBody& body : scene.bodies) shapes.push_back(make_collision_shape(body.shape));
+    const int blocks = random.below(3) == 0 ? random.below(4) : 0;
+    for (int k = 0; k < count + blocks; ++k) {
+        const double size = unit * std::pow(10.0, -spread * random.uniform());
+        const bool is_block = k < blocks;
+        RestBody body{random_shape(random, is_block ? unit : size, is_block ? 6 : kinds), {}, {}, material};
+        body.is_static = is_block;
+        if (random.below(4) == 0) body.material.restitution = random.uniform();
+        if (random.below(4) == 0) body.material.friction = random.uniform();
+        if (!is_block) {
+            const MassProperties mass = mass_of(body.shape, std::pow(10.0, heavy * random.uniform()));
+            body.inertia = {1.0 / mass.mass, 1.0 / mass.moment_of_inertia};
+            body.acceleration = gravity;
+            const double v_x = random.uniform(-speed, speed);
+            const double v_y = random.uniform(-speed, speed);
+            body.state.velocity = Vec2(v_x, v_y);
+            body.state.spin = random.uniform(-spin, spin);
+        }
+        CollisionShape shape = make_collision_shape(body.shape);
+        if (!place(random, scene, shapes, shape, body)) continue;
+        scene.bodies.push_back(body);
+        shapes.push_back(std::move(shape));
+    }
+    const auto text = [](double x) { return std::to_string(x); };
+    scene.label = std::to_string(scene.bodies.size() - k_walls) + " bodies, e " + text(material.restitution) + ", mu " +
+                  text(material.friction) + ", g " + text(pull / unit) + ", v " + text(speed / unit) + ", w " +
+                  text(spin) + ", kinds " + std::to_string(kinds) + ", sizes 1e-" + text(spread) + ", densities 1e" +
+                  text(heavy) + ", step 1/" + text(1.0 / scene.step);
+    return scene;
+}
+
+RestFindings run_rest_scene(const RestScene& scene, int look_every)
+{
+    RestFindings findings;
+    RestOptions options;
+    options.step = scene.step;
+    RestEngine engine(scene.bodies, options);
+    Measured measured;
+    for (const RestBody& body : scene.bodies) {
+        measured.shapes.push_back(make_collision_shape(body.shape));
+        measured.radius.push_back(bounding_radius(body.shape));
+    }
+    const double scale = energy_to_give(engine, scene);
+    double least = energy_of(engine, scene);
+    for (int k = 0; k < scene.steps; ++k) {
+        engine.step();
+        const double now = energy_of(engine, scene);
+        if (!std::isfinite(now)) {
+            findings.finite = false;
+            return findings;
+        }
+        const double rise = scale > 0.0 ? (now - least) / scale : 0.0;
+        if (rise > findings.rise) {
+            findings.rise = rise;
+            findings.rise_step = k;
+        }
+        least = std::min(least, now);
+        if (k % look_every == 0 || k + 1 == scene.steps) measure_overlap(engine, measured, k, findings);
+    }
+    for (const RestBody& body : engine.bodies()) {
+        if (body.is_static) continue;
+        const Vec2& x = body.state.position;
+        const bool inside = x.x() > scene.low.x() && x.x() < scene.high.x() && x.y() > scene.low.y() &&
+                            x.y() < scene.high.y();
+        if (!inside) ++findings.lost;
+    }
+    return findings;
+}
+
+bool passes(const RestFindings& findings)
+{
+    return findings.finite && findings.lost == 0 && findings.rise <= k_rise_allowed &&
+           findings.overlap <= k_overlap_allowed;
+}
+
+} // namespace flying::stress
