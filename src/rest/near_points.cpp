@@ -102,8 +102,8 @@ Manifold near_points(const NearSide& a, const NearSide& b, double margin)
     if (manifold.count == 0 || (a.real.empty() && b.real.empty())) return manifold;
     const Vec2 normal = manifold.contacts[0].normal;
     if (!leads_through_cut(a, normal) && !leads_through_cut(b, -normal)) return manifold;
-    const bool overlaps = std::ranges::any_of(std::span(manifold.contacts, manifold.count),
-                                              [](const Contact& contact) { return contact.separation < 0.0; });
+    const bool overlaps = std::any_of(manifold.contacts, manifold.contacts + manifold.count,
+                                      [](const Contact& contact) { return contact.separation < 0.0; });
     manifold.count = 0;
     if (!overlaps) return manifold;
 

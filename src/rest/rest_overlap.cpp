@@ -43,7 +43,7 @@ double RestEngine::look_at_end(const Group& group)
 {
     place_points_.clear();
     const std::span<const ContactPoint> points = std::span(points_).subspan(group.first_point, group.all_points);
-    if (std::ranges::none_of(points, [&](const ContactPoint& c) { return may_overlap(c); })) return 0.0;
+    if (std::none_of(points.begin(), points.end(), [&](const ContactPoint& c) { return may_overlap(c); })) return 0.0;
     for (int k = 0; k < group.member_count; ++k) {
         const int member = members_[group.first_member + k];
         const BodyState& s = bodies_[member].state;
@@ -99,7 +99,7 @@ void RestEngine::put_apart(const Group& group, double overlap)
             shift_[member] += Vec2(mover.v_x, mover.v_y);
             turn_[member] += mover.spin;
         }
-        const bool too_far = std::ranges::any_of(members, [&](int member) {
+        const bool too_far = std::any_of(members.begin(), members.end(), [&](int member) {
             const Mover& mover = place_movers_[member];
             const double push = std::abs(mover.v_x) + std::abs(mover.v_y) + std::abs(mover.spin) * radius_[member];
             return !(push <= k_most_push * radius_[member]);

@@ -21,7 +21,7 @@ void RestEngine::step()
 {
     Stopwatch watch(options_.seconds);
     span_ = options_.step;
-    std::ranges::fill(outrun_, 0.0);
+    std::fill(outrun_.begin(), outrun_.end(), 0.0);
     list_awake();
     saved_.resize(bodies_.size());
     for (const int k : awake_) saved_[k] = bodies_[k].state;
