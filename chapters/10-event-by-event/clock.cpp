@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "three.hpp"
+#include "world/world.hpp"
 #include "wrong_few.hpp"
 
 using namespace flying;
@@ -20,6 +21,42 @@ void hop_for_ever()
     }
 }
 // [events.clock.hops]
+
+// [events.clock.world]
+/// The same ball in the simulator, let fall for a second first: with the events
+/// alone, and left to itself.
+void fall_and_hop()
+{
+    Scene scene;
+    scene.world.restitution = 0.5;
+    scene.world.field = UniformField{{0.0, -9.8}};
+    scene.world.box = BoxDef{{-1.0, 0.0}, {1.0, 10.0}};
+    BodyDef ball;
+    ball.name = "ball";
+    ball.shape = DiscDef{0.1};
+    ball.position = {0.0, 5.0};
+    scene.bodies = {ball};
+    std::printf("\n");
+    for (const EngineChoice engine :
+         {EngineChoice::events, EngineChoice::automatic}) {
+        WorldOptions options;
+        options.engine = engine;
+        Expected<World> world = World::make(scene, options);
+        if (!world) return;
+        if (const auto failure = world.value().advance(10.0)) {
+            std::printf("stopped: %s\n", failure->message.c_str());
+            continue;
+        }
+        const Report report = world.value().report();
+        for (const Handover& handover : report.handovers) {
+            std::printf("handed over after %.3f s, at a price of %.0f J\n",
+                        handover.time, handover.energy_change);
+        }
+        std::printf("after %.0f s the ball lies at %.3f m\n", report.time,
+                    world.value().state(0).position.y());
+    }
+}
+// [events.clock.world]
 
 // [events.clock.three]
 /// Three balls in a row: how often they meet, and what the angle says.
@@ -48,5 +85,6 @@ void meet_in_a_row()
 int main()
 {
     hop_for_ever();
+    fall_and_hop();
     meet_in_a_row();
 }

@@ -122,13 +122,16 @@ std::optional<EventFailure> EventEngine::handle_impact(const Event& event)
         // Bring the two bodies, and no other, to the moment of the impact
         const bool a_moved = move_to(a, event.time);
         const bool b_moved = move_to(b, event.time);
-        if (has_spun_out(a) || has_spun_out(b)) return EventFailure{EventFailure::Kind::spun_out, event.time, event.a, event.b};
+        if (has_spun_out(a) || has_spun_out(b)) {
+            return EventFailure{EventFailure::Kind::spun_out, event.time, event.a, event.b};
+        }
         const double touch = find_points(a, b, event.time);
         // [events.impact.meet]
 
         // [events.impact.crowding]
-        // Where neither went anywhere since its last impact, or they creep into each other, both are being crowded; a
-        // heavy body that hardly moves between the blows of a light one is not
+        // Where neither went anywhere since its last impact, or they creep into each other,
+        // both are being crowded; a heavy body that hardly moves between the blows of a
+        // light one is not
         const bool creeps = is_creeping(a, b, touch);
         const bool has_room = !creeps && (a_moved || b_moved);
         sheets_[a].crowding = has_room ? 0 : sheets_[a].crowding + 1;

@@ -235,7 +235,8 @@ void EventEngine::predict_after_impact(int body, int partner)
 // [events.predict_after_impact]
 
 // [events.predict_partners]
-/// Foresee the next impact of a mover with every body that it may meet before either changes its cell.
+/// Foresee the next impact of a mover with every body that it may meet before either
+/// changes its cell.
 /// wants(other)  false for those that are looked at from the other side
 template <typename Wants>
 void EventEngine::predict_partners(int body, const Wants& wants)
@@ -282,7 +283,9 @@ void EventEngine::handle_cell(const Event& event)
     };
     const Cell step{to.column - from.column, to.row - from.row};
     for (const int side : {-1, 0, 1}) {
-        grid_->for_each_in({to.column + step.column + side * step.row, to.row + step.row + side * step.column}, look);
+        const std::int64_t column = to.column + step.column + side * step.row;
+        const std::int64_t row = to.row + step.row + side * step.column;
+        grid_->for_each_in({column, row}, look);
     }
     const std::span<const int> known = grid_->statics_near(from);
     for (const int other : grid_->statics_near(to)) {

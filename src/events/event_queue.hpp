@@ -19,14 +19,15 @@ struct Event
     double time = 0.0;       ///< [s]
     int a = -1;              ///< lower id
     int b = -1;              ///< higher id; -1 for a cell
-    std::uint32_t stamp = 0; ///< how often a and b together had been pushed when this was foreseen
+    std::uint32_t stamp = 0; ///< how often both had been pushed when this was foreseen
     Kind kind = Kind::impact;
 };
 // [queue.event]
 
 // [queue.order]
-/// The order in which events happen: by time; at one time, what may foresee more impacts before the impacts; then by the
-/// lower id, then by the higher. No two events that count are equal in all of these.
+/// The order in which events happen: by time; at one time, what may foresee more
+/// impacts before the impacts; then by the lower id, then by the higher. No two events
+/// that count are equal in all of these.
 [[nodiscard]] inline bool happens_before(const Event& p, const Event& q)
 {
     if (p.time != q.time) return p.time < q.time;
@@ -49,8 +50,10 @@ public:
     // [queue.push]
     void push(const Event& event)
     {
-        // Every event finds its day by the same rounding, so that no two change their order over a midnight
-        if (days_.empty() || day_of(event.time) < static_cast<double>(next_day_)) push_today(event);
+        // Every event finds its day by the same rounding, so that no two change their
+        // order over a midnight
+        const double tomorrow = static_cast<double>(next_day_);
+        if (days_.empty() || day_of(event.time) < tomorrow) push_today(event);
         else push_later(event);
         ++size_;
     }
