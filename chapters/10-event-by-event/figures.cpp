@@ -125,7 +125,7 @@ void draw_cells(const std::string& folder)
     };
     for (int row = 1; row <= 3; ++row)
         for (int column = 1; column <= 3; ++column) fill(column, row, pale(k_blue, 0.22));
-    for (std::int64_t row = exit.to.row - 1; row <= exit.to.row + 1; ++row) fill(exit.to.column + 1, row, pale(k_rust, 0.28));
+    for (const Cell& cell : cells_ahead(home, step_over(exit.side))) fill(cell.column, cell.row, pale(k_rust, 0.28));
     for (int k = 0; k <= 5; ++k) {
         s.line(corner(k, 0), corner(k, 5), k_soft, 1.2);
         s.line(corner(0, k), corner(5, k), k_soft, 1.2);

@@ -84,7 +84,7 @@ public:
     // [grid.fetch]
     /// Ask the memory for what a visit to the cells about this one will read: first the cells, later the bodies' places in
     /// them. Hints, which cost little and change nothing.
-    void fetch_near(const Cell& cell) const
+    [[gnu::always_inline]] void fetch_near(const Cell& cell) const
     {
         for (std::int64_t row = cell.row - 1; row <= cell.row + 1; ++row) {
             __builtin_prefetch(&heads_[index({cell.column - 1, row})]);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 
 #include "broadphase/grid.hpp"
 #include "toi/prediction.hpp"
@@ -8,12 +9,27 @@
 namespace flying {
 
 // [events.cell_exit.result]
-/// When a body leaves its cell, and for which.
+/// When a body leaves its cell, and by which side: 0 right, 1 left, 2 up, 3 down.
 struct CellExit
 {
     double time = k_never; ///< [s]
-    Cell to;
+    int side = 0;
 };
+
+/// The step from a cell to the one beyond a side.
+[[nodiscard]] inline Cell step_over(int side)
+{
+    const int way = side % 2 == 0 ? 1 : -1;
+    return side < 2 ? Cell{way, 0} : Cell{0, way};
+}
+
+/// The three cells that come near when a body steps out of one.
+[[nodiscard]] inline std::array<Cell, 3> cells_ahead(const Cell& from, const Cell& step)
+{
+    const Cell middle{from.column + 2 * step.column, from.row + 2 * step.row};
+    return {Cell{middle.column - step.row, middle.row - step.column}, middle,
+            Cell{middle.column + step.row, middle.row + step.column}};
+}
 // [events.cell_exit.result]
 
 // [events.cell_exit]
@@ -36,12 +52,12 @@ struct CellExit
         const double room_y = (row + up) * cell_size - x.y();
         const double time_x = v.x() != 0.0 ? flyer.state.time + room_x / v.x() : k_never;
         const double time_y = v.y() != 0.0 ? flyer.state.time + room_y / v.y() : k_never;
-        if (time_x <= time_y) return {std::max(time_x, now), {cell.column + (2 * right - 1), cell.row}};
-        return {std::max(time_y, now), {cell.column, cell.row + (2 * up - 1)}};
+        if (time_x <= time_y) return {std::max(time_x, now), 1 - right};
+        return {std::max(time_y, now), 3 - up};
     }
     // [events.cell_exit.straight]
     // [events.cell_exit.crossing]
-    const auto consider = [&](double room, double speed, double acceleration, Cell to) {
+    const auto consider = [&](double room, double speed, double acceleration, int side) {
         // `room` is the distance to the border; it falls through zero when the body crosses
         double time = flyer.state.time + falling_root(room, -speed, -acceleration);
 
@@ -50,14 +66,14 @@ struct CellExit
             const bool outwards = speed + acceleration * (now - flyer.state.time) > 0.0;
             time = outwards ? now : k_never;
         }
-        if (time < exit.time) exit = {time, to};
+        if (time < exit.time) exit = {time, side};
     };
     // [events.cell_exit.crossing]
     // [events.cell_exit.borders]
-    consider((column + 1.0) * cell_size - x.x(), v.x(), a.x(), {cell.column + 1, cell.row});
-    consider(x.x() - column * cell_size, -v.x(), -a.x(), {cell.column - 1, cell.row});
-    consider((row + 1.0) * cell_size - x.y(), v.y(), a.y(), {cell.column, cell.row + 1});
-    consider(x.y() - row * cell_size, -v.y(), -a.y(), {cell.column, cell.row - 1});
+    consider((column + 1.0) * cell_size - x.x(), v.x(), a.x(), 0);
+    consider(x.x() - column * cell_size, -v.x(), -a.x(), 1);
+    consider((row + 1.0) * cell_size - x.y(), v.y(), a.y(), 2);
+    consider(x.y() - row * cell_size, -v.y(), -a.y(), 3);
     // [events.cell_exit.borders]
     return exit;
 }

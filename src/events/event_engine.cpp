@@ -250,6 +250,8 @@ double EventEngine::find_points(int a, int b, double time)
     const GapTolerance tolerance = gap_tolerance(std::min(radius_a, radius_b), std::max(radius_a, radius_b), reach,
                                                  top_speed(a) + top_speed(b), time);
     // [events.find_points.tolerance]
+    const Shape& shape_a = shape_from_row(a, disc_a_);
+    const Shape& shape_b = shape_from_row(b, disc_b_);
     const Pose pose_a = pose(a);
     const Pose pose_b = pose(b);
     // [events.find_points.gather]
@@ -258,7 +260,7 @@ double EventEngine::find_points(int a, int b, double time)
     constexpr int k_most_tries = 8;
     double slack = k_gather * tolerance.touch;
     for (int k = 0; k < k_most_tries; ++k, slack *= k_widen) {
-        find_touches(shape_of(a), pose_a, shape_of(b), pose_b, slack, touches_);
+        find_touches(shape_a, pose_a, shape_b, pose_b, slack, touches_);
         if (!touches_.empty()) break;
     }
     // [events.find_points.gather]

@@ -71,6 +71,7 @@ struct EventCounts
     std::int64_t static_pairs_skipped = 0;
     std::int64_t far_pairs_skipped = 0;    ///< pairs that the grid left alone, compared with all pairs
     std::int64_t far_features_skipped = 0; ///< predictions of turning pairs whose bounding circles never meet
+    std::int64_t fetched = 0; ///< bodies whose rows were asked for ahead
 };
 // [events.counts]
 
@@ -176,6 +177,13 @@ private:
     // From here on bodies are named by their rows, but in events and failures, which name them by id
     [[nodiscard]] bool is_fixed(int row) const { return rows_[row].kind == Kind::is_static; }
     [[nodiscard]] const Shape& shape_of(int row) const { return shapes_[rows_[row].id]; }
+    /// The same; a disc's is made from its row, which is at hand, while shapes lie far away
+    [[nodiscard]] const Shape& shape_from_row(int row, Shape& disc) const
+    {
+        if (rows_[row].kind != Kind::disc) return shape_of(row);
+        disc = Disc{rows_[row].radius};
+        return disc;
+    }
     [[nodiscard]] Flyer flyer_of(int body) const
     {
         const Row& row = rows_[body];
@@ -188,7 +196,7 @@ private:
     [[nodiscard]] std::vector<int> order_along_curve(const CellOf& cell_of) const;
     void line_up(const std::vector<int>& old_rows);
     void line_up_again();
-    void fetch_ahead() const;
+    void fetch_ahead();
     // [events.engine.rows]
 
     // [events.engine.verbs]
@@ -241,6 +249,8 @@ private:
     EventCounts counts_;
     EventSeconds seconds_;
     Event last_impact_;
+    Shape disc_a_ = Disc{};           // workspace of one impact
+    Shape disc_b_ = Disc{};           // workspace of one impact
     std::vector<Touch> touches_;      // workspace of one impact
     std::vector<ImpactPoint> points_; // workspace of one impact
     // [events.engine.parts]

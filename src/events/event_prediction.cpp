@@ -116,7 +116,7 @@ void EventEngine::line_up_again()
 // [events.fetch_ahead]
 /// Ask the memory for what the events to come will read, so that it is there when they do: first where a body's row is,
 /// then the row, then the cells about it, then the rows of those who are in them.
-void EventEngine::fetch_ahead() const
+void EventEngine::fetch_ahead()
 {
     constexpr std::size_t k_rows = 12; // events ahead
     constexpr std::size_t k_bodies = 9;
@@ -132,14 +132,28 @@ void EventEngine::fetch_ahead() const
             const int row = row_of_[body];
             __builtin_prefetch(&rows_[row]);
             __builtin_prefetch(&sheets_[row]);
-            __builtin_prefetch(&shapes_[body]);
-            __builtin_prefetch(reinterpret_cast<const char*>(&shapes_[body]) + sizeof(Shape) - 1);
             grid_->fetch_cell_of(row);
         }
     }
-    if (const Event* event = queue_.upcoming(k_cells)) grid_->fetch_near(grid_->cell_of(row_of_[event->a]));
+    if (const Event* event = queue_.upcoming(k_cells)) {
+        const Cell& cell = grid_->cell_of(row_of_[event->a]);
+        const Cell step = event->b < 0 ? step_over(-1 - event->b) : Cell{0, 0};
+        grid_->fetch_near({cell.column + step.column, cell.row + step.row});
+    }
     if (const Event* event = queue_.upcoming(k_neighbours)) {
-        grid_->for_each_near(grid_->cell_of(row_of_[event->a]), [&](int other) { __builtin_prefetch(&rows_[other]); });
+        // Without the count, g++ takes a loop of mere hints for one without effect, and drops it
+        const auto fetch = [&](int other) {
+            __builtin_prefetch(&rows_[other]);
+            ++counts_.fetched;
+        };
+        const Cell& cell = grid_->cell_of(row_of_[event->a]);
+        if (event->b < 0) {
+            for (const Cell& ahead : cells_ahead(cell, step_over(-1 - event->b))) grid_->for_each_in(ahead, fetch);
+            return;
+        }
+        grid_->for_each_near(cell, fetch);
+        const Cell& other_cell = grid_->cell_of(row_of_[event->b]);
+        if (other_cell != cell && !is_static(event->b)) grid_->for_each_near(other_cell, fetch);
     }
 }
 // [events.fetch_ahead]
@@ -273,7 +287,8 @@ void EventEngine::handle_cell(const Event& event)
     ++counts_.cells;
     const int body = row_of_[event.a];
     const Cell from = grid_->cell_of(body);
-    const Cell to = next_cell_exit(flyer_of(body), from, grid_->cell_size(), event.time).to;
+    const Cell step = step_over(-1 - event.b);
+    const Cell to{from.column + step.column, from.row + step.row};
     grid_->move(body, to);
 
     // [events.handle_cell.new]
@@ -281,12 +296,7 @@ void EventEngine::handle_cell(const Event& event)
     const auto look = [&](int other) {
         if (other != body) predict_pair(body, other);
     };
-    const Cell step{to.column - from.column, to.row - from.row};
-    for (const int side : {-1, 0, 1}) {
-        const std::int64_t column = to.column + step.column + side * step.row;
-        const std::int64_t row = to.row + step.row + side * step.column;
-        grid_->for_each_in({column, row}, look);
-    }
+    for (const Cell& cell : cells_ahead(from, step)) grid_->for_each_in(cell, look);
     const std::span<const int> known = grid_->statics_near(from);
     for (const int other : grid_->statics_near(to)) {
         if (std::find(known.begin(), known.end(), other) == known.end()) look(other);
@@ -301,7 +311,7 @@ void EventEngine::predict_cell(int body, double now)
 {
     if (!grid_) return;
     const CellExit exit = next_cell_exit(flyer_of(body), grid_->cell_of(body), grid_->cell_size(), now);
-    if (exit.time != k_never) queue_.push({exit.time, rows_[body].id, -1, rows_[body].stamp, Event::Kind::cell});
+    if (exit.time != k_never) queue_.push({exit.time, rows_[body].id, -1 - exit.side, rows_[body].stamp, Event::Kind::cell});
 }
 // [events.predict_cell]
 

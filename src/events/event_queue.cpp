@@ -15,8 +15,10 @@ struct HappensAfter
 // [queue.happens_after]
 
 // [queue.day_length]
-/// Events of one day: few enough to stay in the fast cache, many enough for the days to be few.
+/// Least events of one day, and most days in half a calendar: days are few enough for the ends of all their lists to stay
+/// in the fast memory, into which new events are written, and no longer than that asks, for each is sorted.
 constexpr std::size_t k_events_a_day = 256;
+constexpr std::size_t k_days = 128;
 // [queue.day_length]
 
 } // namespace
@@ -47,7 +49,7 @@ void EventQueue::pop()
 void EventQueue::push_later(const Event& event)
 {
     const double day = day_of(event.time);
-    if (day < static_cast<double>(days_.size())) days_[static_cast<std::size_t>(day)].push_back(event);
+    if (day < static_cast<double>(day_count_)) days_[static_cast<std::size_t>(day)].push_back(event);
     else far_.push_back(event);
 }
 // [queue.push_later]
@@ -57,7 +59,7 @@ void EventQueue::push_later(const Event& event)
 void EventQueue::turn_page()
 {
     while (today_.empty()) {
-        if (next_day_ == days_.size()) {
+        if (next_day_ == day_count_) {
             gather_all();
             lay_out();
             return;
@@ -74,13 +76,13 @@ void EventQueue::gather_all()
 {
     today_.insert(today_.end(), late_.begin(), late_.end());
     late_.clear();
-    for (std::size_t day = next_day_; day < days_.size(); ++day) {
+    for (std::size_t day = next_day_; day < day_count_; ++day) {
         today_.insert(today_.end(), days_[day].begin(), days_[day].end());
         days_[day].clear();
     }
     today_.insert(today_.end(), far_.begin(), far_.end());
     far_.clear();
-    next_day_ = days_.size();
+    next_day_ = day_count_;
 }
 // [queue.gather_all]
 
@@ -89,7 +91,7 @@ void EventQueue::gather_all()
 void EventQueue::lay_out()
 {
     size_ = today_.size();
-    days_.clear();
+    day_count_ = 0;
     next_day_ = 0;
     if (size_ >= 2 * k_events_a_day) {
         // [queue.lay_out.days]
@@ -101,13 +103,15 @@ void EventQueue::lay_out()
         std::nth_element(all.begin(), middle, all.end(), earlier);
         const double start = std::min_element(all.begin(), middle, earlier)->time;
         const double half = middle->time - start;
-        const double day_count = static_cast<double>(all.size() / 2) / static_cast<double>(k_events_a_day);
-        days_a_second_ = day_count / half;
+        const std::size_t events_a_day = std::max(k_events_a_day, all.size() / 2 / k_days);
+        const double days_in_half = static_cast<double>(all.size() / 2) / static_cast<double>(events_a_day);
+        days_a_second_ = days_in_half / half;
         // [queue.lay_out.days]
 
         if (std::isfinite(days_a_second_) && days_a_second_ > 0.0) {
             first_day_starts_ = start;
-            days_.resize(static_cast<std::size_t>(4.0 * day_count) + 1);
+            day_count_ = static_cast<std::size_t>(4.0 * days_in_half) + 1;
+            if (days_.size() < day_count_) days_.resize(day_count_);
             for (const Event& event : all) push_later(event);
             turn_page();
             return;
@@ -126,7 +130,8 @@ void EventQueue::clear()
 {
     today_.clear();
     late_.clear();
-    days_.clear();
+    for (std::vector<Event>& day : days_) day.clear();
+    day_count_ = 0;
     far_.clear();
     next_day_ = 0;
     size_ = 0;

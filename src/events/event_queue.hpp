@@ -18,7 +18,7 @@ struct Event
 
     double time = 0.0;       ///< [s]
     int a = -1;              ///< lower id
-    int b = -1;              ///< higher id; -1 for a cell
+    int b = -1;              ///< higher id; below 0 for a cell: -1 - its side
     std::uint32_t stamp = 0; ///< how often both had been pushed when this was foreseen
     Kind kind = Kind::impact;
 };
@@ -53,7 +53,7 @@ public:
         // Every event finds its day by the same rounding, so that no two change their
         // order over a midnight
         const double tomorrow = static_cast<double>(next_day_);
-        if (days_.empty() || day_of(event.time) < tomorrow) push_today(event);
+        if (day_count_ == 0 || day_of(event.time) < tomorrow) push_today(event);
         else push_later(event);
         ++size_;
     }
@@ -112,7 +112,8 @@ private:
     // [queue.parts]
     std::vector<Event> today_;             // the last comes first
     std::vector<Event> late_;              // of today, or of all days where there are none: heap
-    std::vector<std::vector<Event>> days_; // from tomorrow on, all of one length; empty while there is only today
+    std::vector<std::vector<Event>> days_; // all of one length; those that are over keep their memory for others
+    std::size_t day_count_ = 0;            // of them in use; none while there is only today
     std::vector<Event> far_;               // after the last day
     std::size_t next_day_ = 0;             // tomorrow, in days_
     double first_day_starts_ = 0.0;        // [s]
