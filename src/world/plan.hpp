@@ -10,16 +10,21 @@
 namespace flying {
 
 // [plan.class]
-/// What a skip may do to the results. Neutral: not one bit changes. Ordered: neutral because order comes from ids.
-/// Altering: results change, and the price is measured.
-enum class SkipClass { neutral, ordered, altering };
+/// What a skip may do to the results. Neutral: not one bit changes. Ordered: neutral
+/// because order comes from ids. Altering: results change, and the price is measured.
+enum class SkipClass
+{
+    neutral,
+    ordered,
+    altering
+};
 // [plan.class]
 
 // [plan.skip]
 /// One kind of work that a scene may not need.
 struct Skip
 {
-    std::string name;     ///< as `--without NAME` takes it
+    std::string name; ///< as `--without NAME` takes it
     SkipClass kind = SkipClass::neutral;
     bool active = false;    ///< the work is left out in this scene
     std::string reason;     ///< why it is, or why it is not
@@ -33,20 +38,24 @@ struct Skip
 struct Plan
 {
     PairFinder pair_finder = PairFinder::grid;
-    bool skips_static_pairs = true;  ///< two static bodies are never compared
-    bool skips_far_features = true;  ///< turning features wait until bounding circles meet
-    bool skips_search = true;        ///< two movers under one acceleration need no general search
-    bool skips_absent_field = true;  ///< without a uniform field, flights are straight lines
-    bool skips_apart_rings = true;   ///< bodies on rings round a centre that don't overlap are left alone
-    bool skips_far_vertices = true;  ///< vertices out of the other body's reach are not followed
-    std::vector<Skip> skips;         ///< every skip this program knows, active or not
+    bool skips_static_pairs = true; ///< two static bodies are never compared
+    bool skips_far_features = true; ///< turning features wait until bounding circles meet
+    bool skips_search = true; ///< two movers under one acceleration need no general search
+    bool skips_absent_field = true; ///< without a uniform field, flights are straight lines
+    bool skips_apart_rings =
+        true; ///< bodies on rings round a centre that don't overlap are left alone
+    bool skips_far_vertices =
+        true;                ///< vertices out of the other body's reach are not followed
+    std::vector<Skip> skips; ///< every skip this program knows, active or not
 };
 // [plan.plan]
 
 // [plan.declared]
 /// The plan for a valid scene; a pure function.
-/// without  names of skips to leave inactive; unknown names are ignored here (`skip_names` tells those that are known)
-[[nodiscard]] Plan make_plan(const Scene& scene, const std::vector<std::string>& without = {});
+/// without  names of skips to leave inactive; unknown names are ignored here (`skip_names`
+/// tells those that are known)
+[[nodiscard]] Plan make_plan(const Scene& scene,
+                             const std::vector<std::string>& without = {});
 
 /// All names that `without` may hold.
 [[nodiscard]] std::vector<std::string> skip_names();

@@ -51,9 +51,9 @@ struct PolygonDef
 
 // [scene.shapes]
 
-// [scene.shape]
+// [scene.shape_def]
 using ShapeDef = std::variant<DiscDef, RectangleDef, SquareDef, TriangleDef, RegularDef, PolygonDef>;
-// [scene.shape]
+// [scene.shape_def]
 
 // [scene.body]
 struct BodyDef
