@@ -338,6 +338,33 @@ TEST_CASE("three balls in a row meet as often as the angle allows")
 }
 // [events.tests.row]
 
+// [events.tests.row_times]
+TEST_CASE(
+    "below the threshold the impacts of three balls follow each other ever faster")
+{
+    for (const double e : {0.03, 0.04, 0.05}) {
+        const double s = (1 + e) / 2;
+        const double lambda = (s + std::sqrt(s * s - 4 * e)) / 2;
+        EventEngine engine = three_in_a_row(e);
+        std::vector<double> times;
+        while (times.size() < 11 && advance_one_impact(engine)) {
+            times.push_back(engine.time());
+        }
+        REQUIRE(times.size() == 11);
+
+        // Eight impacts leave nothing of the smaller root; two more, and the clock's
+        // steps show
+        for (std::size_t n = 8; n < 10; ++n) {
+            const double ratio =
+                (times[n + 1] - times[n]) / (times[n] - times[n - 1]);
+            CHECK_EQUATION("events.row_times", ratio, e / (lambda * lambda), 2e-3,
+                           {"e", e}, {"\\lambda", lambda});
+            CHECK_TWIN("events.row_times", ratio, e / lambda, 2e-3);
+        }
+    }
+}
+// [events.tests.row_times]
+
 // [events.tests.threshold]
 TEST_CASE("below e = 7 - 4 sqrt 3 the blows among three balls have no end")
 {
