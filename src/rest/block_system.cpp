@@ -9,6 +9,7 @@
 namespace flying {
 namespace {
 
+// [rest.block.product]
 /// target -= a b
 void subtract_product(Block& target, const Block& a, const Block& b)
 {
@@ -32,6 +33,7 @@ void subtract_product(double* x, const Block& a, const double* y)
         x[i] -= (first + second) + third;
     }
 }
+// [rest.block.product]
 
 // [rest.block.eliminate]
 /// Replaces a block by its factors: below the diagonal those of the elimination, on and above it what is left. An
@@ -139,6 +141,7 @@ void BlockSystem::fill_in(int count, std::span<const Edge> edges)
 }
 // [rest.block.fill]
 
+// [rest.block.pattern]
 int BlockSystem::find(int column, int row) const
 {
     const auto begin = row_.begin() + start_[column];
@@ -168,6 +171,7 @@ void BlockSystem::clear()
     std::fill(diagonal_.begin(), diagonal_.end(), Block{});
     std::fill(blocks_.begin(), blocks_.end(), Block{});
 }
+// [rest.block.pattern]
 
 // [rest.block.factorise]
 bool BlockSystem::factorise()

@@ -7,9 +7,11 @@
 namespace flying {
 namespace {
 
+// [rest.group.descend.limits]
 /// Steps of the descent, and halvings of one.
 constexpr int k_descents = 40;
 constexpr int k_halvings = 40;
+// [rest.group.descend.limits]
 
 } // namespace
 
@@ -119,6 +121,7 @@ double GroupSolver::slope(std::span<const Mover> movers, std::span<const Contact
 }
 // [rest.group.descend]
 
+// [rest.group.members]
 void GroupSolver::push_members(const ContactPoint& c, double normal, double tangent, std::span<double> force) const
 {
     const Line n = normal_line(c);
@@ -134,5 +137,6 @@ void GroupSolver::push_members(const ContactPoint& c, double normal, double tang
         add(&force[3 * b], tangent, t.b);
     }
 }
+// [rest.group.members]
 
 } // namespace flying

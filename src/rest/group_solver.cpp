@@ -10,6 +10,7 @@
 namespace flying {
 namespace {
 
+// [rest.group.limits]
 /// Newton's steps until the pieces must have been found, and corrections of what rounding leaves.
 constexpr int k_newton_steps = 20;
 /// [worst approach] A point that parts more slowly may still bear.
@@ -23,7 +24,9 @@ constexpr double k_descent_stiffness = 0x1p20;
 constexpr double k_stiffer = 0x1p6;
 constexpr double k_softer = 0x1p-4;
 constexpr double k_stiffest = 0x1p40;
+// [rest.group.limits]
 
+// [rest.group.rounding]
 /// The most that an impulse changes the velocity of the lightest it pushes.  [m/s]
 [[nodiscard]] double greatest_push(std::span<const ContactPoint> points)
 {
@@ -38,7 +41,9 @@ constexpr double k_stiffest = 0x1p40;
 {
     return rest_tolerance::k_content * static_cast<double>(members) * greatest_push(points);
 }
+// [rest.group.rounding]
 
+// [rest.group.product]
 /// block += factor p q^T for the change of a body's motion by a push along each of two lines
 void add_product(Block& block, double factor, const double* p, const double* q)
 {
@@ -47,9 +52,11 @@ void add_product(Block& block, double factor, const double* p, const double* q)
         for (int j = 0; j < 3; ++j) block.at[3 * i + j] += row * q[j];
     }
 }
+// [rest.group.product]
 
 } // namespace
 
+// [rest.group.prepare]
 void GroupSolver::prepare(std::span<const int> members, std::span<const ContactPoint> points, std::size_t movers)
 {
     // Number the members, and find who is coupled to whom
@@ -76,7 +83,9 @@ void GroupSolver::prepare(std::span<const int> members, std::span<const ContactP
     grips_.assign(points.size(), 0);
     factorised_ = false;
 }
+// [rest.group.prepare]
 
+// [rest.group.settle]
 void GroupSolver::restore_free(std::span<Mover> movers, std::span<const int> members) const
 {
     for (std::size_t k = 0; k < members.size(); ++k) movers[members[k]] = free_[k];
@@ -97,6 +106,7 @@ void GroupSolver::settle_for_sweeps(std::span<Mover> movers, std::span<ContactPo
         points[k].tangent = sweep_points_[k].tangent;
     }
 }
+// [rest.group.settle]
 
 // [rest.group.sweeps]
 void GroupSolver::sweep_group(std::span<Mover> movers, std::span<const int> members, std::span<ContactPoint> points,

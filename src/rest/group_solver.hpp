@@ -10,6 +10,7 @@
 
 namespace flying {
 
+// [rest.group.counts]
 /// What a solve took.
 struct SolveCounts
 {
@@ -19,7 +20,9 @@ struct SolveCounts
     std::int64_t sweeps = 0;   ///< over all points of a group
     std::int64_t factorisations = 0;
 };
+// [rest.group.counts]
 
+// [rest.group.class]
 /// Finds the impulses of one group of bodies that lean on each other, so that every point is content:
 ///
 ///     normal    0 <= j,  u_n >= bound,  and j > 0 only where u_n = bound
@@ -52,6 +55,7 @@ public:
                      const SweepPlan& plan, std::span<Mover> pushed);
 
 private:
+    // [rest.group.mode]
     /// What a point does under the next trial.
     enum class Mode : unsigned char
     {
@@ -60,6 +64,7 @@ private:
         slips_forwards,
         slips_backwards
     };
+    // [rest.group.mode]
 
     void prepare(std::span<const int> members, std::span<const ContactPoint> points, std::size_t movers);
     void settle_for_sweeps(std::span<Mover> movers, std::span<ContactPoint> points);
@@ -115,5 +120,6 @@ private:
     std::vector<ContactPoint> kept_; // the best that was met
     double stiffness_ = 1.0;         // of a bearing point against the inertia it moves
 };
+// [rest.group.class]
 
 } // namespace flying

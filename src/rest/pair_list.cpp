@@ -9,6 +9,7 @@
 namespace flying {
 namespace {
 
+// [rest.pairs.room]
 // [radii] and [reaches] of room that a box gets: more room, fewer looks and more pairs
 constexpr double k_room_radii = 0.0625;
 constexpr double k_room_reaches = 3.0;
@@ -26,9 +27,11 @@ constexpr double k_room_reaches = 3.0;
     const double height = wall.normal.x() * x + wall.normal.y() * y;
     return height <= wall.offset;
 }
+// [rest.pairs.room]
 
 } // namespace
 
+// [rest.pairs.inside]
 bool PairList::all_inside(std::span<const RestBody> bodies, std::span<const double> radius,
                           std::span<const double> reach) const
 {
@@ -41,6 +44,7 @@ bool PairList::all_inside(std::span<const RestBody> bodies, std::span<const doub
     }
     return true;
 }
+// [rest.pairs.inside]
 
 // [rest.pairs.update]
 bool PairList::update(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes,

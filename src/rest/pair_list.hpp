@@ -11,6 +11,7 @@
 
 namespace flying {
 
+// [rest.pairs.pair]
 /// Two convex parts of two bodies that are near each other, and what their contact bore in the step before.
 struct RestPair
 {
@@ -26,7 +27,9 @@ struct RestPair
     double normal[2] = {0.0, 0.0};                ///< impulses that lasted to the end of the step [N s]
     double tangent[2] = {0.0, 0.0};               ///< [N s]
 };
+// [rest.pairs.pair]
 
+// [rest.pairs.class]
 /// Which pairs may touch soon, kept from step to step. Every body has a box with room to spare; as long as all stay
 /// within theirs, the list stays as it is. Pairs are in the order of (a, b, part of a, part of b).
 class PairList
@@ -70,5 +73,6 @@ private:
     std::vector<RestPair> old_;
     std::vector<int> starts_;
 };
+// [rest.pairs.class]
 
 } // namespace flying

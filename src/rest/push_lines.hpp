@@ -4,6 +4,7 @@
 
 namespace flying {
 
+// [rest.push_lines]
 /// A push on both bodies as six numbers: force and moment on A, the same on B.
 struct Line
 {
@@ -30,5 +31,6 @@ inline void add(double* target, double factor, const double* line)
 {
     for (int i = 0; i < 3; ++i) target[i] += factor * line[i];
 }
+// [rest.push_lines]
 
 } // namespace flying

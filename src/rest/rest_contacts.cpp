@@ -10,13 +10,16 @@
 namespace flying {
 namespace {
 
+// [rest.collide.limits]
 /// [sizes] A pair that overlaps by more is put right first, before anyone looks ahead.
 constexpr double k_deep = 0x1p-10;
 /// Looks at a pair that closes, each at the moment that the last one foresaw.
 constexpr int k_looks = 5;
 /// [steps] What closes later is left to the next step.
 constexpr double k_last_moment = 1.0 - 0x1p-30;
+// [rest.collide.limits]
 
+// [rest.time_to_close]
 /// Time until a gap closes that changes at speed u and acceleration a; more than `within` where it doesn't by then. [s]
 [[nodiscard]] double time_to_close(double gap, double u, double a, double within)
 {
@@ -25,6 +28,7 @@ constexpr double k_last_moment = 1.0 - 0x1p-30;
     const double root = std::sqrt(std::max(square, 0.0));
     return root > u ? 2.0 * gap / (root - u) : 2.0 * within;
 }
+// [rest.time_to_close]
 
 // [rest.known]
 /// The point of the last look that a point continues: that of the same features, or where corners lie on corners and

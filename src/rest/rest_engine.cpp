@@ -9,13 +9,16 @@
 namespace flying {
 namespace {
 
+// [rest.engine.mover_of]
 [[nodiscard]] Mover mover_of(const RestBody& body)
 {
     if (body.is_static) return {};
     const BodyState& s = body.state;
     return {s.velocity.x(), s.velocity.y(), s.spin, body.inertia.inv_mass, body.inertia.inv_moment_of_inertia};
 }
+// [rest.engine.mover_of]
 
+// [rest.engine.real_edges]
 /// For each convex part, which of its edges are sides of the shape, and not cuts through it; empty where all are.
 [[nodiscard]] std::vector<std::vector<char>> real_edges(const Shape& shape, const CollisionShape& parts)
 {
@@ -35,9 +38,11 @@ namespace {
     }
     return result;
 }
+// [rest.engine.real_edges]
 
 } // namespace
 
+// [rest.engine.setup]
 RestEngine::RestEngine(std::vector<RestBody> bodies, const RestOptions& options, double time)
     : bodies_(std::move(bodies)), options_(options), start_(time)
 {
@@ -72,19 +77,24 @@ RestEngine::RestEngine(std::vector<RestBody> bodies, const RestOptions& options,
     still_.assign(count, 0);
     sleep_group_.assign(count, -1);
 }
+// [rest.engine.setup]
 
+// [rest.engine.expect_flight]
 void RestEngine::expect_flight(int body)
 {
     pull_[body] = bodies_[body].is_static ? Vec2(Vec2::Zero()) : bodies_[body].acceleration;
     turn_pull_[body] = 0.0;
 }
+// [rest.engine.expect_flight]
 
+// [rest.engine.advance]
 void RestEngine::advance(double time)
 {
     // A step whose end is `time` but for rounding still fits
     const double last = time + 0.5 * tolerance::k_coordinate_roundings * tolerance::k_epsilon * std::abs(time);
     while (start_ + static_cast<double>(steps_ + 1) * options_.step <= last) step();
 }
+// [rest.engine.advance]
 
 // [rest.reach]
 void RestEngine::measure_reach(std::span<const int> who)
@@ -103,6 +113,7 @@ void RestEngine::measure_reach(std::span<const int> who)
 }
 // [rest.reach]
 
+// [rest.engine.touch_gap]
 double RestEngine::touch_gap(int a, int b) const
 {
     const double coordinates =
@@ -110,7 +121,9 @@ double RestEngine::touch_gap(int a, int b) const
     return rest_tolerance::k_touch * std::min(radius_[a], radius_[b]) +
            tolerance::k_coordinate_roundings * tolerance::k_epsilon * coordinates;
 }
+// [rest.engine.touch_gap]
 
+// [rest.engine.change]
 void RestEngine::set_state(int body, const BodyState& state)
 {
     bodies_[body].state = state;
@@ -146,7 +159,9 @@ void RestEngine::wake_all_with(int body)
         wake(sleep_group_[pair.b]);
     }
 }
+// [rest.engine.change]
 
+// [rest.engine.contacts]
 std::vector<RestContact> RestEngine::contacts() const
 {
     std::vector<RestContact> result;
@@ -164,7 +179,9 @@ std::vector<RestContact> RestEngine::contacts() const
     }
     return result;
 }
+// [rest.engine.contacts]
 
+// [rest.engine.groups]
 std::vector<int> RestEngine::groups() const
 {
     std::vector<int> group(bodies_.size());
@@ -185,7 +202,9 @@ std::vector<int> RestEngine::groups() const
     }
     return group;
 }
+// [rest.engine.groups]
 
+// [rest.engine.hash]
 std::uint64_t RestEngine::hash() const
 {
     Hash hash;
@@ -196,5 +215,6 @@ std::uint64_t RestEngine::hash() const
     }
     return hash.value();
 }
+// [rest.engine.hash]
 
 } // namespace flying

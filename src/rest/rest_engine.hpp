@@ -11,6 +11,7 @@
 
 namespace flying {
 
+// [rest.options]
 struct RestOptions
 {
     double step = 1.0 / 60.0; ///< > 0 [s]
@@ -20,7 +21,9 @@ struct RestOptions
     int calming_sweeps = 2;   ///< over larger groups, after
     double (*seconds)() = nullptr; ///< a clock, lent to measure the stages; null to measure nothing [s]
 };
+// [rest.options]
 
+// [rest.counts]
 /// Work done so far.
 struct RestCounts
 {
@@ -36,7 +39,9 @@ struct RestCounts
     std::int64_t repeated = 0;  ///< steps made anew, because somebody got further than was looked at
     std::int64_t paid = 0;      ///< groups slowed down, so that they have no more energy than before
 };
+// [rest.counts]
 
+// [rest.seconds]
 /// Seconds spent, where a clock was lent.
 struct RestSeconds
 {
@@ -45,7 +50,9 @@ struct RestSeconds
     double solve = 0.0;
     double move = 0.0;
 };
+// [rest.seconds]
 
+// [rest.contact]
 /// One point of contact as the last step left it.
 struct RestContact
 {
@@ -56,7 +63,9 @@ struct RestContact
     double normal_force = 0.0;  ///< mean over the step [N]
     double tangent_force = 0.0; ///< mean over the step, along the normal turned a quarter counter-clockwise [N]
 };
+// [rest.contact]
 
+// [rest.engine]
 /// Moves bodies that lean on each other, by steps of one length. What happens depends on the bodies and the step alone:
 /// not on who looks, when, or where the bodies lie in memory.
 ///
@@ -69,11 +78,13 @@ class RestEngine
 public:
     /// bodies  not overlapping, beyond touching
     /// time    of their states [s]
+    // [rest.engine.doors]
     explicit RestEngine(std::vector<RestBody> bodies, const RestOptions& options = {}, double time = 0.0);
 
     /// Step as long as whole steps fit before `time`.  [s]
     void advance(double time);
     void step();
+    // [rest.engine.doors]
 
     /// Moment that the steps have reached.  [s]
     [[nodiscard]] double time() const { return start_ + static_cast<double>(steps_) * options_.step; }
@@ -202,6 +213,7 @@ private:
     [[nodiscard]] double top_speed(const Group& group) const;
     [[nodiscard]] double touch_gap(int a, int b) const;
 
+    // [rest.engine.data]
     std::vector<RestBody> bodies_;
     RestOptions options_;
     double start_ = 0.0;
@@ -248,6 +260,8 @@ private:
     RestCounts counts_;
     RestSeconds seconds_;
     double max_overlap_ = 0.0;
+    // [rest.engine.data]
 };
+// [rest.engine]
 
 } // namespace flying

@@ -7,6 +7,7 @@
 namespace flying {
 namespace {
 
+// [rest.move.load]
 /// [impulses] What an impulse bears beyond an impact, if it is less, is the rounding of the solve.
 constexpr double k_load = 0x1p-30;
 
@@ -16,9 +17,11 @@ constexpr double k_load = 0x1p-30;
     const double rest = c.normal - std::min(c.impact, c.normal);
     return rest > k_load * c.normal ? rest : 0.0;
 }
+// [rest.move.load]
 
 } // namespace
 
+// [rest.move.expect]
 void RestEngine::expect_same(int body)
 {
     const Mover& old = before_[body];
@@ -26,6 +29,7 @@ void RestEngine::expect_same(int body)
     pull_[body] = Vec2(now.v_x - old.v_x, now.v_y - old.v_y) / span_;
     turn_pull_[body] = (now.spin - old.spin) / span_;
 }
+// [rest.move.expect]
 
 // [rest.places]
 void RestEngine::find_places(const Group& group)
@@ -46,6 +50,7 @@ void RestEngine::find_places(const Group& group)
         turn_[c.b] += b.spin;
     }
 
+    // [rest.places.mean]
     // For the rest, places move by the mean of the velocities before and after
     for (int k = 0; k < group.member_count; ++k) {
         const int member = members_[group.first_member + k];
@@ -55,6 +60,7 @@ void RestEngine::find_places(const Group& group)
         shift_[member] += dt * mean;
         turn_[member] += dt * (0.5 * (old.spin + now.spin));
     }
+    // [rest.places.mean]
 }
 // [rest.places]
 

@@ -7,6 +7,7 @@
 namespace flying {
 namespace {
 
+// [rest.overlap.limits]
 /// [sizes] Overlap at the end of a step that is taken off; where it is more, the step is made in halves.
 constexpr double k_fair_overlap = 0x1p-9;
 /// [rad] Turn within a step that a group with contacts may make.
@@ -23,6 +24,7 @@ constexpr double k_fair_rise = 0x1p-8;
 constexpr double k_rounding = 0x1p-46;
 /// Rounds of taking off overlap: each leaves about the square of what the last has found.
 constexpr int k_rounds = 4;
+// [rest.overlap.limits]
 
 } // namespace
 

@@ -7,6 +7,7 @@
 namespace flying {
 namespace {
 
+// [rest.rebound.limits]
 /// Halvings of the share of rebound that is kept where friction would turn a rebound into more than came in.
 constexpr int k_rebound_halvings = 6;
 /// [energies] Work below this is rounding.
@@ -15,6 +16,7 @@ constexpr double k_work = 0x1p-40;
 constexpr int k_most_parts = 4;
 /// Bisections until a part of a step slips to its end.
 constexpr int k_part_halvings = 10;
+// [rest.rebound.limits]
 
 } // namespace
 

@@ -8,6 +8,7 @@
 namespace flying {
 namespace {
 
+// [rest.solve.limits]
 /// Points of the largest group whose step is parted where slip ends.
 constexpr int k_most_parted = 12;
 
@@ -16,6 +17,7 @@ constexpr int k_safe_sweeps = 64;
 
 /// Share of an overlap that one step takes off a group that is swept.
 constexpr double k_push_share = 0.25;
+// [rest.solve.limits]
 
 } // namespace
 
@@ -80,6 +82,7 @@ void RestEngine::find_impulses(Group& group, double time)
 }
 // [rest.solve]
 
+// [rest.solve.scales]
 double RestEngine::top_speed(const Group& group) const
 {
     double top = field_speed(group);
@@ -100,6 +103,7 @@ double RestEngine::field_speed(const Group& group) const
     }
     return span_ * top;
 }
+// [rest.solve.scales]
 
 // [rest.bounds]
 bool RestEngine::set_bounds(Group& group)
@@ -113,10 +117,13 @@ bool RestEngine::set_bounds(Group& group)
         const double gap = c.gap > touch_gap(c.a, c.b) ? c.gap : 0.0;
         c.impact = 0.0;
 
+        // [rest.bounds.later]
         // What parts, or is not there yet, may come as near as to touch at the end
         c.bound = std::min(0.0, -2.0 * gap / c.left - u);
         if (gap > 0.0 || u >= 0.0) continue;
+        // [rest.bounds.later]
 
+        // [rest.bounds.thrown]
         // What arrives is thrown back, unless its load would bring it down again before the step ends
         const double rebound = -c.restitution * u;
         const bool loaded = 2.0 * rebound * c.normal_mass <= c.normal;
@@ -126,6 +133,7 @@ bool RestEngine::set_bounds(Group& group)
         c.impact = c.normal_mass * (rests ? -u : rebound - u);
         any_bounce = any_bounce || !rests;
         if (!rests) ++counts_.impacts;
+        // [rest.bounds.thrown]
     }
 
     // Where bodies are thrown back in this step, gaps that they may close are left to the next: it throws back by the

@@ -7,12 +7,14 @@
 namespace flying {
 namespace {
 
+// [rest.step.limits]
 /// Looks at who may meet whom, each with the speeds that the last has found.
 constexpr int k_most_tries = 4;
 /// [ways] Reach of a body that an impact has thrown this far.
 constexpr double k_outrun = 1.25;
 /// Halvings of a step before a group takes what comes out.
 constexpr int k_most_halvings = 7;
+// [rest.step.limits]
 
 } // namespace
 

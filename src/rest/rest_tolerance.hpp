@@ -2,9 +2,12 @@
 
 #include "math/tolerance.hpp"
 
+// [rest.tolerance.note]
 /// The pure numbers of the resting integrator, each with its unit and its reason.
+// [rest.tolerance.note]
 namespace flying::rest_tolerance {
 
+// [rest.tolerance]
 /// [speeds of a group, or those that its impulses bring] What rounding leaves of the content of a point: a velocity is
 /// a sum of a handful of impulses over a mass.
 inline constexpr double k_content = 16.0 * tolerance::k_epsilon;
@@ -35,5 +38,6 @@ inline constexpr double k_same_place = 0x1p-5;
 
 /// [sizes] Reach beyond what motion explains, within which points are watched.
 inline constexpr double k_watch = 0x1p-6;
+// [rest.tolerance]
 
 } // namespace flying::rest_tolerance

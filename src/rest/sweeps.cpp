@@ -12,6 +12,7 @@ void content(SweepPoint& c, std::span<Mover> movers)
     Mover& a = movers[c.a];
     Mover& b = movers[c.b];
 
+    // [rest.sweep.normal]
     // Push as much as ends the approach in all, and never pull
     double v_x = b.v_x - a.v_x;
     double v_y = b.v_y - a.v_y;
@@ -19,7 +20,9 @@ void content(SweepPoint& c, std::span<Mover> movers)
     const double normal = std::max(0.0, c.normal - c.normal_mass * (u_n - c.bound));
     const double j = normal - c.normal;
     c.normal = normal;
+    // [rest.sweep.normal]
 
+    // [rest.sweep.tangent]
     // Know what that does to the slip, and end it as far as the cone allows
     const double w = a.inv_mass + b.inv_mass;
     const double spin_a = a.spin - a.inv_moment * (j * c.normal_arm_a);
@@ -31,6 +34,7 @@ void content(SweepPoint& c, std::span<Mover> movers)
     const double tangent = std::clamp(c.tangent - c.tangent_mass * u_t, -most, most);
     const double q = tangent - c.tangent;
     c.tangent = tangent;
+    // [rest.sweep.tangent]
 
     const double p_x = j * c.n_x - q * c.n_y;
     const double p_y = j * c.n_y + q * c.n_x;
@@ -45,6 +49,7 @@ void content(SweepPoint& c, std::span<Mover> movers)
 
 } // namespace
 
+// [rest.sweep.copy]
 SweepPoint sweep_point(const ContactPoint& c)
 {
     return {c.a,
@@ -62,7 +67,9 @@ SweepPoint sweep_point(const ContactPoint& c)
             c.normal,
             c.tangent};
 }
+// [rest.sweep.copy]
 
+// [rest.sweep]
 void warm_start(std::span<const ContactPoint> points, std::span<Mover> movers)
 {
     for (const ContactPoint& c : points) push(c, c.normal, c.tangent, movers[c.a], movers[c.b]);
@@ -77,6 +84,7 @@ void sweep_back(std::span<SweepPoint> points, std::span<Mover> movers)
 {
     for (std::size_t k = points.size(); k > 0; --k) content(points[k - 1], movers);
 }
+// [rest.sweep]
 
 // [rest.complaint]
 double worst_complaint(std::span<const ContactPoint> points, std::span<const Mover> movers)
