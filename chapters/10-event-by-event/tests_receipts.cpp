@@ -118,7 +118,8 @@ TEST_CASE(
         EventEngine engine = billiard(ratio);
         REQUIRE_FALSE(engine.advance(1e5, -1).has_value());
         const double n = static_cast<double>(engine.counts().impacts);
-        CHECK_EQUATION("events.count", n, std::ceil(k_pi / theta) - 1, 0.0);
+        CHECK_EQUATION("events.count", n, std::ceil(k_pi / theta) - 1, 0.0,
+                       {"\\theta", theta});
         CHECK_TWIN("events.count", n, std::ceil(k_pi / theta), 0.0);
 
         const double even = 2.0 * std::ceil(n / 2.0);
@@ -331,9 +332,10 @@ TEST_CASE("three balls in a row meet as often as the angle allows")
             u = next;
         }
         const double n = static_cast<double>(engine.counts().impacts);
-        CHECK_EQUATION("events.row_count", n, std::ceil(k_pi / row_angle(e)) - 1,
-                       0.0);
-        CHECK_TWIN("events.row_count", n, std::ceil(k_pi / row_angle(e)), 0.0);
+        const double phi = row_angle(e);
+        CHECK_EQUATION("events.row_count", n, std::ceil(k_pi / phi) - 1, 0.0,
+                       {"\\varphi", phi});
+        CHECK_TWIN("events.row_count", n, std::ceil(k_pi / phi), 0.0);
     }
 }
 // [events.tests.row]

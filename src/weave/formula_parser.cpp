@@ -168,7 +168,8 @@ private:
         if (std::isdigit(static_cast<unsigned char>(token[0])) || is_letter(token) || is_greek(token)) return true;
         static const std::set<std::string> k_starts = {"(",       "[",        "{",      "\\frac", "\\tfrac", "\\dfrac",
                                                        "\\sqrt",  "\\int",    "\\sum",  "\\bar",  "\\hat",   "\\dot",
-                                                       "\\tilde", "\\mathrm", "\\text", "\\max",  "\\min"};
+                                                       "\\tilde", "\\mathrm", "\\text", "\\max",  "\\min", "\\lceil",
+                                                       "\\lfloor"};
         return k_starts.count(token) > 0 || formula_functions().count(token) > 0;
     }
 
@@ -210,6 +211,8 @@ private:
         if (token == "(") return group("(", ")");
         if (token == "[") return group("[", "]");
         if (token == "{") return group("{", "}");
+        if (token == "\\lceil") return make(Kind::function, {group("\\lceil", "\\rceil")}, "ceil");
+        if (token == "\\lfloor") return make(Kind::function, {group("\\lfloor", "\\rfloor")}, "floor");
         if (std::isdigit(static_cast<unsigned char>(token[0]))) {
             ++at_;
             const std::optional<double> number = to_number(token);
@@ -371,7 +374,8 @@ const std::map<std::string, double (*)(double)>& formula_functions()
         {"\\log", [](double x) { return std::log(x); }},     {"\\exp", [](double x) { return std::exp(x); }},
         {"\\sinh", [](double x) { return std::sinh(x); }},   {"\\cosh", [](double x) { return std::cosh(x); }},
         {"\\tanh", [](double x) { return std::tanh(x); }},   {"sqrt", [](double x) { return std::sqrt(x); }},
-        {"abs", [](double x) { return std::abs(x); }},
+        {"abs", [](double x) { return std::abs(x); }},       {"ceil", [](double x) { return std::ceil(x); }},
+        {"floor", [](double x) { return std::floor(x); }},
     };
     return k_functions;
 }

@@ -38,6 +38,7 @@ TEST_CASE("sums, products side by side, fractions and powers mean what they mean
     CHECK(value_of("a / b / c", v) == doctest::Approx(3.0 / 35.0).epsilon(1e-15));
     CHECK(value_of("a^{b - a}", v) == 9.0);
     CHECK(value_of("|a - b| c", v) == 14.0);
+    CHECK(value_of("2 \\lceil \\frac{b}{a} \\rceil - \\left\\lfloor \\frac{c}{a} \\right\\rfloor", v) == 2.0);
     CHECK(value_of("\\sqrt{a^2 + 16} \\, c", v) == 35.0);
     CHECK(value_of("\\sqrt[3]{27}") == doctest::Approx(3.0).epsilon(1e-15));
     CHECK(value_of("\\max(a, b, c) - \\min(a, b)", v) == 4.0);
