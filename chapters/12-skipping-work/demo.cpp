@@ -26,7 +26,7 @@ void print_plan(const char* name)
 {
     std::printf("%s\n", name);
     for (const Skip& skip : make_plan(scene_of_course(FLYING_SCENES, name)).skips) {
-        std::printf("  %-8s %-13s %s\n", skip.active ? "skipped" : "done",
+        std::printf("  %-8s %s\n    %s\n", skip.active ? "skipped" : "done",
                     skip.name.c_str(), skip.reason.c_str());
     }
 }

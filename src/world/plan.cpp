@@ -99,9 +99,8 @@ struct Census
 [[nodiscard]] Skip far_features(const Census& census)
 {
     const bool any_corners = census.movers_with_corners + census.statics_with_corners > 0;
-    Skip skip{
-        k_far_features,     SkipClass::neutral, any_corners || census.is_central, "", 0,
-        "looks at features"};
+    const bool pays = any_corners || census.is_central;
+    Skip skip{k_far_features, SkipClass::neutral, pays, "", 0, "looks at features"};
     if (census.is_central) {
         skip.reason =
             "features are looked at only while the bounding circles of a pair overlap";
@@ -115,18 +114,16 @@ struct Census
 // [plan.far_features]
 
 // [plan.cells]
-/// What the grid is left out for where it doesn't pay: turned off, cells are kept all the
-/// same.
+/// Cells that few bodies don't need. Turned off, they are kept all the same.
 [[nodiscard]] Skip cells(const Census& census)
 {
     const bool few = census.movers < k_fewest_for_grid;
-    Skip skip{
-        k_cells, SkipClass::ordered, few && census.movers > 0 && !census.is_central, "", 0,
-        ""};
-    skip.reason = census.is_central ? "a central field: there are no cells to keep"
-                  : few             ? "fewer than " + std::to_string(k_fewest_for_grid) +
-                              " moving bodies: no cells are kept for them"
-                        : "so many moving bodies are found faster by their cells";
+    const bool pays = few && census.movers > 0 && !census.is_central;
+    Skip skip{k_cells, SkipClass::ordered, pays, "", 0, ""};
+    const std::string limit = std::to_string(k_fewest_for_grid);
+    skip.reason = few ? "fewer than " + limit + " moving bodies: no cells are kept for them"
+                      : "so many moving bodies are found faster by their cells";
+    if (census.is_central) skip.reason = "a central field: there are no cells to keep";
     return skip;
 }
 // [plan.cells]
@@ -136,16 +133,17 @@ struct Census
 /// features by windows.
 [[nodiscard]] Skip search(const Census& census)
 {
-    Skip skip{k_search, SkipClass::neutral, census.movers >= 2 && !census.is_central, "",
-              0,        "searches"};
-    skip.reason = census.is_central
-                      ? "a central field: no two flights have a closed form together"
-                  : census.movers < 2 ? "no two bodies move"
-                  : census.movers_with_corners > 0
+    const bool two_fly = census.movers >= 2 && !census.is_central;
+    Skip skip{k_search, SkipClass::neutral, two_fly, "", 0, "searches"};
+    skip.reason = census.movers_with_corners > 0
                       ? "two moving bodies are first foreseen as circles on straight "
                         "paths, the roots of a quadratic"
                       : "discs meet at the roots of a quadratic: no code for corners is "
                         "entered for two of them";
+    if (census.movers < 2) skip.reason = "no two bodies move";
+    if (census.is_central) {
+        skip.reason = "a central field: no two flights have a closed form together";
+    }
     return skip;
 }
 // [plan.search]

@@ -40,13 +40,11 @@ struct Plan
     PairFinder pair_finder = PairFinder::grid;
     bool skips_static_pairs = true; ///< two static bodies are never compared
     bool skips_far_features = true; ///< turning features wait until bounding circles meet
-    bool skips_search = true; ///< two movers under one acceleration need no general search
+    bool skips_search = true;       ///< movers under one acceleration need no search
     bool skips_absent_field = true; ///< without a uniform field, flights are straight lines
-    bool skips_apart_rings =
-        true; ///< bodies on rings round a centre that don't overlap are left alone
-    bool skips_far_vertices =
-        true;                ///< vertices out of the other body's reach are not followed
-    std::vector<Skip> skips; ///< every skip this program knows, active or not
+    bool skips_apart_rings = true;  ///< bodies on rings that don't overlap are left alone
+    bool skips_far_vertices = true; ///< vertices out of reach are not followed
+    std::vector<Skip> skips;        ///< every skip this program knows, active or not
 };
 // [plan.plan]
 
