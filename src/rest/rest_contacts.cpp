@@ -80,6 +80,10 @@ void RestEngine::collide_pair(int index)
     }
 
     // A gap that would close within the step is looked at when it does; bodies turn, so that one look may not do
+    if (manifold.count == 0) {
+        pair.count = 0;
+        return;
+    }
     Closing closing{{0, 0}, 0, touch_gap(pair.a, pair.b)};
     double moment = 0.0;
     bool overlaps = false;
@@ -96,12 +100,20 @@ void RestEngine::collide_pair(int index)
     add_points(index, manifold, moment);
 }
 
+/// Where a body's centre will be at a moment of the step, if it goes on as it did.
+Vec2 RestEngine::place_at(int body, double moment) const
+{
+    const BodyState& s = bodies_[body].state;
+    if (moment == 0.0 || bodies_[body].is_static) return s.position;
+    return s.position + moment * (s.velocity + (0.5 * moment) * pull_[body]);
+}
+
 /// Where a body will be at a moment of the step, if it goes on as it did.
 Pose RestEngine::pose_at(int body, double moment) const
 {
     if (bodies_[body].is_static) return poses_[body];
     const BodyState& s = bodies_[body].state;
-    return {s.position + moment * (s.velocity + (0.5 * moment) * pull_[body]),
+    return {place_at(body, moment),
             Rotation::of(s.angle + moment * (s.spin + (0.5 * moment) * turn_pull_[body]))};
 }
 
@@ -122,7 +134,7 @@ double RestEngine::next_closing(const RestPair& pair, const Manifold& manifold, 
         if (moment == 0.0) closing.open[closing.count++] = contact.feature;
         const auto velocity = [&](int index) {
             const BodyState& s = bodies_[index].state;
-            const Vec2 r = contact.point - pose_at(index, moment).position;
+            const Vec2 r = contact.point - place_at(index, moment);
             return Vec2(s.velocity + moment * pull_[index] + cross(s.spin + moment * turn_pull_[index], r));
         };
         const double u = (velocity(pair.b) - velocity(pair.a)).dot(contact.normal);
@@ -137,7 +149,7 @@ double RestEngine::next_closing(const RestPair& pair, const Manifold& manifold, 
 double RestEngine::fall_at(const RestPair& pair, const Contact& contact, double moment) const
 {
     const auto pull = [&](int index) {
-        const Vec2 r = contact.point - pose_at(index, moment).position;
+        const Vec2 r = contact.point - place_at(index, moment);
         return Vec2(pull_[index] + cross(turn_pull_[index], r));
     };
     return (pull(pair.b) - pull(pair.a)).dot(contact.normal);
@@ -155,8 +167,8 @@ void RestEngine::add_points(int index, const Manifold& manifold, double moment)
     for (int k = 0; k < manifold.count; ++k) {
         const Contact& contact = manifold.contacts[k];
         // Arms lead from where the centres are at the moment
-        const Vec2 r_a = contact.point - (moment > 0.0 ? pose_at(pair.a, moment).position : poses_[pair.a].position);
-        const Vec2 r_b = contact.point - (moment > 0.0 ? pose_at(pair.b, moment).position : poses_[pair.b].position);
+        const Vec2 r_a = contact.point - place_at(pair.a, moment);
+        const Vec2 r_b = contact.point - place_at(pair.b, moment);
         ContactPoint point;
         point.a = pair.a;
         point.b = pair.b;

@@ -171,6 +171,7 @@ private:
     [[nodiscard]] double next_closing(const RestPair& pair, const Manifold& manifold, double moment,
                                       Closing& closing) const;
     [[nodiscard]] double fall_at(const RestPair& pair, const Contact& contact, double moment) const;
+    [[nodiscard]] Vec2 place_at(int body, double moment) const;
     [[nodiscard]] Pose pose_at(int body, double moment) const;
     void add_points(int pair, const Manifold& manifold, double moment);
     [[nodiscard]] Manifold look(const RestPair& pair, const Pose& pose_a, const Pose& pose_b, double margin) const;
