@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "broadphase/grid.hpp"
+#include "broadphase/sweep.hpp"
 #include "collide/separation.hpp"
 #include "events/event_queue.hpp"
 #include "math/random.hpp"
@@ -177,6 +178,44 @@ void grid_move(benchmark::State& state)
     }
 }
 BENCHMARK(grid_move)->Arg(1000)->Arg(1000000);
+
+/// A crowd of boxes whose pairs are found again after each has moved by a hundredth of its width. The first argument is
+/// their number, the second 1 for a sweep that remembers its order, 0 for one that starts afresh, -1 for all pairs.
+void find_pairs_again(benchmark::State& state)
+{
+    const int count = static_cast<int>(state.range(0));
+    const double side = 2.0 * std::sqrt(count);
+    Random random(10);
+    std::vector<BoxedBody> bodies;
+    std::vector<Vec2> steps;
+    for (int k = 0; k < count; ++k) {
+        const Vec2 x{random.uniform(0.0, side), random.uniform(0.0, side)};
+        bodies.push_back({k, false, {x, x + Vec2(1.0, 1.0)}});
+        steps.push_back(Vec2{random.uniform(-0.01, 0.01), random.uniform(-0.01, 0.01)});
+    }
+    Sweep kept;
+    double sign = 1.0;
+    for (auto _ : state) {
+        for (int k = 0; k < count; ++k) {
+            bodies[k].box.min += sign * steps[k];
+            bodies[k].box.max += sign * steps[k];
+        }
+        sign = -sign;
+        long pairs = 0;
+        if (state.range(1) < 0) {
+            for_each_pair_of_all(bodies, [&](int, int) { ++pairs; });
+        } else {
+            Sweep fresh;
+            Sweep& sweep = state.range(1) > 0 ? kept : fresh;
+            sweep.line_up(bodies);
+            sweep.for_each_pair([&](int, int) { return ++pairs, true; });
+        }
+        benchmark::DoNotOptimize(pairs);
+    }
+}
+BENCHMARK(find_pairs_again)
+    ->Args({100, -1})->Args({100, 0})->Args({100, 1})
+    ->Args({1000, -1})->Args({1000, 0})->Args({1000, 1});
 
 } // namespace
 } // namespace flying
