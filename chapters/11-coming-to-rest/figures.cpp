@@ -1,0 +1,279 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "../02-rectangle/sketch.hpp"
+#include "column.hpp"
+#include "lying.hpp"
+#include "wrong_rest.hpp"
+
+using namespace flying;
+using namespace flying::sketch;
+using namespace flying::test;
+
+namespace {
+
+std::string text_of(const char* format, double value)
+{
+    char text[64];
+    std::snprintf(text, sizeof text, format, value);
+    return text;
+}
+
+/// A stack and what each box bears.
+void draw_stack(const std::string& folder)
+{
+    Sketch s(folder + "/stack.svg", 480, 380);
+    RestEngine engine(stack(6));
+    engine.advance(5.0);
+    std::map<int, double> force;
+    for (const RestContact& contact : engine.contacts()) force[contact.b] += contact.normal_force;
+    s.line(Vec2(30, 350), Vec2(450, 350), k_ink, 2.4);
+    for (int k = 1; k <= 6; ++k) {
+        const double y = 350.0 - 52.0 * engine.state(k).position.y();
+        s.polygon(sketch::box(Vec2(110, y), 52, 52), pale(k_blue, 0.2), k_blue, 2.0);
+        const double foot = y + 26.0;
+        s.arrow(Vec2(170, foot), Vec2(170 + 2.9 * force[k], foot), k_rust, 3.0);
+        s.words(Vec2(180 + 2.9 * force[k], foot - 6.0), text_of("%.1f N", force[k]), Anchor::left, k_ink, 17.0);
+    }
+}
+
+/// Height over time, of the engine and of the closed form.
+void draw_zeno(const std::string& folder)
+{
+    Sketch s(folder + "/zeno.svg", 540, 300);
+    const double e = 0.7;
+    const double end = end_of_hops(1.0, e);
+    const auto at = [](double t, double y) { return Vec2(46.0 + 168.0 * t, 250.0 - 210.0 * y); };
+    std::vector<Vec2> curve;
+    for (int k = 0; k <= 2000; ++k) curve.push_back(at(2.75 * k / 2000.0, hop_height(1.0, e, 2.75 * k / 2000.0)));
+    s.arrow(at(0, 0), at(2.9, 0), k_soft, 1.6);
+    s.arrow(at(0, 0), at(0, 1.12), k_soft, 1.6);
+    s.path(curve, k_blue, 2.0);
+    RestEngine ball = zeno_ball(1.0, e, 1.0 / 20.0);
+    for (int k = 0; k <= 54; ++k) {
+        const Vec2 p = at(ball.time(), ball.state(1).position.y() - 0.5);
+        s.disc(p, 3.6, k_rust, k_none);
+        ball.step();
+    }
+    s.dashed(at(end, 0.0), at(end, 0.55), k_soft);
+    s.words(at(end, 0.62), text_of("%.2f s", end), Anchor::middle, k_ink, 17.0);
+    s.words(at(2.85, 0) + Vec2(0, 30), "time", Anchor::right, k_soft, 16.0);
+    s.words(at(0.06, 1.06), "height", Anchor::left, k_soft, 16.0);
+}
+
+/// Impulse and speed of a point: one of the two is nothing.
+void draw_corner(const std::string& folder)
+{
+    Sketch s(folder + "/corner.svg", 460, 280);
+    const Vec2 o(90, 230);
+    s.arrow(o, Vec2(430, 230), k_soft, 1.6);
+    s.arrow(o, Vec2(90, 24), k_soft, 1.6);
+    s.line(o, Vec2(410, 230), k_blue, 5.0);
+    s.line(o, Vec2(90, 46), k_rust, 5.0);
+    s.words(Vec2(300, 216), "parts, and bears nothing", Anchor::middle, k_blue, 17.0);
+    s.words(Vec2(106, 70), "bears, and stays", Anchor::left, k_rust, 17.0);
+    s.formula(Vec2(420, 258), "u");
+    s.formula(Vec2(66, 40), "j");
+    s.disc(o, 6.0, k_ink, k_none);
+    s.words(Vec2(250, 140), "nobody can be here", Anchor::middle, k_soft, 17.0);
+}
+
+/// What sweeps leave, for columns of several heights.
+void draw_sweeps(const std::string& folder)
+{
+    Sketch s(folder + "/sweeps.svg", 540, 330);
+    const LogPlot plot(s, Vec2(80, 270), Vec2(510, 20), Vec2(0, -4), Vec2(4, 0));
+    plot.axes(1, 1);
+    const Tone tones[] = {k_teal, k_blue, k_rust};
+    int which = 0;
+    for (const int n : {5, 20, 80}) {
+        ColumnSweeps column(std::vector<double>(n, 1.0));
+        std::vector<Vec2> points;
+        double error = 1.0;
+        int k = 1;
+        for (; k <= 10000 && error > 1e-4; ++k) {
+            error = column.sweep_once();
+            if (error > 1e-4) points.push_back(plot.at(k, error));
+        }
+        s.path(points, tones[which], 2.8);
+        const Vec2 end = points.back();
+        const bool inside = end.y() > 250.0;
+        s.words(inside ? end + Vec2(10, -16) : end + Vec2(-8, -12), std::to_string(n) + " boxes",
+                inside ? Anchor::left : Anchor::right, tones[which], 17.0);
+        ++which;
+    }
+    s.words(Vec2(295, 320), "sweeps");
+    s.words(Vec2(94, 258), "worst error of a force", Anchor::left, k_soft, 16.0);
+}
+
+/// What becomes of a block, over friction and steepness.
+void draw_slope(const std::string& folder)
+{
+    Sketch s(folder + "/slope.svg", 540, 380);
+    const auto at = [](double mu, double tangent) { return Vec2(70.0 + 400.0 * mu, 320.0 - 270.0 * tangent); };
+    s.arrow(at(0, 0), at(1.12, 0), k_soft, 1.6);
+    s.arrow(at(0, 0), at(0, 1.12), k_soft, 1.6);
+    for (int i = 0; i < 14; ++i) {
+        for (int k = 0; k < 14; ++k) {
+            const double mu = 0.04 + 0.075 * i;
+            const double tangent = 0.06 + 0.075 * k;
+            const Fate fate = left_on_slope(tangent, mu);
+            const Tone tone = fate == Fate::lies ? k_teal : fate == Fate::slides ? k_blue : k_rust;
+            s.disc(at(mu, tangent), 6.0, fate == Fate::lies ? pale(tone, 0.3) : tone, tone, 1.6);
+        }
+    }
+    s.line(at(0, 0), at(0.7, 0.7), k_ink, 2.0);
+    s.line(at(0.7, 0.7), at(1.1, 0.7), k_ink, 2.0);
+    s.line(at(0.7, 0.7), at(0.7, 1.1), k_ink, 2.0);
+    s.formula(at(1.08, 0) + Vec2(0, 30), "μ");
+    s.words(at(0, 1.1) + Vec2(-34, 4), "tan θ", Anchor::middle, k_ink, 17.0);
+    s.words(at(0.7, 0) + Vec2(0, 28), "0.7", Anchor::middle, k_ink, 16.0);
+    s.words(at(0, 0.7) + Vec2(-12, 6), "0.7", Anchor::right, k_ink, 16.0);
+    for (const Vec2& p : {at(0.74, 0.3), at(0.27, 0.88), at(0.9, 0.93)})
+        s.polygon(sketch::box(p + Vec2(0, -6), 64, 26), {0xffffff, 0.94}, k_none);
+    s.words(at(0.74, 0.3), "lies", Anchor::middle, k_teal);
+    s.words(at(0.27, 0.88), "slides", Anchor::middle, k_blue);
+    s.words(at(0.9, 0.93), "tips", Anchor::middle, k_rust);
+}
+
+/// Planks over the edge of a table.
+void draw_planks(const std::string& folder)
+{
+    Sketch s(folder + "/planks.svg", 540, 260);
+    const double scale = 95.0;
+    RestEngine engine(planks(4, 1.0 - 1e-6));
+    engine.advance(5.0);
+    const auto at = [&](double x, double y) { return Vec2(240.0 + scale * x, 200.0 - scale * y); };
+    s.polygon({at(-2.2, 0), at(0, 0), at(0, -0.5), at(-2.2, -0.5)}, pale(k_soft, 0.35), k_ink, 2.0);
+    for (int k = 1; k <= 4; ++k) {
+        const Vec2 c = engine.state(k).position;
+        s.polygon(sketch::box(at(c.x(), c.y()), 2.0 * scale, 0.25 * scale), pale(k_ochre, 0.4), k_ink, 2.0);
+        s.disc(at(c.x(), c.y()), 4.0, k_ink, k_none);
+    }
+    const double reach = engine.state(4).position.x() + 1.0;
+    s.dashed(at(0, -0.4), at(0, 1.2));
+    s.dashed(at(reach, -0.4), at(reach, 1.2));
+    s.arrow(at(0.0, -0.3), at(reach, -0.3), k_rust, 2.2);
+    s.words(at(0.5 * reach, -0.48), text_of("%.2f m", reach), Anchor::middle, k_rust, 18.0);
+}
+
+/// Height of a body that lies: two wrong ways, and the engine.
+void draw_jitter(const std::string& folder)
+{
+    Sketch s(folder + "/jitter.svg", 540, 330);
+    const auto at = [](int k, double mm) { return Vec2(80.0 + 14.0 * k, 40.0 - 6.2 * mm); };
+    s.arrow(at(0, -42), at(0, 4.0), k_soft, 1.6);
+    for (const int mm : {0, -10, -20, -30, -40}) {
+        s.words(at(0, mm) + Vec2(-10, 5), mm == 0 ? "0" : "−" + std::to_string(-mm), Anchor::right, k_ink, 16.0);
+        s.line(at(0, mm), at(31, mm), pale(k_soft, 0.3), 1.0);
+    }
+    Lying bounced;
+    Lying pushed;
+    RestEngine engine(stack(1));
+    std::vector<Vec2> one = {at(0, 0)};
+    std::vector<Vec2> two = one;
+    std::vector<Vec2> three = one;
+    for (int k = 1; k <= 30; ++k) {
+        move_then_bounce(bounced, k_gravity, 1.0 / 60.0, 0.5);
+        push_by_overlap(pushed, k_gravity, 1.0 / 60.0);
+        engine.step();
+        one.push_back(at(k, 1e3 * bounced.x));
+        two.push_back(at(k, 1e3 * pushed.x));
+        three.push_back(at(k, 1e3 * (engine.state(1).position.y() - 0.5)));
+    }
+    s.path(one, k_rust, 2.6);
+    s.path(two, k_blue, 2.2);
+    s.path(three, k_teal, 3.4);
+    s.words(at(14, -24.5), "bounced after the move", Anchor::right, k_rust, 17.0);
+    s.words(at(30, -10.5), "pushed by the overlap", Anchor::right, k_blue, 17.0);
+    s.words(at(30, 2.4), "the engine", Anchor::right, k_teal, 17.0);
+    s.words(at(31, -44), "half a second in 30 steps", Anchor::right, k_soft, 16.0);
+    s.words(at(0, 2.6) + Vec2(12, 0), "height, mm", Anchor::left, k_soft, 16.0);
+}
+
+/// Speed of a thrown disc, and of its rim.
+void draw_roll(const std::string& folder)
+{
+    Sketch s(folder + "/roll.svg", 520, 290);
+    const auto at = [](double t, double v) { return Vec2(60.0 + 370.0 * t, 240.0 - 98.0 * v); };
+    s.arrow(at(0, 0), at(1.2, 0), k_soft, 1.6);
+    s.arrow(at(0, 0), at(0, 2.25), k_soft, 1.6);
+    RestEngine engine = thrown_disc(2.0, 0.2, 1.0 / 60.0);
+    std::vector<Vec2> way = {at(0, 2)};
+    std::vector<Vec2> rim = {at(0, 0)};
+    for (int k = 1; k <= 66; ++k) {
+        engine.step();
+        way.push_back(at(k / 60.0, engine.state(1).velocity.x()));
+        rim.push_back(at(k / 60.0, -0.5 * engine.state(1).spin));
+    }
+    s.path(way, k_blue, 2.8);
+    s.path(rim, k_rust, 2.8);
+    for (const int v : {0, 1, 2}) s.words(at(0, v) + Vec2(-10, 5), std::to_string(v), Anchor::right, k_ink, 16.0);
+    s.dashed(at(0, 4.0 / 3.0), at(1.1, 4.0 / 3.0));
+    s.words(at(0.2, 1.82), "speed, m/s", Anchor::left, k_blue, 17.0);
+    s.words(at(0.28, 0.6), "radius times spin", Anchor::left, k_rust, 17.0);
+    s.words(at(1.1, 1.4), "two thirds", Anchor::right, k_ink, 17.0);
+    s.words(at(1.15, 0) + Vec2(0, 28), "time, s", Anchor::right, k_soft, 16.0);
+}
+
+/// The hopping ball beside its closed form.
+void record_zeno(const std::string& folder)
+{
+    std::ofstream trace(folder + "/zeno.ndjson");
+    trace << "{\"view\": [-1.6, -0.15, 1.6, 1.75], \"shapes\": [{\"radius\": 0.5}, {\"rings\": [[[-1.6, -0.15], "
+             "[1.6, -0.15], [1.6, 0], [-1.6, 0]]]}], \"fixed\": [false, true]}\n";
+    RestEngine ball = zeno_ball(1.0, 0.7, 1.0 / 960.0);
+    for (int k = 0; k <= 60 * 3; ++k) {
+        ball.advance(k / 60.0);
+        trace << "{\"time\": " << k / 60.0 << ", \"bodies\": [[0, " << ball.state(1).position.y()
+              << ", 0], [0, 0, 0]], \"ghosts\": [[0, " << 0.5 + hop_height(1.0, 0.7, k / 60.0) << ", 0]]}\n";
+    }
+}
+
+/// A stack that a ball strikes; it falls and comes to rest.
+void record_topple(const std::string& folder)
+{
+    std::ofstream trace(folder + "/topple.ndjson");
+    std::vector<RestBody> bodies = stack(6, {0.2, 0.5});
+    bodies.push_back(disc(0.5, Vec2(-5.0, 3.0), 2.0, {0.2, 0.5}));
+    bodies.back().state.velocity = Vec2(7.0, 3.5);
+    RestEngine engine(bodies);
+    const char* square = "{\"rings\": [[[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]]]}";
+    trace << "{\"view\": [-6, -0.5, 9, 7], \"shapes\": [";
+    for (int k = 0; k < 6; ++k) trace << square << ", ";
+    trace << "{\"radius\": 0.5}, {\"rings\": [[[-6, -0.5], [9, -0.5], [9, 0], [-6, 0]]]}], \"fixed\": [false, false, "
+             "false, false, false, false, false, true]}\n";
+    for (int k = 0; k <= 60 * 5; ++k) {
+        trace << "{\"time\": " << k / 60.0 << ", \"bodies\": [";
+        for (int i = 1; i <= 7; ++i) {
+            const BodyState state = engine.state(i);
+            trace << "[" << state.position.x() << ", " << state.position.y() << ", " << state.angle << "], ";
+        }
+        trace << "[0, 0, 0]]}\n";
+        engine.step();
+    }
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    if (argc != 2) return 2;
+    const std::string folder = argv[1];
+    draw_stack(folder);
+    draw_zeno(folder);
+    draw_corner(folder);
+    draw_sweeps(folder);
+    draw_slope(folder);
+    draw_planks(folder);
+    draw_jitter(folder);
+    draw_roll(folder);
+    record_zeno(folder);
+    record_topple(folder);
+}
