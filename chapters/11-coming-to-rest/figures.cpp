@@ -104,7 +104,7 @@ void draw_sweeps(const std::string& folder)
         s.path(points, tones[which], 2.8);
         const Vec2 end = points.back();
         const bool inside = end.y() > 250.0;
-        s.words(inside ? end + Vec2(10, -16) : end + Vec2(-8, -12), std::to_string(n) + " boxes",
+        s.words(inside ? end + Vec2(10, -16) : end + Vec2(-26, -6), std::to_string(n) + " boxes",
                 inside ? Anchor::left : Anchor::right, tones[which], 17.0);
         ++which;
     }
@@ -145,11 +145,11 @@ void draw_slope(const std::string& folder)
 /// Planks over the edge of a table.
 void draw_planks(const std::string& folder)
 {
-    Sketch s(folder + "/planks.svg", 540, 260);
+    Sketch s(folder + "/planks.svg", 540, 230);
     const double scale = 95.0;
     RestEngine engine(planks(4, 1.0 - 1e-6));
     engine.advance(5.0);
-    const auto at = [&](double x, double y) { return Vec2(240.0 + scale * x, 200.0 - scale * y); };
+    const auto at = [&](double x, double y) { return Vec2(240.0 + scale * x, 160.0 - scale * y); };
     s.polygon({at(-2.2, 0), at(0, 0), at(0, -0.5), at(-2.2, -0.5)}, pale(k_soft, 0.35), k_ink, 2.0);
     for (int k = 1; k <= 4; ++k) {
         const Vec2 c = engine.state(k).position;
@@ -160,7 +160,7 @@ void draw_planks(const std::string& folder)
     s.dashed(at(0, -0.4), at(0, 1.2));
     s.dashed(at(reach, -0.4), at(reach, 1.2));
     s.arrow(at(0.0, -0.3), at(reach, -0.3), k_rust, 2.2);
-    s.words(at(0.5 * reach, -0.48), text_of("%.2f m", reach), Anchor::middle, k_rust, 18.0);
+    s.words(at(0.5 * reach, -0.54), text_of("%.2f m", reach), Anchor::middle, k_rust, 18.0);
 }
 
 /// Height of a body that lies: two wrong ways, and the engine.
@@ -218,7 +218,7 @@ void draw_roll(const std::string& folder)
     s.dashed(at(0, 4.0 / 3.0), at(1.1, 4.0 / 3.0));
     s.words(at(0.2, 1.82), "speed, m/s", Anchor::left, k_blue, 17.0);
     s.words(at(0.28, 0.6), "radius times spin", Anchor::left, k_rust, 17.0);
-    s.words(at(1.1, 1.4), "two thirds", Anchor::right, k_ink, 17.0);
+    s.words(at(1.1, 1.42), "two thirds", Anchor::right, k_ink, 17.0);
     s.words(at(1.15, 0) + Vec2(0, 28), "time, s", Anchor::right, k_soft, 16.0);
 }
 
