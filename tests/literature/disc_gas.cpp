@@ -160,6 +160,9 @@ Figures measure(Gas& gas, double packing, double margin, int blocks, long collis
         packing_sum += found;
         if (progress) progress(k + 1);
     }
+    double energy = 0.0;
+    for (int disc = 0; disc < gas.count; ++disc) energy += 0.5 * engine.flyer(disc).state.velocity.squaredNorm();
+    figures.energy_change = energy / gas.count - 1.0;
     figures.packing = packing_sum / blocks;
     figures.z_virial = mean_of(z_virial);
     figures.z_count = mean_of(z_count);

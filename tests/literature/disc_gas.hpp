@@ -48,6 +48,7 @@ struct Figures
     Mean z_count;         ///< the same from their number
     Mean rate;            ///< collisions of a disc in unit time, over 4 (Z - 1) / sqrt(pi) with z_virial
     long collisions = 0;  ///< counted in the bulk
+    double energy_change = 0.0; ///< of all since the start, as a share
 };
 
 /// Measure the bulk: what lies farther than `margin` from every wall. Nothing is asked of the walls: where discs crowd at

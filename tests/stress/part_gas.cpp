@@ -47,6 +47,7 @@ void run_gas(const Job& job, Tally& tally)
     Sum count;
     Sum virial;
     Sum rate;
+    double drift = 0.0;
     for (long k = 0; k < gases; ++k) {
         const std::uint64_t seed = job.seed + static_cast<std::uint64_t>(k);
         gas::Gas box = gas::make_gas({k_side, k_packing, 1.0, seed});
@@ -57,9 +58,10 @@ void run_gas(const Job& job, Tally& tally)
         count.add(found.z_count);
         virial.add(found.z_virial);
         rate.add(found.rate);
-        tally.note(fmt::format("        gas, seed {}: {} collisions in the bulk, packing {:.6f} there; so far Z from their number "
-                               "{:.6f} +- {:.6f}, from their momentum {:.6f} +- {:.6f}",
-                               seed, found.collisions, found.packing, count.mean().value, count.mean().error,
+        drift = std::max(drift, std::abs(found.energy_change));
+        tally.note(fmt::format("        gas, seed {}: {} collisions in the bulk, energy changed by {:.1e}, packing {:.6f}; so far Z from "
+                               "their number {:.6f} +- {:.6f}, from their momentum {:.6f} +- {:.6f}",
+                               seed, found.collisions, found.energy_change, found.packing, count.mean().value, count.mean().error,
                                virial.mean().value, virial.mean().error));
     }
     const auto judge = [&](const char* how, const gas::Mean& z) {
@@ -72,6 +74,7 @@ void run_gas(const Job& job, Tally& tally)
                                  z.value, z.error, k_literature, off,
                                  tells ? "" : " (run longer for an error below 1e-4)"));
     };
+    tally.result(drift <= 4e-12, fmt::format("gas: energy changes by {:.1e} at most", drift));
     judge("number", count.mean());
     judge("momentum", virial.mean());
     tally.result(std::abs(rate.mean().value - 1.0) <= k_rate_within + 2.0 * rate.mean().error,

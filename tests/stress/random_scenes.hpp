@@ -33,10 +33,12 @@ struct Trace
     std::vector<Moment> moments;
     std::uint64_t end = 0; ///< hash of the report at the end
     bool failed = false;   ///< impacts crowded without end
+    bool cut_short = false; ///< too many events: only the impacts so far can be compared
     std::vector<Skip> skips;
 };
 
-/// most  impacts to follow
+/// most  impacts to follow. A body caught close to a centre without core goes round it in microseconds: events have a
+///       limit too
 [[nodiscard]] Trace trace_of(const Scene& scene, const std::vector<std::string>& without, std::size_t most = 2000);
 
 /// Where two runs differ first: in words, or nothing where they don't.
