@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -49,9 +50,20 @@ TEST_CASE("stacks of 10, 50 and 200 boxes stand for a minute, and bear the weigh
     }
 }
 
-TEST_CASE("a heavy box stands on a light one, up to a million times its mass")
+TEST_CASE("a stack of 1000 boxes stands for a minute without drift")
 {
-    for (const double ratio : {1e2, 1e3, 1e4, 1e6}) {
+    const std::vector<RestBody> bodies = stack(1000);
+    RestEngine engine(bodies);
+    engine.advance(60.0);
+    CHECK(worst_drift(engine, bodies) < 1e-9);
+    CHECK(worst_force(engine) < 1e-6);
+    CHECK(engine.is_asleep(1000));
+}
+
+TEST_CASE("a heavy box stands on a light one, up to 1e9 times its mass")
+{
+    // At 1e9 the forces keep only four digits: the light box's share of them is the rounding of the heavy one's
+    for (const double ratio : {1e2, 1e3, 1e4, 1e6, 1e9}) {
         std::vector<RestBody> bodies = stack(2);
         bodies[2].inertia.inv_mass /= ratio;
         bodies[2].inertia.inv_moment_of_inertia /= ratio;
@@ -59,7 +71,7 @@ TEST_CASE("a heavy box stands on a light one, up to a million times its mass")
         engine.advance(20.0);
         CAPTURE(ratio);
         CHECK(worst_drift(engine, bodies) < 1e-9);
-        CHECK(worst_force(engine) < 1e-6);
+        CHECK(worst_force(engine) < std::max(1e-6, 1e-12 * ratio));
         CHECK(engine.max_overlap() < 1e-9);
     }
 }

@@ -128,6 +128,7 @@ private:
         int first_point = 0;
         int point_count = 0;
         int all_points = 0;     ///< with those that this step leaves to the next, which stand after the others
+        bool is_exact = true;   ///< solved to rounding, all at once; else swept
         bool is_content = true; ///< the impulses that were found are right to rounding
     };
     /// Groups whose step came out badly, to be made again in two halves.
@@ -156,7 +157,8 @@ private:
     void find_pairs_of(Again& again, std::span<const int> pairs);
     void make_in_halves(int depth);
     void scale_loads(std::span<const int> pairs, double factor);
-    [[nodiscard]] bool is_exact(const Group& group) const { return group.member_count <= options_.most_solved; }
+    [[nodiscard]] static bool is_exact(const Group& group) { return group.is_exact; }
+    [[nodiscard]] bool is_solved_whole(const Group& group) const;
     void expect_flight(int body);
     void expect_same(int body);
     void collide();

@@ -15,11 +15,31 @@ constexpr int k_most_parted = 12;
 /// Sweeps over a group that could not be solved.
 constexpr int k_safe_sweeps = 64;
 
+/// [speeds that the field gives in a step] A tall group that moves no faster stands, or begins to fall.
+constexpr double k_standing = 4.0;
+
 /// Share of an overlap that one step takes off a group that is swept.
-constexpr double k_push_share = 0.25;
+constexpr double k_push_share = 0.5;
 // [rest.solve.limits]
 
 } // namespace
+
+// [rest.solve.whole]
+bool RestEngine::is_solved_whole(const Group& group) const
+{
+    // Small groups; and tall ones in which each leans on hardly more than one other, whose equations stay sparse
+    if (group.member_count <= options_.most_solved) return true;
+    int pairs = 0;
+    int last = -1;
+    for (int k = 0; k < group.point_count; ++k) {
+        const int pair = points_[group.first_point + k].pair;
+        if (pair != last) ++pairs;
+        last = pair;
+    }
+    const bool is_tall = 16 * pairs <= 17 * group.member_count;
+    return is_tall && top_speed(group) <= k_standing * field_speed(group);
+}
+// [rest.solve.whole]
 
 // [rest.solve]
 void RestEngine::solve_group(Group& group)
@@ -28,7 +48,7 @@ void RestEngine::solve_group(Group& group)
         set_free(group, span_);
         return;
     }
-    const bool exact = group.member_count <= options_.most_solved;
+    const bool exact = group.is_exact = is_solved_whole(group);
     const bool any_bounce = set_bounds(group);
     find_impulses(group, span_);
     if (!exact) {
@@ -70,7 +90,7 @@ void RestEngine::find_impulses(Group& group, double time)
     set_free(group, time);
     const std::span<ContactPoint> points = std::span(points_).subspan(group.first_point, group.point_count);
     const std::span<const int> members = std::span(members_).subspan(group.first_member, group.member_count);
-    if (group.member_count <= options_.most_solved) {
+    if (group.is_exact) {
         group.is_content = solver_.solve(movers_, members, points, rest_tolerance::k_content * top_speed(group));
     } else {
         GroupSolver::SweepPlan plan;

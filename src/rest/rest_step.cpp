@@ -123,7 +123,7 @@ void RestEngine::finish_groups(int depth, std::span<const int> pairs)
         find_places(group);
         if (is_exact(group) && group.point_count > 0) {
             double overlap = look_at_end(group);
-            if (depth < k_most_halvings && !is_fair(group, overlap)) {
+            if (depth < k_most_halvings && group.member_count <= options_.most_solved && !is_fair(group, overlap)) {
                 note_again(group, again);
                 continue;
             }
