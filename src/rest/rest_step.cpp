@@ -12,6 +12,8 @@ namespace {
 constexpr int k_most_tries = 4;
 /// [ways] Reach of a body that an impact has thrown this far.
 constexpr double k_outrun = 1.25;
+/// [sizes] Overlap that the last of them may leave, for the next step to end by a rebound; more is ended without one.
+constexpr double k_most_overlap = 0x1p-4;
 /// Halvings of a step before a group takes what comes out.
 constexpr int k_most_halvings = 7;
 // [rest.step.limits]
@@ -127,7 +129,7 @@ void RestEngine::finish_groups(int depth, std::span<const int> pairs)
                 note_again(group, again);
                 continue;
             }
-            if (!is_clear(group, overlap)) {
+            if (!is_sane(group) || overlap > k_most_overlap) {
                 solve_safely(group);
                 overlap = look_at_end(group);
             }
