@@ -33,8 +33,8 @@ constexpr const char* k_simulate_notes = R"(
 Output files appear whole or not at all: they take their names when everything is done. A failed run leaves only its
 report, with the key "failure".
 
-Report: JSON, numbers with 17 digits: time, engine, events, collisions, handovers, energy {kinetic, potential, total,
-initial_total}, momentum, angular_momentum, max_overlap, hash, plan, stages, wall_seconds, bodies [{name, position,
+Report: JSON, numbers with 17 digits: time, engine, events, collisions, handovers, handover_log, energy {kinetic,
+potential, total, initial_total}, energy_changes {impacts, steps, handovers}, momentum, angular_momentum, max_overlap, hash, plan, stages, wall_seconds, bodies [{name, position,
 angle, velocity, spin, mass, inertia}].
 Trace: one JSON object a line, at the times 0, DT, 2 DT, ... and at the end:
   {"time": t, "events": n, "bodies": [[x, y, angle, vx, vy, spin], ...]}     bodies in the scene's order

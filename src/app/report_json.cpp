@@ -85,9 +85,12 @@ std::string handovers_json(const std::vector<Handover>& handovers)
     for (const Handover& handover : handovers) {
         std::string bodies;
         for (const int body : handover.bodies) bodies += (bodies.empty() ? "" : ", ") + std::to_string(body);
-        items += fmt::format("{}{{\"time\": {}, \"bodies\": [{}], \"reason\": {}, \"energy_change\": {}}}",
-                             items.empty() ? "" : ", ", json_number(handover.time), bodies, json_text(handover.reason),
-                             json_number(handover.energy_change));
+        items += fmt::format("{}{{\"time\": {}, \"to\": \"{}\", \"bodies\": [{}], \"reason\": {}, \"ends_bounces\": {}, "
+                             "\"energy_before\": {}, \"energy_after\": {}, \"energy_change\": {}}}",
+                             items.empty() ? "" : ", ", json_number(handover.time),
+                             handover.to == Handover::To::rest ? "rest" : "events", bodies, json_text(handover.reason),
+                             handover.ends_bounces, json_number(handover.energy_before),
+                             json_number(handover.energy_after), json_number(handover.energy_change));
     }
     return "[" + items + "]";
 }
@@ -114,6 +117,9 @@ std::string report_json(const Report& report, double wall_seconds, const std::op
     add("energy", fmt::format("{{\"kinetic\": {}, \"potential\": {}, \"total\": {}, \"initial_total\": {}}}",
                               json_number(report.energy.kinetic), json_number(report.energy.potential),
                               json_number(report.energy.total()), json_number(report.initial_total)));
+    add("energy_changes",
+        fmt::format("{{\"impacts\": {}, \"steps\": {}, \"handovers\": {}}}", json_number(report.ledger.impacts),
+                    json_number(report.ledger.steps), json_number(report.ledger.handovers)));
     add("momentum", json_vector(report.momentum));
     add("angular_momentum", json_number(report.angular_momentum));
     add("max_overlap", json_number(report.max_overlap));

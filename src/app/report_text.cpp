@@ -43,6 +43,25 @@ std::string energy_text(const Report& report)
     return text;
 }
 
+/// How often bodies changed hands, and at what cost; each hand-over is in the JSON report.
+[[nodiscard]] std::string handovers_text(const Report& report)
+{
+    long to_rest = 0;
+    long to_events = 0;
+    long bounces = 0;
+    double cost = 0.0;
+    for (const Handover& handover : report.handovers) {
+        const long bodies = static_cast<long>(handover.bodies.size());
+        (handover.to == Handover::To::rest ? to_rest : to_events) += bodies;
+        if (handover.ends_bounces) ++bounces;
+        cost += handover.energy_change;
+    }
+    std::string text = fmt::format("{} to rest, {} back to flight, energy changed by {:.3g} J", grouped(to_rest),
+                                   grouped(to_events), cost);
+    if (bounces > 0) text += fmt::format("; {} bounced without number to their end", grouped(bounces));
+    return text;
+}
+
 } // namespace
 
 std::string report_text(const Scene& scene, const Report& report, const RunSeconds& seconds,
@@ -54,11 +73,7 @@ std::string report_text(const Scene& scene, const Report& report, const RunSecon
     };
     add("time", fmt::format("{:.9g} s, engine {}", report.time, report.engine));
     add("events", fmt::format("{}, collisions {}", grouped(report.events), grouped(report.collisions)));
-    for (const Handover& handover : report.handovers) {
-        add("handed over", fmt::format("to the resting engine at {:.9g} s, energy changed by {:.3g} J", handover.time,
-                                       handover.energy_change));
-        add("", handover.reason);
-    }
+    if (!report.handovers.empty()) add("handed over", handovers_text(report));
     add("energy", energy_text(report));
     add("deepest overlap", fmt::format("{:.3g} m", report.max_overlap));
     add("hash", fmt::format("{:016x}", report.hash));

@@ -26,6 +26,7 @@ EventEngine::EventEngine(std::vector<EventBody> bodies, const EventEngineOptions
         if (body.flyer.central) central_ = *body.flyer.central;
         shapes_.push_back(std::move(body.shape));
     }
+    bounces_.resize(rows_.size());
     set_up_grid();
     predict_all();
 }
@@ -47,8 +48,9 @@ double EventEngine::top_speed(int body) const
 // [events.resume]
 EventEngine::Resume EventEngine::resume() const
 {
-    Resume resume{now_, log_.value(), max_overlap_, {}};
+    Resume resume{now_, log_.value(), max_overlap_, {}, energy_lost_, {}, bounces_};
     for (const int row : row_of_) resume.crowding.push_back(sheets_[row].crowding);
+    for (int body = 0; body < body_count(); ++body) resume.presence.push_back(presence(body));
     return resume;
 }
 // [events.resume]
@@ -59,6 +61,8 @@ void EventEngine::go_on_from(const Resume& resume, const std::vector<BodyState>&
     now_ = resume.time;
     log_ = Hash(resume.log_hash);
     max_overlap_ = resume.max_overlap;
+    energy_lost_ = resume.energy_lost;
+    bounces_ = resume.bounces;
     for (std::size_t k = 0; k < row_of_.size(); ++k) sheets_[row_of_[k]].crowding = resume.crowding[k];
     for (std::size_t k = 0; k < states.size(); ++k) {
         const int row = row_of_[k];
@@ -66,11 +70,20 @@ void EventEngine::go_on_from(const Resume& resume, const std::vector<BodyState>&
         rows_[row].time = states[k].time;
         set_motion(row, states[k].velocity, states[k].spin);
         sheets_[row].angle = states[k].angle;
+        if (resume.presence[k] != Presence::flies) rows_[row].time = now_; // it has a cell, and doesn't leave it
     }
 
     // Put the bodies into the cells in which they are by now, and foresee all anew
     queue_.clear();
     set_up_grid();
+    for (std::size_t k = 0; k < states.size(); ++k) {
+        if (resume.presence[k] == Presence::flies) continue;
+        const int row = row_of_[k];
+        rows_[row].time = states[k].time;
+        rows_[row].velocity = Vec2::Zero();
+        sheets_[row].spin = 0.0;
+        rows_[row].kind = kind_of(row, resume.presence[k]);
+    }
     predict_all();
 }
 // [events.go_on_from]
@@ -78,6 +91,7 @@ void EventEngine::go_on_from(const Resume& resume, const std::vector<BodyState>&
 // [events.advance]
 std::optional<EventFailure> EventEngine::advance(double time, std::int64_t most)
 {
+    noticed_ = false;
     for (std::int64_t handled = 0; !queue_.empty() && queue_.next().time <= time;) {
         if (handled == most) return std::nullopt;
         const Event event = queue_.next();
@@ -91,6 +105,7 @@ std::optional<EventFailure> EventEngine::advance(double time, std::int64_t most)
         ++counts_.events;
         ++handled;
         if (auto failure = handle(event)) return failure;
+        if (noticed_) return std::nullopt;
     }
     now_ = std::max(now_, time);
     return std::nullopt;
@@ -115,6 +130,8 @@ std::optional<EventFailure> EventEngine::handle_impact(const Event& event)
     const int a = row_of_[event.a];
     const int b = row_of_[event.b];
     bool ended = true;
+    std::optional<double> bounces_end;
+    noticed_ = notices_all_ || rows_[a].kind == Kind::lies || rows_[b].kind == Kind::lies;
     {
         const StageTimer timer(options_.seconds, seconds_.impact);
 
@@ -144,20 +161,23 @@ std::optional<EventFailure> EventEngine::handle_impact(const Event& event)
             resolve_impact({rows_[a].velocity, sheets_[a].spin, sheets_[a].inertia},
                            {rows_[b].velocity, sheets_[b].spin, sheets_[b].inertia}, points_,
                            combine(sheets_[a].material, sheets_[b].material));
+        energy_lost_ -= energy_change(a, result.velocity_a, result.spin_a);
+        energy_lost_ -= energy_change(b, result.velocity_b, result.spin_b);
         set_motion(a, result.velocity_a, result.spin_a);
         set_motion(b, result.velocity_b, result.spin_b);
         ended = result.ended;
         if (result.any_push) ++counts_.impacts;
         log_impact(event);
         // [events.impact.push]
+        if (options_.ends_bounces) bounces_end = end_of_bounces(a, b, event.time, touch);
     }
     if (!ended) return EventFailure{EventFailure::Kind::unresolved, event.time, event.a, event.b};
+    if (bounces_end) return EventFailure{EventFailure::Kind::settled, event.time, event.a, event.b, *bounces_end};
 
     // [events.impact.crowd_limit]
-    constexpr int k_crowd = 1000; // impacts in a row of one body that leave it no room to move
     const int crowding_a = is_fixed(a) ? 0 : sheets_[a].crowding;
     const int crowding_b = is_fixed(b) ? 0 : sheets_[b].crowding;
-    if (std::max(crowding_a, crowding_b) > k_crowd) {
+    if (std::max(crowding_a, crowding_b) > options_.most_crowded) {
         return EventFailure{EventFailure::Kind::crowded, event.time, event.a, event.b};
     }
     // [events.impact.crowd_limit]
@@ -177,7 +197,7 @@ std::optional<EventFailure> EventEngine::handle_impact(const Event& event)
 bool EventEngine::move_to(int body, double time)
 {
     Row& row = rows_[body];
-    if (row.kind == Kind::is_static) return false;
+    if (is_fixed(body)) return false;
     const double way = top_speed(body) * (time - row.time);
 
     const BodyState after = state_at(flyer_of(body), time);
@@ -216,6 +236,7 @@ void EventEngine::set_motion(int body, const Vec2& velocity, double spin)
 {
     Row& row = rows_[body];
     if (row.kind == Kind::is_static) return;
+    if (row.kind == Kind::lies) row.kind = Kind::away;
     row.velocity = velocity;
     sheets_[body].spin = spin;
     ++row.stamp;

@@ -37,6 +37,8 @@ struct EventEngineOptions
     bool skips_absent_field = true; ///< where nothing falls, paths are straight
     bool skips_apart_rings = true;  ///< round a centre, rings apart never meet
     bool skips_far_vertices = true; ///< vertices out of reach aren't followed
+    bool ends_bounces = false;      ///< say so where bounces that die away have shrunk to a touch, and when they end
+    int most_crowded = 1000;        ///< impacts in a row of one body that leave it no room to move
     double (*seconds)() = nullptr;  ///< a clock, lent to measure the stages; null to measure nothing [s]
 };
 // [events.options]
@@ -49,11 +51,13 @@ struct EventFailure
         crowded,    ///< impacts follow each other without end, with no time between them
         unresolved, ///< an impact's points could not all be made to part
         spun_out,   ///< a body turned through so large an angle that its sine is lost
+        settled,    ///< a body's bounces on something flat have shrunk to a touch
     };
     Kind kind = Kind::crowded;
     double time = 0.0; ///< [s]
     int a = -1;        ///< the two bodies of the last impact
     int b = -1;
+    double bounces_end = 0.0; ///< where they settled: when the last of infinitely many would have happened [s]
 };
 // [events.failure]
 
@@ -102,7 +106,7 @@ public:
     // [events.engine.asked]
     [[nodiscard]] double time() const { return now_; }
     [[nodiscard]] int body_count() const { return static_cast<int>(rows_.size()); }
-    /// A body's flight since its last impact.
+    /// A body's flight since its last impact; one that others move stays where they put it.
     [[nodiscard]] Flyer flyer(int body) const { return flyer_of(row_of_[body]); }
     [[nodiscard]] const Shape& shape(int body) const { return shapes_[body]; }
     [[nodiscard]] const Inertia& inertia(int body) const { return sheets_[row_of_[body]].inertia; }
@@ -117,7 +121,32 @@ public:
     void set_clock(double (*clock)()) { options_.seconds = clock; }
     // [events.engine.asked]
 
+    // [events.engine.guests]
+    /// Whether a body is this engine's to move.
+    enum class Presence {
+        flies, ///< yes
+        lies,  ///< no: it is struck where it lies, with the mass that it has, and is away from then on
+        away,  ///< no: nobody meets it
+    };
+    /// Give a body to others, or take it back.  state  at the engine's time
+    void place(int body, Presence presence, const BodyState& state);
+    [[nodiscard]] Presence presence(int body) const;
+    /// Come back from `advance` after every impact, or only after those that strike a body that lies.
+    void notice_all(bool all) { notices_all_ = all; }
+    /// The last impact made `advance` come back early.
+    [[nodiscard]] bool noticed() const { return noticed_; }
+    /// What impacts have taken from the kinetic energy.  [J]
+    [[nodiscard]] double energy_lost() const { return energy_lost_; }
+    // [events.engine.guests]
+
     // [events.engine.resume]
+    /// Bounces of one body on one flat thing, undisturbed.
+    struct Bounces
+    {
+        int on = -1; ///< -1 where the last impact was none of them
+        Vec2 normal = Vec2::Zero();
+        double end = 0.0; ///< [s]
+    };
     /// What a later engine needs to go on with the same bits, beside the bodies.
     struct Resume
     {
@@ -125,6 +154,9 @@ public:
         std::uint64_t log_hash = 0;
         double max_overlap = 0.0;
         std::vector<int> crowding;
+        double energy_lost = 0.0;
+        std::vector<Presence> presence;
+        std::vector<Bounces> bounces;
     };
     [[nodiscard]] Resume resume() const;
     /// states  of the first bodies, each at the time of its last impact; the rest stay as they are
@@ -133,7 +165,7 @@ public:
 
 private:
     // [events.engine.kinds]
-    enum class Kind : std::int32_t { disc, polygon, is_static };
+    enum class Kind : std::int32_t { disc, polygon, is_static, lies, away }; // those that fly first
 
     static constexpr double k_largest_angle = 0x1p53; // beyond it, sine_cosine has no answer [rad]
     // [events.engine.kinds]
@@ -175,7 +207,8 @@ private:
     // [events.engine.is_current]
     // [events.engine.rows]
     // From here on bodies are named by their rows, but in events and failures, which name them by id
-    [[nodiscard]] bool is_fixed(int row) const { return rows_[row].kind == Kind::is_static; }
+    [[nodiscard]] bool is_fixed(int row) const { return rows_[row].kind >= Kind::is_static; }
+    [[nodiscard]] bool never_moves(int row) const { return rows_[row].kind == Kind::is_static; }
     [[nodiscard]] const Shape& shape_of(int row) const { return shapes_[rows_[row].id]; }
     /// The same; a disc's is made from its row, which is at hand, while shapes lie far away
     [[nodiscard]] const Shape& shape_from_row(int row, Shape& disc) const
@@ -189,7 +222,7 @@ private:
         const Row& row = rows_[body];
         const Sheet& sheet = sheets_[body];
         const BodyState state{row.position, row.velocity, sheet.angle, sheet.spin, row.time};
-        if (row.kind == Kind::is_static) return {state};
+        if (is_fixed(body)) return {state};
         return {state, acceleration_, central_ ? &*central_ : nullptr};
     }
     template <typename CellOf>
@@ -208,6 +241,7 @@ private:
     void set_up_grid();
     void predict_all();
     void predict_after_impact(int body, int partner);
+    void predict_anew(int body);
     template <typename Wants>
     void predict_partners(int body, const Wants& wants);
     void predict_pair(int p, int q);
@@ -225,6 +259,10 @@ private:
     [[nodiscard]] double top_speed(int body) const;
     [[nodiscard]] Pose pose(int body) const;
     void sweep_queue();
+    [[nodiscard]] Kind kind_of(int body, Presence presence) const;
+    [[nodiscard]] bool can_meet(int a, int b) const;
+    [[nodiscard]] double energy_change(int body, const Vec2& velocity, double spin) const;
+    [[nodiscard]] std::optional<double> end_of_bounces(int a, int b, double time, double touch);
     // [events.engine.verbs]
 
     // [events.engine.parts]
@@ -251,6 +289,10 @@ private:
     Event last_impact_;
     Shape disc_a_ = Disc{};           // workspace of one impact
     Shape disc_b_ = Disc{};           // workspace of one impact
+    double energy_lost_ = 0.0;        // to impacts [J]
+    bool notices_all_ = false;
+    bool noticed_ = false;
+    std::vector<Bounces> bounces_;    // by id
     std::vector<Touch> touches_;      // workspace of one impact
     std::vector<ImpactPoint> points_; // workspace of one impact
     // [events.engine.parts]

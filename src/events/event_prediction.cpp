@@ -73,7 +73,7 @@ std::vector<int> EventEngine::order_along_curve(const CellOf& cell_of) const
     constexpr std::uint64_t k_last = ~std::uint64_t{0};
     std::vector<std::pair<std::uint64_t, int>> keys;
     for (int row = 0; row < body_count(); ++row) {
-        keys.emplace_back(is_fixed(row) ? k_last : grid_->along_curve(cell_of(row)), row);
+        keys.emplace_back(never_moves(row) ? k_last : grid_->along_curve(cell_of(row)), row);
     }
     std::sort(keys.begin(), keys.end());
     std::vector<int> order;
@@ -108,7 +108,7 @@ void EventEngine::line_up_again()
 {
     const std::vector<int> order = order_along_curve([&](int row) { return grid_->cell_of(row); });
     line_up(order);
-    const auto first_fixed = std::find_if(order.begin(), order.end(), [&](int row) { return is_fixed(row); });
+    const auto first_fixed = std::find_if(order.begin(), order.end(), [&](int row) { return never_moves(row); });
     grid_->renumber({order.begin(), first_fixed});
 }
 // [events.line_up]
@@ -248,6 +248,16 @@ void EventEngine::predict_after_impact(int body, int partner)
 }
 // [events.predict_after_impact]
 
+// [events.predict_anew]
+/// Foresee all of a body that has just been put where it is.
+void EventEngine::predict_anew(int body)
+{
+    const StageTimer timer(options_.seconds, seconds_.predict);
+    if (!is_fixed(body)) predict_cell(body, now_);
+    predict_partners(body, [](int) { return true; });
+}
+// [events.predict_anew]
+
 // [events.predict_partners]
 /// Foresee the next impact of a mover with every body that it may meet before either
 /// changes its cell.
@@ -320,6 +330,7 @@ void EventEngine::predict_cell(int body, double now)
 /// them may be struck before.
 void EventEngine::predict_general(int p, int q, double from, int windows)
 {
+    if (!can_meet(p, q)) return;
     const bool in_order = rows_[p].id < rows_[q].id;
     const int a = in_order ? p : q;
     const int b = in_order ? q : p;

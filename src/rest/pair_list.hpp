@@ -42,6 +42,12 @@ public:
                 std::span<const double> radius, std::span<const double> reach);
 
     void invalidate() { valid_ = false; }
+    /// Pairs of another list, in order, to look for anew with what they remember.
+    void remember(std::vector<RestPair> pairs)
+    {
+        pairs_ = std::move(pairs);
+        valid_ = false;
+    }
 
     [[nodiscard]] std::span<RestPair> pairs() { return pairs_; }
     [[nodiscard]] std::span<const RestPair> pairs() const { return pairs_; }

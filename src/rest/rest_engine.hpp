@@ -86,6 +86,11 @@ public:
     void step();
     // [rest.engine.doors]
 
+    /// One step of another length, which ends at a moment that is known better than as a sum.  [s]
+    void step_by(double length, double end);
+    /// The moment at which the next step begins, where all bodies that are here sleep.  [s]
+    void set_time(double time);
+
     /// Moment that the steps have reached.  [s]
     [[nodiscard]] double time() const { return start_ + static_cast<double>(steps_) * options_.step; }
 
@@ -101,6 +106,32 @@ public:
     void set_state(int body, const BodyState& state);
     /// Take a body out, or put it back where its state says.
     void set_active(int body, bool active);
+
+    /// For each body that is here, a number that it shares with those that the next steps may connect it to, by
+    /// whatever chain: that of the lowest among them. -1 for static bodies and those not active. Looks for pairs.
+    void find_islands(std::vector<int>& island);
+    /// Marks each awake body that bears no load, and that nothing will touch for so long if all goes on as it does. [s]
+    void find_clear(double within, std::vector<char>& clear) const;
+
+    /// What the engine knows beside shapes and inertia: all that the next step depends on.
+    struct Memory
+    {
+        struct Body
+        {
+            BodyState state;
+            Vec2 pull = Vec2::Zero();
+            double turn_pull = 0.0;
+            double reach = 0.0;
+            int sleep_group = -1; ///< -1 where awake
+            bool is_active = true;
+        };
+        double time = 0.0;
+        std::vector<Body> bodies;
+        std::vector<RestPair> pairs;
+        double max_overlap = 0.0;
+    };
+    [[nodiscard]] Memory memory() const;
+    void go_on_from(const Memory& memory);
 
     /// Contacts of the last step, in the order of (a, b); those of sleeping groups included.
     [[nodiscard]] std::vector<RestContact> contacts() const;
@@ -215,6 +246,8 @@ private:
     [[nodiscard]] double field_speed(const Group& group) const;
     [[nodiscard]] double top_speed(const Group& group) const;
     [[nodiscard]] double touch_gap(int a, int b) const;
+    [[nodiscard]] bool stays_apart(const RestPair& pair, double within) const;
+    void scale_loads_awake(double factor);
 
     // [rest.engine.data]
     std::vector<RestBody> bodies_;

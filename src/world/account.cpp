@@ -126,6 +126,35 @@ std::vector<StageCost> stage_costs(const RestCounts& counts, const RestSeconds& 
             {"move", counts.steps, seconds.move}};
 }
 
+Handover describe(const Hybrid::Change& change, const Scene& scene)
+{
+    using Why = Hybrid::Change::Why;
+    Handover handover;
+    handover.time = change.why == Why::settled ? change.bounces_end : change.time;
+    handover.ends_bounces = change.why == Why::settled;
+    for (const int body : change.bodies) {
+        if (body < static_cast<int>(scene.bodies.size())) handover.bodies.push_back(body);
+    }
+    switch (change.why) {
+    case Why::crowded:
+        handover.reason = describe({EventFailure::Kind::crowded, handover.time, change.a, change.b}, scene).message;
+        break;
+    case Why::settled:
+        handover.reason = describe({EventFailure::Kind::settled, handover.time, change.a, change.b}, scene).message;
+        break;
+    case Why::unresolved:
+        handover.reason = describe({EventFailure::Kind::unresolved, handover.time, change.a, change.b}, scene).message;
+        break;
+    case Why::near: handover.reason = "within a step they may meet bodies that lean on others"; break;
+    case Why::free: handover.reason = "they bear no load, and will touch nothing for two steps"; break;
+    }
+    handover.to = change.why == Why::free ? Handover::To::events : Handover::To::rest;
+    handover.energy_before = change.energy_before;
+    handover.energy_after = change.energy_after;
+    handover.energy_change = change.energy_after - change.energy_before;
+    return handover;
+}
+
 RunFailure describe(const EventFailure& failure, const Scene& scene)
 {
     RunFailure described;
@@ -138,6 +167,9 @@ RunFailure describe(const EventFailure& failure, const Scene& scene)
     switch (failure.kind) {
     case EventFailure::Kind::crowded:
         described.message = "impacts of " + pair + " crowd together without end" + when;
+        break;
+    case EventFailure::Kind::settled:
+        described.message = "bounces of " + pair + " die away" + when;
         break;
     case EventFailure::Kind::unresolved:
         described.message = "an impact of " + pair + when + " could not be resolved: some of its points still approach";

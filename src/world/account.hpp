@@ -6,6 +6,7 @@
 #include "collide/separation.hpp"
 #include "events/event_engine.hpp"
 #include "rest/rest_engine.hpp"
+#include "world/hybrid.hpp"
 #include "world/report.hpp"
 #include "world/world.hpp"
 
@@ -45,6 +46,9 @@ struct Account
 
 [[nodiscard]] std::vector<StageCost> stage_costs(const EventCounts& counts, const EventSeconds& seconds);
 [[nodiscard]] std::vector<StageCost> stage_costs(const RestCounts& counts, const RestSeconds& seconds);
+
+/// A hand-over in the words of the scene.
+[[nodiscard]] Handover describe(const Hybrid::Change& change, const Scene& scene);
 
 /// A failure of the engine in the words of the scene.
 [[nodiscard]] RunFailure describe(const EventFailure& failure, const Scene& scene);

@@ -37,22 +37,36 @@ struct StageCost
 /// Bodies given from one integrator to the other.
 struct Handover
 {
-    double time = 0.0;           ///< [s]
-    std::vector<int> bodies;     ///< scene indices of those whose impacts crowded
-    std::string reason;          ///< one sentence
-    double energy_change = 0.0;  ///< of the whole, by the hand-over itself [J]
+    enum class To { rest, events };
+    double time = 0.0;          ///< [s]; where bounces died away, the end of infinitely many of them
+    std::vector<int> bodies;    ///< scene indices of those that changed hands, ascending
+    std::string reason;         ///< one sentence
+    double energy_change = 0.0; ///< by the hand-over itself [J]
+    To to = To::rest;
+    double energy_before = 0.0; ///< of these bodies, kinetic and potential [J]
+    double energy_after = 0.0;  ///< [J]
+    bool ends_bounces = false;  ///< bounces without number were jumped; `collisions` counts only those before
+};
+
+/// Where energy went since the start. The sum of all is what the total has changed.
+struct EnergyLedger
+{
+    double impacts = 0.0;   ///< located impacts [J]
+    double steps = 0.0;     ///< the resting integrator's steps [J]
+    double handovers = 0.0; ///< hand-overs, and blows to bodies that lay [J]
 };
 
 /// The world at one moment, and what it took to get there.
 struct Report
 {
     double time = 0.0;               ///< [s]
-    std::string engine;              ///< "events", "rest", or "events, then rest"
+    std::string engine;              ///< "events", "rest", or "events and rest"
     std::int64_t events = 0;         ///< all handled
     std::int64_t collisions = 0;     ///< impulses between bodies, walls included
     std::vector<Handover> handovers; ///< in the order in which they came
     Energy energy;
     double initial_total = 0.0; ///< [J]
+    EnergyLedger ledger;
     Vec2 momentum = Vec2::Zero(); ///< [kg m/s]
     double angular_momentum = 0.0; ///< about the world's origin [kg m^2/s]
     double max_overlap = 0.0; ///< deepest ever met, at events and reports; 0 where nothing overlapped [m]

@@ -75,6 +75,14 @@ namespace {
 
 } // namespace
 
+/// What the integrators need to go on with the same bits, beside the bodies' flights.
+struct EngineMemory
+{
+    EventEngine::Resume events;
+    std::optional<RestEngine::Memory> rest; ///< where the resting integrator alone was at work
+    std::optional<Hybrid::Memory> hybrid;   ///< where both were
+};
+
 /// What a world is made of.
 struct World::Parts
 {
@@ -84,9 +92,12 @@ struct World::Parts
     EventEngine engine;
     std::vector<Material> materials;    ///< of the scene's bodies and the walls
     std::vector<CollisionShape> shapes; ///< of the same, for measuring overlap
-    std::optional<RestEngine> rest{};   ///< moves the bodies where it is there
-    double rest_clock = 0.0;            ///< the moment last asked for, while it does [s]
+    std::vector<char> is_static;        ///< of the same
+    std::optional<RestEngine> rest{};   ///< moves all bodies where it is there
+    std::optional<Hybrid> hybrid{};     ///< moves, with the event engine, from the first hand-over on
+    double clock = 0.0;                 ///< the moment last asked for, while one of these does [s]
     std::vector<Handover> handovers{};
+    EnergyLedger ledger{};              ///< of the hand-overs, and before this world was resumed
     double (*seconds)() = nullptr;
     double initial_total = 0.0;
     double max_overlap = 0.0;        ///< measured at reports
@@ -95,9 +106,14 @@ struct World::Parts
     bool failed = false;
 
     void start_rest(double time);
+    void start_hybrid();
+    [[nodiscard]] BodyState state(int body) const;
     [[nodiscard]] std::vector<BodyView> view() const;
-    [[nodiscard]] std::optional<RunFailure> hand_over(const EventFailure& failure);
+    [[nodiscard]] RunFailure fail(const EventFailure& failure);
+    [[nodiscard]] std::optional<RunFailure> advance_hybrid(double time, std::int64_t most);
     void advance_rest(double time, std::int64_t most);
+    void note_handovers();
+    [[nodiscard]] EnergyLedger whole_ledger() const;
 };
 
 World::World(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -124,7 +140,9 @@ Expected<World> World::make(const Scene& scene, const WorldOptions& options)
     if (std::optional<EventBody> core = make_core(scene.world)) bodies.push_back(std::move(*core));
     std::vector<CollisionShape> shapes;
     std::vector<Material> materials;
+    std::vector<char> is_static;
     for (const EventBody& body : bodies) {
+        is_static.push_back(body.is_static ? 1 : 0);
         shapes.push_back(make_collision_shape(body.shape));
         materials.push_back(body.material);
     }
@@ -139,10 +157,11 @@ Expected<World> World::make(const Scene& scene, const WorldOptions& options)
     engine_options.skips_absent_field = plan.skips_absent_field;
     engine_options.skips_apart_rings = plan.skips_apart_rings;
     engine_options.skips_far_vertices = plan.skips_far_vertices;
+    engine_options.ends_bounces = options.engine == EngineChoice::automatic;
     EventEngine engine(std::move(bodies), engine_options);
 
     World world(std::make_unique<Parts>(
-        Parts{scene, options, plan, std::move(engine), std::move(materials), std::move(shapes)}));
+        Parts{scene, options, plan, std::move(engine), std::move(materials), std::move(shapes), std::move(is_static)}));
     world.parts_->initial_total = take_account(world.parts_->view(), scene).energy.total();
     if (options.engine == EngineChoice::rest) world.parts_->start_rest(0.0);
     return world;
@@ -157,35 +176,48 @@ Expected<World> World::resume(const Scene& scene, const Snapshot& snapshot, cons
     World world = std::move(made).value();
     Parts& parts = *world.parts_;
     const auto count = static_cast<std::size_t>(parts.engine.body_count());
-    if (snapshot.bodies.size() != scene.bodies.size() || snapshot.crowding.size() != count) {
+    if (snapshot.bodies.size() != scene.bodies.size() || !snapshot.engines ||
+        snapshot.engines->events.crowding.size() != count) {
         return Fault{"snapshot", std::to_string(snapshot.bodies.size()) + " bodies",
                      std::to_string(scene.bodies.size()) + " bodies, those of the scene"};
     }
-    parts.engine.go_on_from({snapshot.time, snapshot.log_hash, snapshot.max_overlap, snapshot.crowding}, snapshot.bodies);
+    const EngineMemory& memory = *snapshot.engines;
+    parts.engine.go_on_from(memory.events, snapshot.bodies);
     parts.earlier_events = snapshot.events;
     parts.earlier_collisions = snapshot.collisions;
     parts.initial_total = snapshot.initial_total;
     parts.handovers = snapshot.handovers;
-    if (snapshot.is_resting) parts.start_rest(snapshot.time);
+    parts.ledger = snapshot.ledger;
+    parts.max_overlap = snapshot.max_overlap;
+    parts.clock = snapshot.time;
+    if (memory.rest) {
+        parts.start_rest(0.0);
+        parts.rest->go_on_from(*memory.rest);
+        parts.clock = snapshot.time;
+    }
+    if (memory.hybrid) {
+        parts.start_hybrid();
+        parts.hybrid->go_on_from(parts.engine, *memory.hybrid);
+    }
     return world;
 }
 
 Snapshot World::snapshot() const
 {
+    const Parts& parts = *parts_;
     Snapshot snapshot;
-    const EventEngine::Resume resume = parts_->engine.resume();
     snapshot.time = time();
-    for (int k = 0; k < body_count(); ++k) {
-        snapshot.bodies.push_back(parts_->rest ? parts_->rest->state(k) : parts_->engine.flyer(k).state);
-    }
-    snapshot.log_hash = resume.log_hash;
+    for (int k = 0; k < body_count(); ++k) snapshot.bodies.push_back(parts.engine.flyer(k).state);
     snapshot.events = events();
     snapshot.collisions = collisions();
-    snapshot.max_overlap = std::max(resume.max_overlap, parts_->max_overlap);
-    snapshot.initial_total = parts_->initial_total;
-    snapshot.crowding = resume.crowding;
-    snapshot.is_resting = parts_->rest.has_value();
-    snapshot.handovers = parts_->handovers;
+    snapshot.max_overlap = parts.max_overlap;
+    snapshot.initial_total = parts.initial_total;
+    EngineMemory memory{parts.engine.resume(), {}, {}};
+    if (parts.rest) memory.rest = parts.rest->memory();
+    if (parts.hybrid) memory.hybrid = parts.hybrid->memory();
+    snapshot.engines = std::make_shared<const EngineMemory>(std::move(memory));
+    snapshot.handovers = parts.handovers;
+    snapshot.ledger = parts.ledger;
     return snapshot;
 }
 // [world.resume]
@@ -197,36 +229,73 @@ void World::Parts::start_rest(double time)
     rest_options.step = options.step;
     rest_options.seconds = seconds;
     rest.emplace(bodies_at_rest(engine, materials, time), rest_options, time);
-    rest_clock = time;
+    clock = time;
 }
 
-/// Give all bodies to the resting integrator, where impacts crowd and the user left the choice to us.
-std::optional<RunFailure> World::Parts::hand_over(const EventFailure& failure)
+void World::Parts::start_hybrid()
 {
-    const RunFailure described = describe(failure, scene);
-    const bool is_central = std::holds_alternative<CentralField>(scene.world.field); // not for steps with one acceleration
-    if (failure.kind != EventFailure::Kind::crowded || options.engine != EngineChoice::automatic || is_central) {
-        failed = true;
-        return described;
+    hybrid.emplace(engine, materials, is_static,
+                   Hybrid::Setting{options.step, uniform_acceleration(scene.world.field), seconds});
+}
+
+RunFailure World::Parts::fail(const EventFailure& failure)
+{
+    failed = true;
+    clock = failure.time;
+    return describe(failure, scene);
+}
+
+/// Put what the integrators did with each other into the words of the scene.
+void World::Parts::note_handovers()
+{
+    for (const Hybrid::Change& change : hybrid->fetch_changes()) {
+        handovers.push_back(describe(change, scene));
+        ledger.handovers += handovers.back().energy_change;
     }
-    const double before = take_account(view(), scene).energy.total();
-    start_rest(engine.time());
-    const double after = take_account(view(), scene).energy.total();
-    handovers.push_back({failure.time, described.bodies, described.message, after - before});
-    return std::nullopt;
+}
+
+EnergyLedger World::Parts::whole_ledger() const
+{
+    EnergyLedger whole = ledger;
+    whole.impacts -= engine.energy_lost();
+    if (hybrid) {
+        whole.steps += hybrid->energy_of_steps();
+        whole.handovers += hybrid->energy_of_blows();
+    }
+    return whole;
 }
 // [world.hand-over]
 
 // [world.advance]
 std::optional<RunFailure> World::advance(double time, std::int64_t max_events)
 {
-    if (parts_->failed) return std::nullopt;
-    if (!parts_->rest) {
-        const std::optional<EventFailure> failure = parts_->engine.advance(time, max_events);
-        if (!failure) return std::nullopt;
-        if (auto fatal = parts_->hand_over(*failure)) return fatal;
+    Parts& parts = *parts_;
+    if (parts.failed) return std::nullopt;
+    if (parts.rest) {
+        parts.advance_rest(time, max_events);
+        return std::nullopt;
     }
-    parts_->advance_rest(time, max_events);
+    if (!parts.hybrid) {
+        const std::optional<EventFailure> failure = parts.engine.advance(time, max_events);
+        if (!failure) return std::nullopt;
+
+        // Give to the resting integrator what crowds, if the user left the choice to us; its steps have one acceleration
+        const bool is_central = std::holds_alternative<CentralField>(parts.scene.world.field);
+        const bool may = parts.options.engine == EngineChoice::automatic && !is_central;
+        if (!may || !Hybrid::takes(*failure)) return parts.fail(*failure);
+        parts.start_hybrid();
+        parts.clock = failure->time;
+        parts.hybrid->take(parts.engine, *failure);
+    }
+    return parts.advance_hybrid(time, max_events);
+}
+
+std::optional<RunFailure> World::Parts::advance_hybrid(double time, std::int64_t most)
+{
+    const std::optional<EventFailure> failure = hybrid->advance(engine, time, most);
+    note_handovers();
+    if (failure) return fail(*failure);
+    clock = std::max(clock, most < 0 ? time : std::min(time, engine.time()));
     return std::nullopt;
 }
 
@@ -236,51 +305,59 @@ void World::Parts::advance_rest(double time, std::int64_t most)
     const double whole = time + 1e-9 * options.step;
     for (std::int64_t made = 0; rest->time() + options.step <= whole; ++made) {
         if (made == most) {
-            rest_clock = rest->time();
+            clock = rest->time();
             return;
         }
         rest->step();
     }
-    rest_clock = std::max(rest_clock, time);
+    clock = std::max(clock, time);
 }
 // [world.advance]
 
-double World::time() const { return parts_->rest ? parts_->rest_clock : parts_->engine.time(); }
+double World::time() const { return parts_->rest || parts_->hybrid ? parts_->clock : parts_->engine.time(); }
 int World::body_count() const { return static_cast<int>(parts_->scene.bodies.size()); }
+BodyState World::state(int index) const { return parts_->state(index); }
 
-BodyState World::state(int index) const
+BodyState World::Parts::state(int body) const
 {
-    if (parts_->rest) return parts_->rest->state(index);
-    const Flyer flyer = parts_->engine.flyer(index);
-    return state_at(flyer, time());
+    if (rest) return rest->state(body);
+    if (hybrid) return hybrid->state(engine, body, clock);
+    return state_at(engine.flyer(body), engine.time());
+}
+
+World::Mover World::mover(int index) const
+{
+    const Parts& parts = *parts_;
+    if (is_static(index)) return Mover::nobody;
+    if (parts.rest) return parts.rest->is_asleep(index) ? Mover::asleep : Mover::rest;
+    if (!parts.hybrid) return Mover::events;
+    return parts.hybrid->leans(index) ? Mover::rest : parts.hybrid->lies(index) ? Mover::asleep : Mover::events;
 }
 
 std::vector<BodyView> World::Parts::view() const
 {
     std::vector<BodyView> bodies;
     for (int k = 0; k < engine.body_count(); ++k) {
-        const Flyer flyer = engine.flyer(k);
-        const BodyState state = rest ? rest->state(k) : state_at(flyer, engine.time());
-        bodies.push_back({state, engine.inertia(k), &engine.shape(k), engine.is_static(k)});
+        bodies.push_back({state(k), engine.inertia(k), &engine.shape(k), is_static[k] != 0});
     }
     return bodies;
 }
 
 const Shape& World::shape(int index) const { return parts_->engine.shape(index); }
-bool World::is_static(int index) const { return parts_->engine.is_static(index); }
+bool World::is_static(int index) const { return parts_->is_static[static_cast<std::size_t>(index)] != 0; }
 const Scene& World::scene() const { return parts_->scene; }
 const std::vector<Handover>& World::handovers() const { return parts_->handovers; }
 
 std::int64_t World::events() const
 {
-    const std::int64_t steps = parts_->rest ? parts_->rest->counts().steps : 0;
-    return parts_->earlier_events + parts_->engine.counts().events + steps;
+    const RestEngine* rest = parts_->rest ? &*parts_->rest : parts_->hybrid ? &parts_->hybrid->rest() : nullptr;
+    return parts_->earlier_events + parts_->engine.counts().events + (rest ? rest->counts().steps : 0);
 }
 
 std::int64_t World::collisions() const
 {
-    const std::int64_t impacts = parts_->rest ? parts_->rest->counts().impacts : 0;
-    return parts_->earlier_collisions + parts_->engine.counts().impacts + impacts;
+    const RestEngine* rest = parts_->rest ? &*parts_->rest : parts_->hybrid ? &parts_->hybrid->rest() : nullptr;
+    return parts_->earlier_collisions + parts_->engine.counts().impacts + (rest ? rest->counts().impacts : 0);
 }
 
 std::uint64_t World::log_hash() const { return parts_->engine.log_hash(); }
@@ -290,6 +367,7 @@ void World::set_stopwatch(double (*seconds)())
     parts_->seconds = seconds;
     parts_->engine.set_clock(seconds);
     if (parts_->rest) parts_->rest->set_clock(seconds);
+    if (parts_->hybrid) parts_->hybrid->set_clock(seconds);
 }
 
 // [world.report]
@@ -299,17 +377,19 @@ Report World::report()
     const std::vector<BodyView> bodies = parts.view();
     const Account account = take_account(bodies, parts.scene);
     parts.max_overlap = std::max({parts.max_overlap, parts.engine.max_overlap(), deepest_overlap(bodies, parts.shapes)});
-    if (parts.rest) parts.max_overlap = std::max(parts.max_overlap, parts.rest->max_overlap());
+    const RestEngine* rest = parts.rest ? &*parts.rest : parts.hybrid ? &parts.hybrid->rest() : nullptr;
+    if (rest) parts.max_overlap = std::max(parts.max_overlap, rest->max_overlap());
 
     Report report;
     report.time = time();
     const bool only_rest = parts.options.engine == EngineChoice::rest;
-    report.engine = only_rest ? "rest" : parts.rest ? "events, then rest" : "events";
+    report.engine = only_rest ? "rest" : parts.hybrid ? "events and rest" : "events";
     report.events = events();
     report.collisions = collisions();
     report.handovers = parts.handovers;
     report.energy = account.energy;
     report.initial_total = parts.initial_total;
+    report.ledger = parts.whole_ledger();
     report.momentum = account.momentum;
     report.angular_momentum = account.angular_momentum;
     report.max_overlap = parts.max_overlap;
@@ -317,8 +397,8 @@ Report World::report()
     report.hash = final_hash(parts.engine.log_hash(), report.bodies);
     report.plan = plan_with_savings(parts.plan, parts.engine.counts());
     report.stages = stage_costs(parts.engine.counts(), parts.engine.seconds());
-    if (parts.rest) {
-        const std::vector<StageCost> more = stage_costs(parts.rest->counts(), parts.rest->seconds());
+    if (rest) {
+        const std::vector<StageCost> more = stage_costs(rest->counts(), rest->seconds());
         report.stages.insert(report.stages.end(), more.begin(), more.end());
     }
     return report;

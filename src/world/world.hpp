@@ -23,23 +23,24 @@ struct RunFailure
     std::string message;      ///< one sentence: which bodies, when, what happened
 };
 
+struct EngineMemory;
+
 /// Everything that a run needs to go on with the same bits: the bodies at their own moments, and the counts so far.
 struct Snapshot
 {
     double time = 0.0;             ///< [s]
     std::vector<BodyState> bodies; ///< the scene's, each at the time of its last event
-    std::uint64_t log_hash = 0;
     std::int64_t events = 0;
     std::int64_t collisions = 0;
     double max_overlap = 0.0;      ///< [m]
     double initial_total = 0.0;    ///< [J]
-    std::vector<int> crowding;     ///< of each body and wall: impacts in a row without room between them
-    bool is_resting = false;       ///< the resting integrator was at work
+    std::shared_ptr<const EngineMemory> engines; ///< what the integrators know beside
+    EnergyLedger ledger;
     std::vector<Handover> handovers;
 };
 
-/// Who moves the bodies. Automatic: the event-driven integrator, until impacts crowd together without end; from then on
-/// the resting one.
+/// Who moves the bodies. Automatic: the event-driven integrator; bodies whose impacts crowd together without end, and those
+/// about them, are the resting one's for as long as they lean on something.
 enum class EngineChoice { automatic, events, rest };
 
 /// How to run a scene.
@@ -50,8 +51,8 @@ struct WorldOptions
     double step = 1.0 / 60.0;                         ///< of the resting integrator, > 0 [s]
 };
 
-/// A scene in motion. Moves forward only. As long as the event-driven integrator moves it, what it answers at a moment
-/// doesn't depend, to the bit, on how often it was asked before; the resting integrator answers with its last whole step.
+/// A scene in motion. Moves forward only. What it answers at a moment doesn't depend, to the bit, on how often it was asked
+/// before. The resting integrator, where the user chose it for all, answers with its last whole step.
 class World
 {
 public:
@@ -83,6 +84,9 @@ public:
     [[nodiscard]] std::int64_t events() const; ///< handled, steps of the resting integrator among them
     [[nodiscard]] std::int64_t collisions() const;
     [[nodiscard]] const std::vector<Handover>& handovers() const;
+    /// Who moves a body at the clock.
+    enum class Mover { nobody, events, rest, asleep };
+    [[nodiscard]] Mover mover(int index) const;
     [[nodiscard]] std::uint64_t log_hash() const; ///< of all events so far
     [[nodiscard]] Report report();                ///< measures overlap anew, changes nothing else
 
@@ -91,8 +95,7 @@ public:
     void set_stopwatch(double (*seconds)());
 
     [[nodiscard]] Snapshot snapshot() const;
-    /// A world that goes on from a snapshot of a run of the same scene, with the same bits as if it had never stopped; where
-    /// the resting integrator was at work, with the same states, but it has to find its forces anew.
+    /// A world that goes on from a snapshot of a run of the same scene, with the same bits as if it had never stopped.
     /// Faults: those of the scene, and a snapshot that holds another number of bodies.
     [[nodiscard]] static Expected<World> resume(const Scene& scene, const Snapshot& snapshot,
                                                 const WorldOptions& options = {});

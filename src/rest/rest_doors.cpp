@@ -1,0 +1,203 @@
+#include <algorithm>
+#include <cmath>
+
+#include "rest/rest_engine.hpp"
+#include "rest/rest_tolerance.hpp"
+
+namespace flying {
+namespace {
+
+// [rest.doors.few]
+// What lets others share bodies with this integrator: steps of any length, a look ahead, and its memory.
+
+/// [speeds of the pair] An approach this slow is rounding.
+constexpr double k_no_approach = 0x1p-44;
+
+/// [whole steps] A step this short tells nothing about accelerations.
+constexpr double k_telling = 0x1p-20;
+// [rest.doors.few]
+
+} // namespace
+
+// [rest.step_by]
+void RestEngine::step_by(double length, double end)
+{
+    const double whole = options_.step;
+    if (length == whole) {
+        step();
+    } else {
+        // Loads are remembered for a whole step, and only a whole one shows that nothing changes
+        const bool sleeps = options_.sleeps;
+        const bool tells = length > k_telling * whole;
+        const std::vector<Vec2> pull = tells ? std::vector<Vec2>() : pull_;
+        const std::vector<double> turn_pull = tells ? std::vector<double>() : turn_pull_;
+        scale_loads_awake(length / whole);
+        options_.step = length;
+        options_.sleeps = false;
+        step();
+        options_.step = whole;
+        options_.sleeps = sleeps;
+        scale_loads_awake(whole / length);
+        if (!tells) {
+            pull_ = pull;
+            turn_pull_ = turn_pull;
+        }
+    }
+    start_ = end;
+    steps_ = 0;
+}
+
+void RestEngine::scale_loads_awake(double factor)
+{
+    const auto is_awake = [&](int body) {
+        return !bodies_[body].is_static && bodies_[body].is_active && !asleep_[body];
+    };
+    std::vector<int> pairs;
+    for (int k = 0; k < static_cast<int>(pairs_.pairs().size()); ++k) {
+        const RestPair& pair = pairs_.pairs()[k];
+        if (is_awake(pair.a) || is_awake(pair.b)) pairs.push_back(k);
+    }
+    scale_loads(pairs, factor);
+}
+
+void RestEngine::set_time(double time)
+{
+    start_ = time;
+    steps_ = 0;
+}
+// [rest.step_by]
+
+// [rest.islands]
+void RestEngine::find_islands(std::vector<int>& island)
+{
+    span_ = options_.step;
+    std::fill(outrun_.begin(), outrun_.end(), 0.0);
+    list_awake();
+    measure_reach(awake_);
+    if (pairs_.update(bodies_, shapes_, radius_, reach_)) ++counts_.looks;
+
+    // Join bodies whose boxes come together within a step; the list knows more pairs, but which depends on when it was made
+    island.assign(bodies_.size(), -1);
+    std::vector<Aabb> boxes(bodies_.size());
+    for (int k = 0; k < static_cast<int>(bodies_.size()); ++k) {
+        const RestBody& body = bodies_[k];
+        if (body.is_static || !body.is_active) continue;
+        island[k] = k;
+        const Aabb box = bounding_box(body.shape, pose_of(body.state));
+        boxes[k] = {box.min - Vec2(reach_[k], reach_[k]), box.max + Vec2(reach_[k], reach_[k])};
+    }
+    const auto root = [&](int k) {
+        while (island[k] != k) k = island[k] = island[island[k]];
+        return k;
+    };
+    for (const RestPair& pair : pairs_.pairs()) {
+        if (island[pair.a] < 0 || island[pair.b] < 0 || !overlap(boxes[pair.a], boxes[pair.b])) continue;
+        const int one = root(pair.a);
+        const int two = root(pair.b);
+        island[std::max(one, two)] = std::min(one, two);
+    }
+    for (int k = 0; k < static_cast<int>(island.size()); ++k) {
+        if (island[k] >= 0) island[k] = root(k);
+    }
+}
+// [rest.islands]
+
+// [rest.clear]
+void RestEngine::find_clear(double within, std::vector<char>& clear) const
+{
+    clear.assign(bodies_.size(), 0);
+    for (std::size_t k = 0; k < bodies_.size(); ++k) {
+        const RestBody& body = bodies_[k];
+        clear[k] = body.is_active && !body.is_static && !asleep_[k] ? 1 : 0;
+    }
+    for (const RestPair& pair : pairs_.pairs()) {
+        if (!clear[pair.a] && !clear[pair.b]) continue;
+        bool loaded = false;
+        for (int k = 0; k < pair.count; ++k) loaded = loaded || pair.normal[k] > 0.0;
+        if (loaded || !stays_apart(pair, within)) clear[pair.a] = clear[pair.b] = 0;
+    }
+}
+
+/// No point of the pair closes for so long.
+bool RestEngine::stays_apart(const RestPair& pair, double within) const
+{
+    const RestBody& a = bodies_[pair.a];
+    const RestBody& b = bodies_[pair.b];
+    const auto speed = [&](int index) {
+        const BodyState& s = bodies_[index].state;
+        return bodies_[index].is_static ? 0.0 : s.velocity.norm() + std::abs(s.spin) * radius_[index];
+    };
+    const auto pull = [&](int index) {
+        const bool rests = bodies_[index].is_static || asleep_[index];
+        return rests ? Vec2(Vec2::Zero()) : bodies_[index].acceleration;
+    };
+    const double top = speed(pair.a) + speed(pair.b);
+    const Vec2 fall = pull(pair.b) - pull(pair.a);
+    const double touch = touch_gap(pair.a, pair.b);
+    const double margin = within * (top + 0.5 * within * fall.norm()) + touch;
+
+    // Look at the points that are near
+    const ConvexPart& part_a = shapes_[pair.a].parts[pair.part_a];
+    const ConvexPart& part_b = shapes_[pair.b].parts[pair.part_b];
+    const Pose pose_a = pose_of(a.state);
+    const Pose pose_b = pose_of(b.state);
+    const double far = part_a.radius + part_b.radius + margin;
+    const Vec2 way =
+        (pose_b.position - pose_a.position) + (pose_b.rotation * part_b.centre - pose_a.rotation * part_a.centre);
+    if (way.squaredNorm() > far * far) return true;
+    const Manifold manifold = look(pair, pose_a, pose_b, margin);
+    for (int k = 0; k < manifold.count; ++k) {
+        const Contact& contact = manifold.contacts[k];
+        const Vec2 velocity_a = velocity_at(a.state, contact.point - pose_a.position);
+        const Vec2 velocity_b = velocity_at(b.state, contact.point - pose_b.position);
+        double u = (velocity_b - velocity_a).dot(contact.normal);
+        if (std::abs(u) <= k_no_approach * top) u = 0.0;
+        const double f = fall.dot(contact.normal);
+        if (contact.separation < -touch) return false;
+        if (u >= 0.0 && f >= 0.0) continue;
+
+        // The gap is least at the end, or where the approach ends before
+        const double least_at = u < 0.0 && f > 0.0 ? std::min(within, -u / f) : within;
+        if (!(contact.separation + least_at * (u + 0.5 * least_at * f) > touch)) return false;
+    }
+    return true;
+}
+// [rest.clear]
+
+// [rest.memory]
+RestEngine::Memory RestEngine::memory() const
+{
+    Memory memory{time(), {}, {pairs_.pairs().begin(), pairs_.pairs().end()}, max_overlap_};
+    for (std::size_t k = 0; k < bodies_.size(); ++k) {
+        memory.bodies.push_back({bodies_[k].state, pull_[k], turn_pull_[k], reach_[k],
+                                 asleep_[k] ? sleep_group_[k] : -1, bodies_[k].is_active});
+    }
+    return memory;
+}
+
+void RestEngine::go_on_from(const Memory& memory)
+{
+    set_time(memory.time);
+    max_overlap_ = memory.max_overlap;
+    pairs_.remember(memory.pairs);
+    for (std::size_t k = 0; k < bodies_.size(); ++k) {
+        const Memory::Body& body = memory.bodies[k];
+        bodies_[k].state = body.state;
+        bodies_[k].is_active = body.is_active;
+        pull_[k] = body.pull;
+        turn_pull_[k] = body.turn_pull;
+        reach_[k] = body.reach;
+        sleep_group_[k] = body.sleep_group;
+        asleep_[k] = still_[k] = body.sleep_group >= 0 ? 1 : 0;
+        poses_[k] = next_poses_[k] = pose_of(body.state);
+        if (bodies_[k].is_static) continue;
+        Mover& mover = movers_[k];
+        mover.v_x = body.state.velocity.x();
+        mover.v_y = body.state.velocity.y();
+        mover.spin = body.state.spin;
+        before_[k] = mover;
+    }
+}
+// [rest.memory]
+
+} // namespace flying
