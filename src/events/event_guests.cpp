@@ -1,5 +1,3 @@
-// Bodies that others move for a while: how the event engine lets go of them, and takes them back.
-
 #include <cmath>
 
 #include "events/event_engine.hpp"
@@ -7,6 +5,8 @@
 namespace flying {
 
 // [events.place]
+// Bodies that others move for a while: how the engine lets go of them, and takes them back.
+
 EventEngine::Kind EventEngine::kind_of(int body, Presence presence) const
 {
     if (presence == Presence::lies) return Kind::lies;
