@@ -16,7 +16,7 @@ constexpr double k_shortest = 0x1p-20;
 constexpr double k_same_moment = 4.0;
 
 /// [sizes] The way of a body in one step: no more, if few enough halvings of the step do it.
-constexpr double k_way = 0x1p-4;
+constexpr double k_way = 0x1p-2;
 constexpr int k_most_halvings = 10;
 
 /// [steps] A body that will touch nothing for so long may be let go.
