@@ -93,7 +93,7 @@ double energy_scale(const Scene& scene, const Report& start)
 
 TEST_CASE("over random scenes that come to rest, energy never rises and all of it is accounted for")
 {
-    for (std::uint64_t seed = 1; seed <= 150; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
         const Scene scene = random_scene(seed);
         World world = world_of(scene);
         Report before = world.report();
@@ -172,7 +172,7 @@ TEST_CASE("with hand-overs, too, a run that is stopped, saved and resumed has th
 
 TEST_CASE("a run by steps of so many events gets where one goes that isn't stopped")
 {
-    for (std::uint64_t seed = 500; seed < 505; ++seed) {
+    for (std::uint64_t seed = 500; seed < 502; ++seed) {
         const Scene scene = random_scene(seed);
         World once = world_of(scene);
         REQUIRE_FALSE(once.advance(scene.until).has_value());
