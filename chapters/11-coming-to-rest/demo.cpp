@@ -51,9 +51,9 @@ void weigh(int count)
     std::map<int, double> force;
     for (const RestContact& contact : engine.contacts())
         force[contact.b] += contact.normal_force;
-    std::printf("\nbox of %d   below it   weights above   fell   asleep\n", count);
+    std::printf("\nbox of %d   below it   weights above    fell   asleep\n", count);
     for (int k = 1; k <= count; k += (count + 4) / 5) {
-        std::printf("%9d %9.4f N %13.4f N %4.0f m %7s\n", k, force[k],
+        std::printf("%9d %9.4f N %13.4f N %4.0e m %6s\n", k, force[k],
                     k_gravity * (count - k + 1),
                     k - 0.5 - engine.state(k).position.y(),
                     engine.is_asleep(k) ? "yes" : "no");

@@ -167,9 +167,9 @@ void draw_planks(const std::string& folder)
 void draw_jitter(const std::string& folder)
 {
     Sketch s(folder + "/jitter.svg", 540, 330);
-    const auto at = [](int k, double mm) { return Vec2(80.0 + 14.0 * k, 40.0 - 6.2 * mm); };
-    s.arrow(at(0, -42), at(0, 4.0), k_soft, 1.6);
-    for (const int mm : {0, -10, -20, -30, -40}) {
+    const auto at = [](int k, double mm) { return Vec2(80.0 + 14.0 * k, 40.0 - 4.6 * mm); };
+    s.arrow(at(0, -57), at(0, 5.4), k_soft, 1.6);
+    for (const int mm : {0, -10, -20, -30, -40, -50}) {
         s.words(at(0, mm) + Vec2(-10, 5), mm == 0 ? "0" : "−" + std::to_string(-mm), Anchor::right, k_ink, 16.0);
         s.line(at(0, mm), at(31, mm), pale(k_soft, 0.3), 1.0);
     }
@@ -190,11 +190,11 @@ void draw_jitter(const std::string& folder)
     s.path(one, k_rust, 2.6);
     s.path(two, k_blue, 2.2);
     s.path(three, k_teal, 3.4);
-    s.words(at(14, -24.5), "bounced after the move", Anchor::right, k_rust, 17.0);
-    s.words(at(30, -10.5), "pushed by the overlap", Anchor::right, k_blue, 17.0);
-    s.words(at(30, 2.4), "the engine", Anchor::right, k_teal, 17.0);
-    s.words(at(31, -44), "half a second in 30 steps", Anchor::right, k_soft, 16.0);
-    s.words(at(0, 2.6) + Vec2(12, 0), "height, mm", Anchor::left, k_soft, 16.0);
+    s.words(at(17, -36), "bounced after the move", Anchor::right, k_rust, 17.0);
+    s.words(at(30, -11), "pushed by the overlap", Anchor::right, k_blue, 17.0);
+    s.words(at(30, 2.8), "the engine", Anchor::right, k_teal, 17.0);
+    s.words(at(31, -60), "half a second in 30 steps", Anchor::right, k_soft, 16.0);
+    s.words(at(0, 3.6) + Vec2(12, 0), "height, mm", Anchor::left, k_soft, 16.0);
 }
 
 /// Speed of a thrown disc, and of its rim.
@@ -226,7 +226,7 @@ void draw_roll(const std::string& folder)
 void record_zeno(const std::string& folder)
 {
     std::ofstream trace(folder + "/zeno.ndjson");
-    trace << "{\"view\": [-1.6, -0.15, 1.6, 1.75], \"shapes\": [{\"radius\": 0.5}, {\"rings\": [[[-1.6, -0.15], "
+    trace << "{\"view\": [-1.8, -0.15, 1.8, 2.1], \"shapes\": [{\"radius\": 0.5}, {\"rings\": [[[-1.6, -0.15], "
              "[1.6, -0.15], [1.6, 0], [-1.6, 0]]]}], \"fixed\": [false, true]}\n";
     RestEngine ball = zeno_ball(1.0, 0.7, 1.0 / 960.0);
     for (int k = 0; k <= 60 * 3; ++k) {

@@ -21,12 +21,12 @@ TEST_CASE("a ball lies still when the sum of its hops says so")
         for (const double h : {0.25, 1.0}) {
             RestEngine ball = zeno_ball(h, e, step);
             const double time = time_to_rest(ball);
-            // Hops shorter than a step are not taken: 2/(1 - e) of them last
-            const double scale = 2.0 * step / (1.0 - e);
+            // Hops shorter than a step are not taken: 2/(1 - e) steps of them last
+            const double bound = 2.0 * step / (1.0 - 0.7) / end_of_hops(0.25, 0.7);
             const double paper = end_of_hops(h, e);
-            CHECK_EQUATION_SCALED("rest.zeno", time, paper, scale, 1.0, {"e", e},
-                                  {"h", h}, {"g", k_gravity});
-            CHECK_TWIN_SCALED("rest.zeno", time, paper / (1.0 + e), scale, 1.0);
+            CHECK_EQUATION("rest.zeno", time, paper, bound, {"e", e}, {"h", h},
+                           {"g", k_gravity});
+            CHECK_TWIN("rest.zeno", time, paper / (1.0 + e), bound);
         }
     }
 }
@@ -47,7 +47,8 @@ TEST_CASE("under constant forces a place is exact, whatever the step")
         engine.advance(t);
         const double way =
             -(engine.state(1).position - 0.25 * slope.normal()).dot(slope.up());
-        const double pull = k_gravity * (std::sin(slope.angle) - mu * std::cos(slope.angle));
+        const double pull =
+            k_gravity * (std::sin(slope.angle) - mu * std::cos(slope.angle));
         CHECK_EQUATION("rest.slide", way, 0.5 * pull * t * t, 1e-11, {"g", k_gravity},
                        {"\\theta", slope.angle}, {"\\mu", mu}, {"t", t});
         CHECK_TWIN("rest.slide", way, pull * t * t, 1e-11);
@@ -103,7 +104,8 @@ TEST_CASE("of two equal bodies, each sweep leaves half of what was missing")
         const double j = column.impulse(1);
         CHECK_EQUATION("rest.halves", j, fall * (1.0 - std::pow(0.5, k)), 1e-14,
                        {"m", 1.0}, {"g", 9.81}, {"d", fall / 9.81}, {"k", k});
-        if (k < 30) CHECK_TWIN("rest.halves", j, fall * (1.0 - std::pow(0.5, k + 1)), 1e-14);
+        if (k > 30) continue; // the twin forgets a sweep, which has no more to give
+        CHECK_TWIN("rest.halves", j, fall * (1.0 - std::pow(0.5, k + 1)), 1e-14);
     }
 }
 
@@ -113,7 +115,8 @@ TEST_CASE("of a stack, each sweep leaves the square of a cosine")
         const double rate = rate_of_sweeps(std::vector<double>(n, 1.0), 3 * n * n);
         const double paper = std::pow(std::cos(std::numbers::pi / (2 * n)), 2);
         CHECK_EQUATION("rest.rate", rate, paper, 1e-4, {"n", n});
-        CHECK_TWIN("rest.rate", rate, std::pow(std::cos(std::numbers::pi / (2 * n)), 3), 1e-4);
+        const double c = std::cos(std::numbers::pi / (2 * n));
+        CHECK_TWIN("rest.rate", rate, c * c * c, 1e-4);
     }
 }
 
