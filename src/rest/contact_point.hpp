@@ -5,8 +5,8 @@
 namespace flying {
 
 // [rest.mover]
-/// What the solver knows of a body: how it moves, and how it resists. A static body has both inverses zero and never
-/// moves, so that no push needs to ask.
+/// What the solver knows of a body: how it moves, and how it resists. A static body has
+/// both inverses zero and never moves, so that no push needs to ask.
 struct Mover
 {
     double v_x = 0.0;        ///< [m/s]
@@ -48,14 +48,16 @@ struct ContactPoint
 
 // [rest.speeds]
 /// Normal velocity of B relative to A.  [m/s]
-[[nodiscard]] inline double normal_speed(const ContactPoint& c, const Mover& a, const Mover& b)
+[[nodiscard]] inline double normal_speed(const ContactPoint& c, const Mover& a,
+                                         const Mover& b)
 {
     const double shift = c.n_x * (b.v_x - a.v_x) + c.n_y * (b.v_y - a.v_y);
     return shift + (b.spin * c.normal_arm_b - a.spin * c.normal_arm_a);
 }
 
 /// Tangential velocity of B relative to A.  [m/s]
-[[nodiscard]] inline double tangent_speed(const ContactPoint& c, const Mover& a, const Mover& b)
+[[nodiscard]] inline double tangent_speed(const ContactPoint& c, const Mover& a,
+                                          const Mover& b)
 {
     const double shift = c.n_x * (b.v_y - a.v_y) - c.n_y * (b.v_x - a.v_x);
     return shift + (b.spin * c.tangent_arm_b - a.spin * c.tangent_arm_a);
@@ -63,7 +65,8 @@ struct ContactPoint
 // [rest.speeds]
 
 // [rest.push]
-/// Push B by j along the normal and q along the tangent, and A by as much the other way.  [N s]
+/// Push B by j along the normal and q along the tangent, and A by as much the other
+/// way.  [N s]
 inline void push(const ContactPoint& c, double j, double q, Mover& a, Mover& b)
 {
     const double p_x = j * c.n_x - q * c.n_y;

@@ -226,9 +226,11 @@ bool GroupSolver::solve(std::span<Mover> movers, std::span<const int> members, s
 // [rest.group.solve]
 
 // [rest.group.newton]
-void GroupSolver::measure_slips(std::span<const Mover> movers, std::span<const ContactPoint> points)
+void GroupSolver::measure_slips(std::span<const Mover> movers,
+                                std::span<const ContactPoint> points)
 {
-    // All that follows is in changes from here, so that rounding takes its share of the changes only
+    // All that follows is in changes from here, so that rounding takes its share of
+    // the changes only
     for (std::size_t k = 0; k < points.size(); ++k) {
         const ContactPoint& c = points[k];
         slip_[2 * k] = normal_speed(c, movers[c.a], movers[c.b]) - c.bound;
@@ -253,7 +255,8 @@ void GroupSolver::guess(std::span<const ContactPoint> points)
 }
 // [rest.group.guess]
 
-bool GroupSolver::newton(std::span<const Mover> movers, std::span<const ContactPoint> points)
+bool GroupSolver::newton(std::span<const Mover> movers,
+                         std::span<const ContactPoint> points)
 {
     guess(points);
     for (int step = 0; step < k_newton_steps; ++step) {

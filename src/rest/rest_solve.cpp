@@ -144,7 +144,8 @@ bool RestEngine::set_bounds(Group& group)
         // [rest.bounds.later]
 
         // [rest.bounds.thrown]
-        // What arrives is thrown back, unless its load would bring it down again before the step ends
+        // What arrives is thrown back, unless its load would bring it down again before
+        // the step ends
         const double rebound = -c.restitution * u;
         const bool loaded = 2.0 * rebound * c.normal_mass <= c.normal;
         const bool falls_back = fall < 0.0 && 2.0 * rebound <= -fall * c.left;

@@ -16,7 +16,8 @@ void content(SweepPoint& c, std::span<Mover> movers)
     // Push as much as ends the approach in all, and never pull
     double v_x = b.v_x - a.v_x;
     double v_y = b.v_y - a.v_y;
-    const double u_n = (c.n_x * v_x + c.n_y * v_y) + (b.spin * c.normal_arm_b - a.spin * c.normal_arm_a);
+    const double u_n = (c.n_x * v_x + c.n_y * v_y) +
+                       (b.spin * c.normal_arm_b - a.spin * c.normal_arm_a);
     const double normal = std::max(0.0, c.normal - c.normal_mass * (u_n - c.bound));
     const double j = normal - c.normal;
     c.normal = normal;
@@ -29,7 +30,8 @@ void content(SweepPoint& c, std::span<Mover> movers)
     const double spin_b = b.spin + b.inv_moment * (j * c.normal_arm_b);
     v_x += j * (w * c.n_x);
     v_y += j * (w * c.n_y);
-    const double u_t = (c.n_x * v_y - c.n_y * v_x) + (spin_b * c.tangent_arm_b - spin_a * c.tangent_arm_a);
+    const double u_t = (c.n_x * v_y - c.n_y * v_x) +
+                       (spin_b * c.tangent_arm_b - spin_a * c.tangent_arm_a);
     const double most = c.friction * normal;
     const double tangent = std::clamp(c.tangent - c.tangent_mass * u_t, -most, most);
     const double q = tangent - c.tangent;
@@ -87,7 +89,8 @@ void sweep_back(std::span<SweepPoint> points, std::span<Mover> movers)
 // [rest.sweep]
 
 // [rest.complaint]
-double worst_complaint(std::span<const ContactPoint> points, std::span<const Mover> movers)
+double worst_complaint(std::span<const ContactPoint> points,
+                       std::span<const Mover> movers)
 {
     double worst = 0.0;
     for (const ContactPoint& c : points) {
@@ -98,7 +101,8 @@ double worst_complaint(std::span<const ContactPoint> points, std::span<const Mov
         worst = std::max(worst, std::abs(normal - c.normal) / c.normal_mass);
 
         const double most = c.friction * c.normal;
-        const double tangent = std::clamp(c.tangent - c.tangent_mass * tangent_speed(c, a, b), -most, most);
+        const double slip = tangent_speed(c, a, b);
+        const double tangent = std::clamp(c.tangent - c.tangent_mass * slip, -most, most);
         worst = std::max(worst, std::abs(tangent - c.tangent) / c.tangent_mass);
     }
     return worst;
