@@ -5,24 +5,17 @@
 #include <numbers>
 #include <string>
 
+#include "../support/sketch.hpp"
 #include "door.hpp"
 #include "mass/rectangle.hpp"
 #include "math/sine_cosine.hpp"
 #include "pieces.hpp"
-#include "sketch.hpp"
 #include "wrong_triangle.hpp"
 
 using namespace flying;
 using namespace flying::sketch;
 
 namespace {
-
-std::string text_of(const char* format, double value)
-{
-    char text[64];
-    std::snprintf(text, sizeof text, format, value);
-    return text;
-}
 
 /// The door from above: three pushes, and the mass that each finger feels.
 void draw_door(const std::string& folder)

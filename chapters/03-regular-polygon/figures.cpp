@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "../02-rectangle/door.hpp"
-#include "../02-rectangle/sketch.hpp"
+#include "../support/sketch.hpp"
 #include "beside_disc.hpp"
 #include "by_side.hpp"
 #include "math/sine_cosine.hpp"
@@ -19,13 +19,6 @@ using namespace flying::sketch;
 namespace {
 
 constexpr double k_pi = std::numbers::pi;
-
-std::string text_of(const char* format, double value)
-{
-    char text[64];
-    std::snprintf(text, sizeof text, format, value);
-    return text;
-}
 
 /// A point at an angle, y down as on the page.
 Vec2 around(const Vec2& centre, double radius, double angle)

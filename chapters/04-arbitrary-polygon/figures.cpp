@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "../02-rectangle/sketch.hpp"
+#include "../support/sketch.hpp"
 #include "geometry/moments.hpp"
 #include "math/sine_cosine.hpp"
 #include "motion/flight.hpp"

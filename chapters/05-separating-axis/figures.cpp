@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "../02-rectangle/sketch.hpp"
+#include "../support/sketch.hpp"
 #include "collide/manifold.hpp"
 #include "collide/separating_axis.hpp"
 #include "head_on.hpp"

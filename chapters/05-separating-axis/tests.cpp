@@ -14,18 +14,6 @@ using namespace flying::testing;
 
 namespace {
 
-Polygon box(double width, double height)
-{
-    const double x = 0.5 * width;
-    const double y = 0.5 * height;
-    return Polygon({{Vec2(-x, -y), Vec2(x, -y), Vec2(x, y), Vec2(-x, y)}});
-}
-
-Pose at(double x, double y, double angle = 0.0)
-{
-    return {Vec2(x, y), Rotation::of(angle)};
-}
-
 /// Roundings of a separation of bodies a few metres in size and apart: some twenty operations on numbers below 8.
 constexpr double k_bound = 20.0 * 8.0 * tolerance::k_epsilon;
 

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "../02-rectangle/sketch.hpp"
+#include "../support/sketch.hpp"
 #include "collide/vertex_edge.hpp"
 #include "math/orientation.hpp"
 #include "scenes.hpp"

@@ -13,18 +13,6 @@ using namespace flying::testing;
 
 namespace {
 
-Pose at(double x, double y, double angle = 0.0)
-{
-    return {Vec2(x, y), Rotation::of(angle)};
-}
-
-Polygon box(double width, double height)
-{
-    const double x = 0.5 * width;
-    const double y = 0.5 * height;
-    return Polygon({{Vec2(-x, -y), Vec2(x, -y), Vec2(x, y), Vec2(-x, y)}});
-}
-
 /// A square frame: outside 4, the hole 2.
 Polygon frame()
 {

@@ -14,18 +14,6 @@ using namespace flying::testing;
 
 namespace {
 
-Pose at(double x, double y, double angle = 0.0)
-{
-    return {Vec2(x, y), Rotation::of(angle)};
-}
-
-Polygon box(double width, double height)
-{
-    const double x = 0.5 * width;
-    const double y = 0.5 * height;
-    return Polygon({{Vec2(-x, -y), Vec2(x, -y), Vec2(x, y), Vec2(-x, y)}});
-}
-
 bool is_near(const Vec2& a, const Vec2& b, double bound = 1e-14)
 {
     return (a - b).norm() <= bound;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "../02-rectangle/sketch.hpp"
+#include "../support/sketch.hpp"
 #include "math/sine_cosine.hpp"
 #include "strikes.hpp"
 
@@ -13,13 +13,6 @@ using namespace flying;
 using namespace flying::sketch;
 
 namespace {
-
-std::string text_of(const char* format, double value)
-{
-    char text[64];
-    std::snprintf(text, sizeof text, format, value);
-    return text;
-}
 
 /// A turned rectangle; the picture's y is down, so that the angle is turned over.
 std::vector<Vec2> turned_box(const Vec2& centre, double width, double height, double angle)

@@ -86,6 +86,45 @@ inline Pair random_pair(flying::Random& random, double ratio)
     return pair;
 }
 
+/// Units of mass, length and rate, each a power of two, and what bodies and results are in them.
+struct PowerScale
+{
+    double mass;
+    double length;
+    double rate;
+
+    static PowerScale random(flying::Random& random)
+    {
+        const auto power = [&] { return std::ldexp(1.0, random.below(201) - 100); };
+        PowerScale scale{};
+        scale.mass = power();
+        scale.length = power();
+        scale.rate = power();
+        return scale;
+    }
+
+    [[nodiscard]] ImpactBody of(const ImpactBody& from) const
+    {
+        const Vec2 velocity = from.velocity * length * rate;
+        return {velocity,
+                from.spin * rate,
+                {from.inertia.inv_mass / mass, from.inertia.inv_moment_of_inertia / (mass * length * length)}};
+    }
+    [[nodiscard]] ImpactPoint of(const ImpactPoint& from) const
+    {
+        return {from.r_a * length, from.r_b * length, from.normal};
+    }
+    [[nodiscard]] ImpactResult of(const ImpactResult& from) const
+    {
+        return {from.velocity_a * length * rate,
+                from.velocity_b * length * rate,
+                from.spin_a * rate,
+                from.spin_b * rate,
+                from.any_push,
+                from.ended};
+    }
+};
+
 inline Vec2 point_velocity(const Vec2& velocity, double spin, const Vec2& r)
 {
     return velocity + flying::cross(spin, r);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "../02-rectangle/sketch.hpp"
+#include "../support/sketch.hpp"
 #include "bar.hpp"
 #include "figures_central.hpp"
 #include "response/impact.hpp"

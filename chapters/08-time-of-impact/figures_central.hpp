@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "../02-rectangle/sketch.hpp"
+#include "../support/sketch.hpp"
 #include "toi/central_flight.hpp"
 
 namespace flying::sketch {

@@ -8,21 +8,16 @@
 #include "geometry/polygon.hpp"
 #include "math/random.hpp"
 #include "motion/flight.hpp"
+#include "support/random_polygons.hpp"
 #include "support/receipts.hpp"
 #include "toi/predict.hpp"
 
 using namespace flying;
+using namespace flying::testing;
 
 namespace {
 
 constexpr double k_pi = 3.14159265358979323846;
-
-Polygon box(double width, double height)
-{
-    const double x = 0.5 * width;
-    const double y = 0.5 * height;
-    return Polygon({{{-x, -y}, {x, -y}, {x, y}, {-x, y}}});
-}
 
 /// Star-shaped about the origin, so that it is simple; concave more often than not. Its centroid is not the origin, which
 /// prediction doesn't mind.

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "../02-rectangle/sketch.hpp"
+#include "../support/sketch.hpp"
 #include "counts.hpp"
 #include "crowd.hpp"
 #include "gas.hpp"
@@ -16,9 +16,7 @@ namespace {
 
 std::string number(double value, const char* format = "%.0f")
 {
-    char text[64];
-    std::snprintf(text, sizeof text, format, value);
-    return text;
+    return text_of(format, value);
 }
 
 /// A crowded room; one disc, and those that it is compared with.

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "../02-rectangle/sketch.hpp"
+#include "../support/sketch.hpp"
 #include "billiard.hpp"
 #include "broadphase/grid.hpp"
 #include "events/cell_exit.hpp"
@@ -273,9 +273,7 @@ void draw_speeds(const std::string& folder)
     s.dashed(at(1.0, 0), at(1.0, 0.98), k_ink, 2.0);
     s.words(at(1.03, 0.93), "all of them, at the start", Anchor::left);
     for (const double v : {0.5, 1.0, 1.5, 2.0}) {
-        char text[16];
-        std::snprintf(text, sizeof text, "%.1f", v);
-        s.words(at(v, 0) + Vec2(0, 22), text, Anchor::middle, k_ink, 15.0);
+        s.words(at(v, 0) + Vec2(0, 22), text_of("%.1f", v), Anchor::middle, k_ink, 15.0);
     }
     s.words(at(1.3, 0) + Vec2(0, 46), "speed, m/s");
 }

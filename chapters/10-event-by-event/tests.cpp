@@ -4,54 +4,15 @@
 #include <string>
 #include <vector>
 
+#include "support/worlds.hpp"
 #include "world/world.hpp"
 
 using namespace flying;
+using namespace flying::testing;
 
 namespace {
 
 constexpr double k_pi = 3.14159265358979323846;
-
-BodyDef disc(double radius, const Vec2& position, const Vec2& velocity = Vec2::Zero())
-{
-    BodyDef body;
-    body.shape = DiscDef{radius};
-    body.position = position;
-    body.velocity = velocity;
-    return body;
-}
-
-BodyDef rectangle(double width, double height, const Vec2& position, const Vec2& velocity = Vec2::Zero())
-{
-    BodyDef body;
-    body.shape = RectangleDef{width, height};
-    body.position = position;
-    body.velocity = velocity;
-    return body;
-}
-
-BodyDef still(BodyDef body)
-{
-    body.is_static = true;
-    return body;
-}
-
-World world_of(const Scene& scene)
-{
-    Expected<World> world = World::make(scene);
-    if (!world) {
-        for (const Fault& fault : world.faults()) MESSAGE(fault.place << ": " << fault.found << ", " << fault.expected);
-    }
-    REQUIRE(world.has_value());
-    return std::move(world).value();
-}
-
-void run(World& world, double until)
-{
-    const auto failure = world.advance(until);
-    INFO((failure ? failure->message : std::string()));
-    REQUIRE_FALSE(failure.has_value());
-}
 
 /// Galperin's billiard: a wall on the left, a light ball, a heavy one coming in.
 Scene billiard(double mass_ratio)

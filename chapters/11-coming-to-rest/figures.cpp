@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "../02-rectangle/sketch.hpp"
+#include "../support/sketch.hpp"
 #include "column.hpp"
 #include "lying.hpp"
 #include "wrong_rest.hpp"
@@ -17,13 +17,6 @@ using namespace flying::sketch;
 using namespace flying::test;
 
 namespace {
-
-std::string text_of(const char* format, double value)
-{
-    char text[64];
-    std::snprintf(text, sizeof text, format, value);
-    return text;
-}
 
 /// A stack and what each box bears.
 void draw_stack(const std::string& folder)

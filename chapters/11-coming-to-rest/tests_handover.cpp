@@ -6,29 +6,15 @@
 #include <cmath>
 #include <vector>
 
+#include "support/worlds.hpp"
 #include "world/world.hpp"
 
 using namespace flying;
+using namespace flying::testing;
 
 namespace {
 
 constexpr double k_g = 9.81; // [m/s^2]
-
-World world_of(const Scene& scene, EngineChoice engine = EngineChoice::automatic)
-{
-    WorldOptions options;
-    options.engine = engine;
-    Expected<World> world = World::make(scene, options);
-    REQUIRE(world.has_value());
-    return std::move(world).value();
-}
-
-void run(World& world, double until)
-{
-    const auto failure = world.advance(until);
-    INFO((failure ? failure->message : std::string()));
-    REQUIRE_FALSE(failure.has_value());
-}
 
 Scene box_in_gravity(double restitution, double friction)
 {

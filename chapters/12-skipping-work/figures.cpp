@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "../02-rectangle/sketch.hpp"
+#include "../support/sketch.hpp"
 #include "plain_engine.hpp"
 #include "runs.hpp"
 

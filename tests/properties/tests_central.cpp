@@ -10,39 +10,19 @@
 #include "motion/kepler.hpp"
 #include "scene/read.hpp"
 #include "scene/write.hpp"
+#include "support/worlds.hpp"
 #include "world/world.hpp"
 
 using namespace flying;
+using namespace flying::testing;
 
 namespace {
-
-World central_world(const Scene& scene, const std::vector<std::string>& without = {})
-{
-    WorldOptions options;
-    options.without = without;
-    options.engine = EngineChoice::events;
-    Expected<World> world = World::make(scene, options);
-    if (!world) {
-        for (const Fault& fault : world.faults()) MESSAGE(fault.place << ": " << fault.found << ", " << fault.expected);
-    }
-    REQUIRE(world.has_value());
-    return std::move(world).value();
-}
 
 Scene round_centre(double mu, double radius, const Vec2& centre = Vec2::Zero())
 {
     Scene scene;
     scene.world.field = CentralField{centre, mu, radius};
     return scene;
-}
-
-BodyDef disc_at(const Vec2& position, const Vec2& velocity, double radius)
-{
-    BodyDef body;
-    body.shape = DiscDef{radius};
-    body.position = position;
-    body.velocity = velocity;
-    return body;
 }
 
 /// Bodies of all kinds on orbits of all kinds, on rings that don't overlap at the start; some scenes are in a box, some
@@ -108,8 +88,8 @@ TEST_CASE("A disc without a core ends a thousand orbits where it began")
     // Eccentricity 0.6, axis 2, the centre off the origin: period 2 pi sqrt(a^3 / mu)
     Scene scene = round_centre(8.0, 0.0, Vec2(0.5, -0.25));
     const double a = 2.0;
-    scene.bodies.push_back(disc_at(Vec2(0.5 + 3.2, -0.25), Vec2(0.0, 1.0), 0.1));
-    World world = central_world(scene);
+    scene.bodies.push_back(disc(0.1, Vec2(0.5 + 3.2, -0.25), Vec2(0.0, 1.0)));
+    World world = events_of(scene);
     const double period = 2.0 * std::numbers::pi * std::sqrt(a * a * a / 8.0);
     for (int k = 1; k <= 1000; ++k) {
         CHECK_FALSE(world.advance(k * period).has_value());
@@ -121,8 +101,8 @@ TEST_CASE("A disc without a core ends a thousand orbits where it began")
 TEST_CASE("A ball that falls on the core strikes it when the closed form says")
 {
     Scene scene = round_centre(40.0, 0.75);
-    scene.bodies.push_back(disc_at(Vec2(0.0, 4.0), Vec2::Zero(), 0.25));
-    World world = central_world(scene);
+    scene.bodies.push_back(disc(0.25, Vec2(0.0, 4.0), Vec2::Zero()));
+    World world = events_of(scene);
     const double x = 1.0 / 4.0;
     const double fall = std::sqrt(64.0 / 80.0) * (std::acos(std::sqrt(x)) + std::sqrt(x * (1.0 - x)));
     REQUIRE_FALSE(world.advance(fall * (1.0 - 1e-14)).has_value());
@@ -140,9 +120,9 @@ TEST_CASE("A ball keeps its energy over a thousand impacts on the core")
 {
     for (const Vec2& velocity : {Vec2(0.0, 0.0), Vec2(0.6, 0.3), Vec2(-1.4, -2.0)}) {
         Scene scene = round_centre(40.0, 0.8);
-        scene.bodies.push_back(disc_at(Vec2(0.0, 4.0), velocity, 0.3));
+        scene.bodies.push_back(disc(0.3, Vec2(0.0, 4.0), velocity));
         scene.bodies[0].spin = 1.0;
-        World world = central_world(scene);
+        World world = events_of(scene);
         double l = 0.0;
         while (world.collisions() < 1000) {
             REQUIRE_FALSE(world.advance(world.time() + 10.0).has_value());
@@ -162,7 +142,7 @@ TEST_CASE("Many bodies round the core keep their energy and never overlap")
 {
     const Expected<Scene> scene = read_scene_file(std::string(FLYING_SOURCE_DIR) + "/chapters/scenes/orbits.toml");
     REQUIRE(scene.has_value());
-    World world = central_world(scene.value());
+    World world = events_of(scene.value());
     double deepest = 0.0;
     for (int k = 1; k <= 600; ++k) {
         REQUIRE_FALSE(world.advance(0.05 * k).has_value());
@@ -182,7 +162,7 @@ TEST_CASE("In central scenes too no skip changes a bit, and nobody overlaps")
     for (std::uint64_t seed = 1; seed <= 12; ++seed) {
         const Scene scene = random_central(seed);
         INFO("seed " << seed);
-        World world = central_world(scene);
+        World world = events_of(scene);
         bool crowded = false;
         for (int k = 1; k <= 200 && !crowded; ++k) {
             crowded = world.advance(k < 200 ? scene.until * k / 200.0 : scene.until).has_value();
@@ -193,7 +173,7 @@ TEST_CASE("In central scenes too no skip changes a bit, and nobody overlaps")
         }
         collisions += world.collisions();
         for (const std::string& name : skip_names()) {
-            World other = central_world(scene, {name});
+            World other = events_of(scene, {name});
             CHECK(other.advance(scene.until).has_value() == crowded);
             CHECK(other.collisions() == world.collisions());
             CHECK(other.log_hash() == world.log_hash());
@@ -208,8 +188,8 @@ TEST_CASE("A central world goes on from a snapshot with the same bits")
 {
     for (std::uint64_t seed = 201; seed <= 205; ++seed) {
         const Scene scene = random_central(seed);
-        World whole = central_world(scene);
-        World first = central_world(scene);
+        World whole = events_of(scene);
+        World first = events_of(scene);
         if (whole.advance(scene.until) || first.advance(0.4 * scene.until)) continue;
         WorldOptions options;
         options.engine = EngineChoice::events;
@@ -225,7 +205,7 @@ TEST_CASE("Central scenes scale by powers of two bit for bit")
     for (std::uint64_t seed = 301; seed <= 304; ++seed) {
         Scene scene = random_central(seed);
         for (BodyDef& body : scene.bodies) body.spin = 0.0; // an angle has no unit to scale
-        World world = central_world(scene);
+        World world = events_of(scene);
         if (world.advance(scene.until)) continue;
 
         // Lengths times 8, times by 2: speeds by 4, strength by 512 / 4
@@ -244,7 +224,7 @@ TEST_CASE("Central scenes scale by powers of two bit for bit")
             }
         }
         if (scaled.world.box) scaled.world.box = BoxDef{8.0 * scaled.world.box->min, 8.0 * scaled.world.box->max};
-        World other = central_world(scaled);
+        World other = events_of(scaled);
         REQUIRE_FALSE(other.advance(2.0 * scene.until).has_value());
         for (int k = 0; k < world.body_count(); ++k) {
             CHECK(other.state(k).position == 8.0 * world.state(k).position);
@@ -257,7 +237,7 @@ TEST_CASE("Central scenes scale by powers of two bit for bit")
 TEST_CASE("A central field is written and read back, and its faults are told")
 {
     Scene scene = round_centre(40.0, 0.5, Vec2(1.0, 2.0));
-    scene.bodies.push_back(disc_at(Vec2(4.0, 2.0), Vec2(0.0, 3.0), 0.25));
+    scene.bodies.push_back(disc(0.25, Vec2(4.0, 2.0), Vec2(0.0, 3.0)));
     const Expected<Scene> again = read_scene_text(write_scene(scene), "again.toml");
     REQUIRE(again.has_value());
     const auto& field = std::get<CentralField>(again.value().world.field);

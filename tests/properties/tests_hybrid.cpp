@@ -8,18 +8,13 @@
 #include "collide/separation.hpp"
 #include "math/random.hpp"
 #include "scene/generate.hpp"
+#include "support/worlds.hpp"
 #include "world/world.hpp"
 
 using namespace flying;
+using namespace flying::testing;
 
 namespace {
-
-World world_of(const Scene& scene)
-{
-    Expected<World> world = World::make(scene);
-    REQUIRE(world.has_value());
-    return std::move(world).value();
-}
 
 double radius_of_smallest(const World& world)
 {

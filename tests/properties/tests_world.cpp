@@ -9,9 +9,11 @@
 #include "math/random.hpp"
 #include "scene/generate.hpp"
 #include "scene/read.hpp"
+#include "support/worlds.hpp"
 #include "world/world.hpp"
 
 using namespace flying;
+using namespace flying::testing;
 
 namespace {
 
@@ -20,16 +22,6 @@ Scene scene_file(const std::string& name)
     const Expected<Scene> scene = read_scene_file(std::string(FLYING_SOURCE_DIR) + "/chapters/scenes/" + name + ".toml");
     REQUIRE(scene.has_value());
     return scene.value();
-}
-
-World world_of(const Scene& scene, const std::vector<std::string>& without = {})
-{
-    WorldOptions options;
-    options.without = without;
-    options.engine = EngineChoice::events;
-    Expected<World> world = World::make(scene, options);
-    REQUIRE(world.has_value());
-    return std::move(world).value();
 }
 
 /// Run to `until`, asking for a report every `interval`; the report at the end.
@@ -101,7 +93,7 @@ TEST_CASE("the original's scene runs for a minute with its energy, without overl
         const Scene scene = scene_file(name);
         std::vector<std::uint64_t> hashes;
         for (const double interval : {1.0 / 60.0, 1.0, scene.until}) {
-            World world = world_of(scene);
+            World world = events_of(scene);
             const Report report = run(world, scene.until, interval);
             CHECK(relative_change(report) <= 1e-12);
             CHECK(report.max_overlap <= 1e-10);
@@ -118,7 +110,7 @@ TEST_CASE("gases of discs, polygons and concave dumbbells keep their energy and 
     for (const std::string name : {"gas-discs-1000", "gas-polygons-200", "gas-dumbbells-100", "flying-balls"}) {
         INFO(name);
         const Scene scene = scene_file(name);
-        World world = world_of(scene);
+        World world = events_of(scene);
         const Report report = run(world, scene.until, scene.until);
         CHECK(relative_change(report) <= 1e-12);
         CHECK(report.max_overlap <= 1e-10);
@@ -133,7 +125,7 @@ TEST_CASE("no pair is missed: sampled densely, no two bodies of a gas ever overl
     // bodies that passed through each other would overlap for tenths of a second
     for (const std::string name : {"gas-discs-1000", "gas-polygons-200", "gas-dumbbells-100", "original-polygons"}) {
         INFO(name);
-        World world = world_of(scene_file(name));
+        World world = events_of(scene_file(name));
         double deepest = 0.0;
         for (int k = 1; k <= 240; ++k) {
             REQUIRE_FALSE(world.advance(k / 240.0).has_value());
@@ -147,11 +139,11 @@ TEST_CASE("every skip leaves every bit as it is, over random scenes")
 {
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
         const Scene scene = random_scene(seed);
-        World plain = world_of(scene);
+        World plain = events_of(scene);
         const auto plain_failure = plain.advance(scene.until);
         const Report expected = plain.report();
         for (const std::string& skip : skip_names()) {
-            World without = world_of(scene, {skip});
+            World without = events_of(scene, {skip});
             const auto failure = without.advance(scene.until);
             const Report report = without.report();
             INFO("seed " << seed << " without " << skip);
@@ -182,8 +174,8 @@ TEST_CASE("rows that are put in order again and again, and memory that is asked 
         options.shape = one.shape;
         const Expected<Scene> scene = generate("gas", options);
         REQUIRE(scene.has_value());
-        World plain = world_of(scene.value());
-        World all_pairs = world_of(scene.value(), {"grid"});
+        World plain = events_of(scene.value());
+        World all_pairs = events_of(scene.value(), {"grid"});
         REQUIRE_FALSE(plain.advance(one.until).has_value());
         REQUIRE_FALSE(all_pairs.advance(one.until).has_value());
         INFO(one.shape << " " << one.count);
@@ -202,7 +194,7 @@ TEST_CASE("energy never rises, and momentum of a closed system stays")
         Scene scene = random_scene(seed);
         scene.world.box.reset();
         scene.world.field = NoField{};
-        World world = world_of(scene);
+        World world = events_of(scene);
         const Report before = world.report();
         double scale = 0.0;
         for (const BodyReport& body : before.bodies) scale += body.mass * body.state.velocity.norm();
@@ -219,9 +211,9 @@ TEST_CASE("a run that is stopped, saved and resumed has the bits of one that isn
 {
     for (std::uint64_t seed = 200; seed < 215; ++seed) {
         const Scene scene = random_scene(seed);
-        World whole = world_of(scene);
+        World whole = events_of(scene);
         (void)whole.advance(scene.until);
-        World first = world_of(scene);
+        World first = events_of(scene);
         if (first.advance(0.4 * scene.until)) continue;
         Expected<World> second = World::resume(scene, first.snapshot());
         REQUIRE(second.has_value());
@@ -238,7 +230,7 @@ TEST_CASE("lengths, times and masses by powers of two scale a run bit for bit")
     for (std::uint64_t seed = 300; seed < 310; ++seed) {
         Scene scene = random_scene(seed);
         for (BodyDef& body : scene.bodies) body.density = 1.0;
-        World plain = world_of(scene);
+        World plain = events_of(scene);
         (void)plain.advance(scene.until);
         for (const int power : {-40, 3, 60}) {
             const double length = std::ldexp(1.0, power);
@@ -272,7 +264,7 @@ TEST_CASE("lengths, times and masses by powers of two scale a run bit for bit")
                     }
                 }
             }
-            World world = world_of(scaled);
+            World world = events_of(scaled);
             (void)world.advance(scene.until * time);
             INFO("seed " << seed << ", lengths by 2^" << power);
             CHECK(world.collisions() == plain.collisions());
@@ -305,7 +297,7 @@ TEST_CASE("mirrors and quarter turns of a gas of discs give the same bits, of po
         const double side = std::max(half.x(), half.y()) + 1.0;
         scene.world.box = BoxDef{{-side, -side}, {side, side}};
         for (BodyDef& body : scene.bodies) body.position -= middle;
-        World plain = world_of(scene);
+        World plain = events_of(scene);
         REQUIRE_FALSE(plain.advance(scene.until).has_value());
         REQUIRE(plain.collisions() > 10);
 
@@ -317,7 +309,7 @@ TEST_CASE("mirrors and quarter turns of a gas of discs give the same bits, of po
             body.velocity = turn(body.velocity);
             body.angle += shape == "disc" ? 0.0 : 1.57079632679489661923;
         }
-        World quarter = world_of(turned);
+        World quarter = events_of(turned);
         (void)quarter.advance(scene.until);
         for (int k = 0; k < plain.body_count(); ++k) {
             CHECK((quarter.state(k).position - turn(plain.state(k).position)).norm() <= bound);
@@ -332,7 +324,7 @@ TEST_CASE("mirrors and quarter turns of a gas of discs give the same bits, of po
             body.velocity = mirror(body.velocity);
             body.spin = -body.spin;
         }
-        World mirror_world = world_of(mirrored);
+        World mirror_world = events_of(mirrored);
         (void)mirror_world.advance(scene.until);
         for (int k = 0; k < plain.body_count(); ++k) {
             CHECK(mirror_world.state(k).position == mirror(plain.state(k).position));

@@ -10,47 +10,14 @@
 #include "math/random.hpp"
 #include "stress/random_scenes.hpp"
 #include "stress/reversal.hpp"
+#include "support/worlds.hpp"
 #include "world/world.hpp"
 
 using namespace flying;
+using namespace flying::testing;
 using namespace flying::stress;
 
 namespace {
-
-BodyDef disc(double radius, const Vec2& position, const Vec2& velocity = Vec2::Zero())
-{
-    BodyDef body;
-    body.shape = DiscDef{radius};
-    body.position = position;
-    body.velocity = velocity;
-    return body;
-}
-
-BodyDef rectangle(double width, double height, const Vec2& position)
-{
-    BodyDef body;
-    body.shape = RectangleDef{width, height};
-    body.position = position;
-    return body;
-}
-
-BodyDef still(BodyDef body)
-{
-    body.is_static = true;
-    return body;
-}
-
-World events_of(const Scene& scene)
-{
-    WorldOptions options;
-    options.engine = EngineChoice::events;
-    Expected<World> world = World::make(scene, options);
-    if (!world) {
-        for (const Fault& fault : world.faults()) MESSAGE(fault.place << ": " << fault.found << ", " << fault.expected);
-    }
-    REQUIRE(world.has_value());
-    return std::move(world).value();
-}
 
 /// 0 ... count - 1 in a random order.
 std::vector<int> shuffled(Random& random, int count)

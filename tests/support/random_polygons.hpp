@@ -13,6 +13,18 @@
 /// Polygons and oracles that tests of several folders share.
 namespace flying::testing {
 
+inline Polygon box(double width, double height)
+{
+    const double x = 0.5 * width;
+    const double y = 0.5 * height;
+    return Polygon({{Vec2(-x, -y), Vec2(x, -y), Vec2(x, y), Vec2(-x, y)}});
+}
+
+inline Pose at(double x, double y, double angle = 0.0)
+{
+    return {Vec2(x, y), Rotation::of(angle)};
+}
+
 /// Vertices on a circle in random places, counter-clockwise: convex by construction.
 inline Polygon random_convex(Random& random, int most_sides = 9)
 {

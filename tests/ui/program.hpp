@@ -38,6 +38,11 @@ private:
 /// Two discs in a box without gravity, that meet each other and the walls; 2 s.
 [[nodiscard]] std::string two_discs();
 
+[[nodiscard]] inline bool contains(const std::string& text, const std::string& part)
+{
+    return text.find(part) != std::string::npos;
+}
+
 /// A program of this name can be started.
 [[nodiscard]] bool has_program(const std::string& name);
 

@@ -8,15 +8,6 @@
 using namespace flying::ui;
 using Names = std::vector<std::string>;
 
-namespace {
-
-bool contains(const std::string& text, const std::string& part)
-{
-    return text.find(part) != std::string::npos;
-}
-
-} // namespace
-
 TEST_CASE("a place that can't be written to is refused before the run, with status 2 and nothing written")
 {
     const Folder folder;

@@ -5,15 +5,6 @@
 using namespace flying::ui;
 using Names = std::vector<std::string>;
 
-namespace {
-
-bool contains(const std::string& text, const std::string& part)
-{
-    return text.find(part) != std::string::npos;
-}
-
-} // namespace
-
 TEST_CASE("help and version go to standard output with status 0")
 {
     const Folder folder;

@@ -2,6 +2,7 @@
 
 #include <cairo-svg.h>
 #include <cmath>
+#include <cstdio>
 #include <functional>
 #include <numbers>
 #include <string>
@@ -39,6 +40,14 @@ enum class Anchor
     middle,
     right
 };
+
+/// A number as printf writes it.
+inline std::string text_of(const char* format, double value)
+{
+    char text[64];
+    std::snprintf(text, sizeof text, format, value);
+    return text;
+}
 
 class Sketch
 {

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <doctest/doctest.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "world/world.hpp"
+
+/// Bodies and worlds that tests of several folders make alike.
+namespace flying::testing {
+
+inline BodyDef disc(double radius, const Vec2& position, const Vec2& velocity = Vec2::Zero())
+{
+    BodyDef body;
+    body.shape = DiscDef{radius};
+    body.position = position;
+    body.velocity = velocity;
+    return body;
+}
+
+inline BodyDef rectangle(double width, double height, const Vec2& position, const Vec2& velocity = Vec2::Zero())
+{
+    BodyDef body;
+    body.shape = RectangleDef{width, height};
+    body.position = position;
+    body.velocity = velocity;
+    return body;
+}
+
+inline BodyDef still(BodyDef body)
+{
+    body.is_static = true;
+    return body;
+}
+
+/// The scene's world; its faults are told, and the test ends, where it has any.
+inline World world_of(const Scene& scene, EngineChoice engine = EngineChoice::automatic,
+                      const std::vector<std::string>& without = {})
+{
+    WorldOptions options;
+    options.engine = engine;
+    options.without = without;
+    Expected<World> world = World::make(scene, options);
+    if (!world) {
+        for (const Fault& fault : world.faults()) MESSAGE(fault.place << ": " << fault.found << ", " << fault.expected);
+    }
+    REQUIRE(world.has_value());
+    return std::move(world).value();
+}
+
+/// The same, moved by exact events alone.
+inline World events_of(const Scene& scene, const std::vector<std::string>& without = {})
+{
+    return world_of(scene, EngineChoice::events, without);
+}
+
+inline void run(World& world, double until)
+{
+    const auto failure = world.advance(until);
+    INFO((failure ? failure->message : std::string()));
+    REQUIRE_FALSE(failure.has_value());
+}
+
+} // namespace flying::testing
