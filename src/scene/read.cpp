@@ -196,9 +196,16 @@ WorldDef read_world(TableReader world)
 /// A scene as far as it could be read.
 struct Reading
 {
+    /// The faults that a part of it gave, by their numbers.
+    struct Part
+    {
+        std::size_t first_fault = 0;
+        std::size_t end = 0;
+        [[nodiscard]] bool is_whole() const { return first_fault == end; }
+    };
     Scene scene;
-    std::vector<bool> body_is_whole; ///< each body was read without fault
-    bool box_is_whole = true;
+    Part world;
+    std::vector<Part> bodies;
 };
 
 // [scene.read]
@@ -209,10 +216,10 @@ Reading read_all(FaultList& faults, const toml::table& root)
     top.text("title", reading.scene.title, "a title between quotation marks");
     top.number("until", reading.scene.until, "a time of 0 or more [s]", Need::optional);
 
-    const std::size_t faults_before_world = faults.size();
+    reading.world.first_fault = faults.size();
     std::optional<TableReader> world = top.table("world", "a table", Need::optional);
     if (world) reading.scene.world = read_world(*world);
-    reading.box_is_whole = faults.size() == faults_before_world;
+    reading.world.end = faults.size();
 
     const toml::node* bodies = top.find("body");
     const toml::array* list = bodies ? bodies->as_array() : nullptr;
@@ -222,7 +229,7 @@ Reading read_all(FaultList& faults, const toml::table& root)
         const toml::table* table = list->get(k)->as_table();
         if (!table) top.fault(*list->get(k), label_of_body("", k), "a table");
         reading.scene.bodies.push_back(table ? read_body(faults, *table, k) : BodyDef{});
-        reading.body_is_whole.push_back(faults.size() == faults_before);
+        reading.bodies.push_back({faults_before, faults.size()});
     }
     top.refuse_unknown_keys();
     return reading;
@@ -280,15 +287,48 @@ Located locate(const toml::table& root, const Scene& scene, const std::string& p
     return located;
 }
 
-/// The world's own faults with the parts that could be read.
+// [scene.check]
+/// Whether a fault of body k is one of what could not be read, or hangs on it.
+bool hangs_on_lost(const FaultList& faults, const Reading& reading, std::size_t k, const std::string& label)
+{
+    const Reading::Part& part = reading.bodies[k];
+    const std::string body = label_of_body(reading.scene.bodies[k].name, k);
+    const auto is_lost = [&](const std::string& key) {
+        return faults.is_lost(body + ", " + key, part.first_fault, part.end);
+    };
+    if (faults.is_lost(label, part.first_fault, part.end)) return true;
+
+    // Which numbers a shape has is said by its kind; a ring makes sense as a whole; and a wall may not do what others may
+    const std::string key = label.substr(std::min(body.size() + 2, label.size()));
+    if (key.starts_with("shape")) return is_lost("shape.kind") || is_lost("shape.vertices") || is_lost("shape.holes");
+    if (key.starts_with("velocity") || key == "spin") return is_lost("static");
+    if (key == "mass" || key == "density") return is_lost("static") || is_lost("mass") || is_lost("shape");
+    return false;
+}
+
+/// A body that was not read whole, judged by itself.
+void check_alone(FaultList& faults, const toml::table& root, const Reading& reading, std::size_t k)
+{
+    Scene alone;
+    alone.until = reading.scene.until;
+    alone.bodies = {reading.scene.bodies[k]};
+    const std::string place = "body[0]";
+    for (Fault& fault : validate(alone)) {
+        if (!fault.place.starts_with(place)) continue;
+        const std::string path = "body[" + std::to_string(k) + "]" + fault.place.substr(place.size());
+        const Located located = locate(root, reading.scene, path);
+        if (hangs_on_lost(faults, reading, k, located.label)) continue;
+        faults.add(located.at, located.label, std::move(fault.found), std::move(fault.expected));
+    }
+}
+
+/// The world's own faults with the parts that could be read: nothing is told of numbers that nobody wrote.
 void check(FaultList& faults, const toml::table& root, const Reading& reading)
 {
-    // Keep out what is broken already, so that nothing is told of numbers that nobody wrote: a body without a shape
-    // stands in nobody's way, and all others keep their numbers
+    // What was not read whole may be elsewhere, or larger: it stands in nobody's way, and all others keep their numbers
     Scene whole = reading.scene;
-    if (!reading.box_is_whole) whole.world.box.reset();
     for (std::size_t k = 0; k < whole.bodies.size(); ++k) {
-        if (reading.body_is_whole[k]) continue;
+        if (reading.bodies[k].is_whole()) continue;
         const std::string name = whole.bodies[k].name;
         whole.bodies[k] = BodyDef{};
         whole.bodies[k].name = name;
@@ -296,11 +336,16 @@ void check(FaultList& faults, const toml::table& root, const Reading& reading)
     }
     for (Fault& fault : validate(whole)) {
         const Located located = locate(root, reading.scene, fault.place);
-        const bool is_stand_in = located.body && !reading.body_is_whole[*located.body];
+        const bool is_stand_in = located.body && !reading.bodies[*located.body].is_whole();
         if (is_stand_in && !fault.place.ends_with(".name")) continue;
+        if (faults.is_lost(located.label, reading.world.first_fault, reading.world.end)) continue;
         faults.add(located.at, located.label, std::move(fault.found), std::move(fault.expected));
     }
+    for (std::size_t k = 0; k < reading.bodies.size(); ++k) {
+        if (!reading.bodies[k].is_whole()) check_alone(faults, root, reading, k);
+    }
 }
+// [scene.check]
 
 } // namespace
 

@@ -8,11 +8,43 @@
 
 namespace flying {
 
+namespace {
+
+/// One label is the other, or names a part of it: `shape` has `shape.radius` and `shape[0]`, but not `shapes`.
+bool has_part(std::string_view whole, std::string_view part)
+{
+    if (!part.starts_with(whole)) return false;
+    return part.size() == whole.size() || whole.empty() || part[whole.size()] == '.' || part[whole.size()] == '[' ||
+           part[whole.size()] == ',';
+}
+
+} // namespace
+
 void FaultList::add(const toml::source_position& at, const std::string& label, std::string found, std::string expected)
+{
+    place(at, label, std::move(found), std::move(expected), true);
+}
+
+void FaultList::add_unknown_key(const toml::source_position& at, const std::string& label, std::string found,
+                                std::string expected)
+{
+    place(at, label, std::move(found), std::move(expected), false);
+}
+
+bool FaultList::is_lost(std::string_view label, std::size_t first, std::size_t end) const
+{
+    return std::any_of(faults_.begin() + static_cast<std::ptrdiff_t>(first),
+                       faults_.begin() + static_cast<std::ptrdiff_t>(end), [&](const Placed& fault) {
+                           return fault.loses && (has_part(fault.lost, label) || has_part(label, fault.lost));
+                       });
+}
+
+void FaultList::place(const toml::source_position& at, const std::string& label, std::string found,
+                      std::string expected, bool loses)
 {
     std::string place = filename_ + ":" + std::to_string(at.line) + ":" + std::to_string(at.column);
     if (!label.empty()) place += ": " + label;
-    faults_.push_back({at, {std::move(place), std::move(found), std::move(expected)}});
+    faults_.push_back({at, {std::move(place), std::move(found), std::move(expected)}, label, loses});
 }
 
 Faults FaultList::in_order() const
@@ -142,30 +174,25 @@ void TableReader::integer(const char* key, int& value, const char* expected, Nee
     }
 }
 
-bool TableReader::read_vector(const toml::node& node, const std::string& label, Vec2& value, const char* expected)
+void TableReader::read_vector(const toml::node& node, const std::string& label, Vec2& value, const char* expected)
 {
     const toml::array* array = node.as_array();
     if (!array || array->size() != 2) {
         fault(node, label, expected);
-        return false;
+        return;
     }
-    Vec2 found = Vec2::Zero();
-    bool whole = true;
     for (int k = 0; k < 2; ++k) {
         const toml::node& element = *array->get(static_cast<std::size_t>(k));
         const std::optional<double> coordinate = number_in(element);
         if (!coordinate) fault(element, label + "[" + std::to_string(k) + "]", "a number");
-        found[k] = coordinate.value_or(0.0);
-        whole = whole && coordinate;
+        value[k] = coordinate.value_or(value[k]);
     }
-    if (whole) value = found;
-    return whole;
 }
 
 void TableReader::vector(const char* key, Vec2& value, const char* expected, Need need)
 {
     const toml::node* node = find_or_miss(key, expected, need);
-    if (node) (void)read_vector(*node, label_of(key), value, expected);
+    if (node) read_vector(*node, label_of(key), value, expected);
 }
 
 void TableReader::text(const char* key, std::string& value, const char* expected)
@@ -200,7 +227,7 @@ void TableReader::read_points(const toml::node& node, const std::string& label, 
     }
     for (std::size_t k = 0; k < array->size(); ++k) {
         Vec2 point = Vec2::Zero();
-        (void)read_vector(*array->get(k), label + "[" + std::to_string(k) + "]", point, "two numbers [x, y] [m]");
+        read_vector(*array->get(k), label + "[" + std::to_string(k) + "]", point, "two numbers [x, y] [m]");
         value.push_back(point);
     }
 }
@@ -252,7 +279,7 @@ void TableReader::refuse_unknown_keys()
 {
     for (const auto& [key, node] : *table_) {
         if (std::find(known_.begin(), known_.end(), key.str()) != known_.end()) continue;
-        faults_->add(key.source().begin, label_, "the unknown key " + quoted(key.str()), one_of(key.str(), known_));
+        faults_->add_unknown_key(key.source().begin, label_, "the unknown key " + quoted(key.str()), one_of(key.str(), known_));
     }
 }
 

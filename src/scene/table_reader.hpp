@@ -20,6 +20,12 @@ public:
     /// at        where the fault stands in the text
     /// label     what it is about, such as `body "left", shape.radius`; may be empty
     void add(const toml::source_position& at, const std::string& label, std::string found, std::string expected);
+    /// The same of a key that nobody knows: all that was asked for is there.
+    void add_unknown_key(const toml::source_position& at, const std::string& label, std::string found,
+                         std::string expected);
+
+    /// Whether one of the faults from number `first` up to `end` says that there is no such value, or not all of it.
+    [[nodiscard]] bool is_lost(std::string_view label, std::size_t first, std::size_t end) const;
 
     [[nodiscard]] std::size_t size() const { return faults_.size(); }
 
@@ -31,7 +37,12 @@ private:
     {
         toml::source_position at;
         Fault fault;
+        std::string lost; ///< label of the value that could not be read
+        bool loses = false;
     };
+    void place(const toml::source_position& at, const std::string& label, std::string found, std::string expected,
+               bool loses);
+
     std::string filename_;
     std::vector<Placed> faults_;
 };
@@ -49,7 +60,7 @@ enum class Need
 };
 
 /// Reads the keys of one table into values, and tells every key that is missing, of the wrong type, or unknown. A value
-/// that can't be read is left as it was.
+/// that can't be read is left as it was; of a vector, each coordinate by itself.
 class TableReader
 {
 public:
@@ -88,7 +99,7 @@ public:
 
 private:
     const toml::node* find_or_miss(const char* key, const char* expected, Need need);
-    bool read_vector(const toml::node& node, const std::string& label, Vec2& value, const char* expected);
+    void read_vector(const toml::node& node, const std::string& label, Vec2& value, const char* expected);
     void read_points(const toml::node& node, const std::string& label, std::vector<Vec2>& value, const char* expected);
 
     FaultList* faults_;
