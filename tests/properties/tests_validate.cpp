@@ -284,6 +284,24 @@ TEST_CASE("bodies in holes, in notches and between walls are told from bodies th
     CHECK(validate(scene).size() == 1);
 }
 
+namespace {
+
+/// Pairs of discs, not both static, nearer to each other than their radii together.
+std::size_t count_overlaps(const std::vector<BodyDef>& discs)
+{
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < discs.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            const double reach = std::get<DiscDef>(discs[i].shape).radius + std::get<DiscDef>(discs[j].shape).radius;
+            const bool both_static = discs[i].is_static && discs[j].is_static;
+            count += (discs[i].position - discs[j].position).norm() < reach && !both_static ? 1 : 0;
+        }
+    }
+    return count;
+}
+
+} // namespace
+
 TEST_CASE("every overlapping pair of a crowd is found, whatever the direction of the crowd")
 {
     Random random(701);
@@ -297,16 +315,27 @@ TEST_CASE("every overlapping pair of a crowd is found, whatever the direction of
             scene.bodies.push_back(disc("", x, y, random.uniform(0.1, 0.8)));
             scene.bodies.back().is_static = k % 5 == 0;
         }
-        std::size_t expected = 0;
-        for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-            for (std::size_t j = 0; j < i; ++j) {
-                const double reach =
-                    std::get<DiscDef>(scene.bodies[i].shape).radius + std::get<DiscDef>(scene.bodies[j].shape).radius;
-                const bool both_static = scene.bodies[i].is_static && scene.bodies[j].is_static;
-                const double distance = (scene.bodies[i].position - scene.bodies[j].position).norm();
-                expected += distance < reach && !both_static ? 1 : 0;
-            }
+        CHECK(validate(scene).size() == count_overlaps(scene.bodies));
+    }
+}
+
+TEST_CASE("every overlapping pair is found among bodies of all sizes, near the origin and far from it")
+{
+    Random random(702);
+    for (int round = 0; round < 40; ++round) {
+        Scene scene;
+        const Vec2 origin = round % 2 == 0 ? Vec2(0.0, 0.0) : Vec2(-3e6, 5e6);
+        const double unit = round % 3 == 0 ? 0.25 : 0.3; // with the first, boxes are as long as powers of two
+        for (int k = 0; k < 300; ++k) {
+            const double x = random.uniform(-40.0, 40.0);
+            const double y = random.uniform(-40.0, 40.0);
+            const int halvings = std::min(random.below(8), random.below(8));
+            scene.bodies.push_back(disc("", origin.x() + x, origin.y() + y, unit * std::ldexp(1.0, 4 - halvings)));
+            scene.bodies.back().is_static = k % 5 == 0;
         }
+        const std::size_t expected = count_overlaps(scene.bodies);
+        REQUIRE(expected < 1000);
+        CHECK(expected > 100);
         CHECK(validate(scene).size() == expected);
     }
 }
