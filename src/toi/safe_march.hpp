@@ -28,15 +28,26 @@ struct MarchBounds
     double depth = 0.0;  ///< how far below the surface still counts as touching it; infinite
                          ///< where nothing is behind it [m]
     GapTolerance tolerance;
+    double ends = 0.0; ///< rounding of `along` [m]
 };
 // [toi.march.bounds]
+
+// [toi.lowest]
+/// Depth to which the vertex counts as touching. Past an end, what lies deeper than the
+/// tolerance has gone past the corner, outside or over the next edge.
+[[nodiscard]] inline double lowest_touch(const EdgeReading& now, const MarchBounds& bounds)
+{
+    const bool is_over = now.along >= -bounds.ends && now.along <= bounds.length + bounds.ends;
+    return is_over ? bounds.depth : bounds.tolerance.touch;
+}
+// [toi.lowest]
 
 // [toi.touches]
 /// The vertex touches the edge.
 [[nodiscard]] inline bool touches(const EdgeReading& now, const MarchBounds& bounds)
 {
     const double slack = bounds.tolerance.touch;
-    const bool is_at_line = now.gap <= slack && now.gap >= -bounds.depth;
+    const bool is_at_line = now.gap <= slack && now.gap >= -lowest_touch(now, bounds);
     return is_at_line && now.along >= -slack && now.along <= bounds.length + slack;
 }
 // [toi.touches]
@@ -62,7 +73,7 @@ struct MarchBounds
     const double slack = bounds.tolerance.touch;
     double step = 0.0;
     // [toi.certain-step.height]
-    const double below = -bounds.depth - now.gap;
+    const double below = -lowest_touch(now, bounds) - now.gap;
     if (now.gap > 0.0) step = safe_step(now.gap, now.gap_rate, bounds.bend);
     else if (below > 0.0) step = safe_step(below, -now.gap_rate, bounds.bend);
     else if (now.gap_rate > 0.0) step = safe_step(0.0, now.gap_rate, bounds.bend);

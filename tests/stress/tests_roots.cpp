@@ -25,6 +25,16 @@ TEST_CASE("no first impact is missed, late or early in a hundred thousand random
     CHECK(grazing > 1'000);
 }
 
+TEST_CASE("corners that go by a tip far from the origin, nearer than a vertex may lie below an edge, don't strike it")
+{
+    for (const std::uint64_t seed : {4'310'118, 4'929'312}) {
+        const RandomPair pair = random_pair(seed);
+        const Verdict verdict = judge(pair, foresee(pair));
+        INFO("pair " << seed << ": " << verdict.why);
+        CHECK(verdict.right);
+    }
+}
+
 TEST_CASE("roots stay where they are, to rounding, when all times are a million seconds later")
 {
     for (std::uint64_t seed = 1; seed <= 20'000; ++seed) {
