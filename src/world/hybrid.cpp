@@ -24,9 +24,6 @@ constexpr double k_ahead = 2.0;
 /// Steps in a row after which it must be so.
 constexpr char k_clear_steps = 2;
 
-/// [radii] Room about a body's circle, against rounding and the tolerance of touching.
-constexpr double k_room = 0x1p-10;
-
 [[nodiscard]] std::vector<RestBody> as_rest_bodies(const EventEngine& engine, const std::vector<Material>& materials,
                                                    const std::vector<char>& is_static, const Vec2& gravity)
 {
@@ -134,7 +131,7 @@ int Hybrid::halvings_for(const EventEngine& engine, const std::vector<int>& near
     const auto look = [&](const BodyState& state, int k) {
         fastest = std::max(fastest, state.velocity.norm() / radius_[k] + std::abs(state.spin));
     };
-    for (int k = 0; k < static_cast<int>(hands_.size()); ++k) {
+    for (const int k : rests_) {
         if (leans(k)) look(rest_.state(k), k);
     }
     for (const int k : near) look(engine.flyer(k).state, k);
@@ -231,6 +228,7 @@ void Hybrid::take_in(EventEngine& engine, const std::vector<int>& bodies, Change
         rest_.set_state(body, state);
         change.energy_after += energy(body, rest_.state(body));
         hands_[body] = Hands::rest;
+        rests_.insert(std::lower_bound(rests_.begin(), rests_.end(), body), body);
         clear_[body] = 0;
     }
     glimpse_.reset();
@@ -240,8 +238,7 @@ void Hybrid::take_in(EventEngine& engine, const std::vector<int>& bodies, Change
 /// Take in every body that may meet one that leans before the step ends, and again those that may meet these.
 void Hybrid::take_in_all_near(EventEngine& engine)
 {
-    any_leans_ = false;
-    for (int k = 0; k < static_cast<int>(hands_.size()); ++k) any_leans_ = any_leans_ || leans(k);
+    any_leans_ = std::any_of(rests_.begin(), rests_.end(), [&](int k) { return leans(k); });
     if (!any_leans_) return;
     int halvings = halvings_for(engine, {});
     while (true) {
@@ -287,7 +284,7 @@ void Hybrid::let_go_of_the_clear(EventEngine& engine)
     for (bool changed = true; changed;) {
         changed = false;
         going.clear();
-        for (const Reach& reach : reaches_) {
+        for (const BoxCells::Entry& reach : reaches_.entries()) {
             if (!may_go[reach.body]) continue;
             if (has_leaning_near(reach.box, &may_go)) {
                 may_go[reach.body] = 0;
@@ -296,7 +293,6 @@ void Hybrid::let_go_of_the_clear(EventEngine& engine)
         }
     }
     if (going.empty()) return;
-    std::sort(going.begin(), going.end());
 
     Change change;
     change.why = Change::Why::free;
@@ -307,6 +303,7 @@ void Hybrid::let_go_of_the_clear(EventEngine& engine)
         change.energy_before += energy(body, state);
         rest_.set_active(body, false);
         hands_[body] = Hands::events;
+        rests_.erase(std::lower_bound(rests_.begin(), rests_.end(), body));
         clear_[body] = 0;
     }
     for (const int body : going) {
@@ -322,8 +319,7 @@ void Hybrid::let_go_of_the_clear(EventEngine& engine)
 void Hybrid::follow_sleep(EventEngine& engine)
 {
     any_leans_ = false;
-    for (int k = 0; k < static_cast<int>(hands_.size()); ++k) {
-        if (hands_[k] != Hands::rest) continue;
+    for (const int k : rests_) {
         const bool asleep = rest_.is_asleep(k);
         const bool is_known = engine.presence(k) == (asleep ? EventEngine::Presence::lies : EventEngine::Presence::away);
         if (!is_known) {
@@ -334,63 +330,6 @@ void Hybrid::follow_sleep(EventEngine& engine)
     }
 }
 // [hybrid.sleep]
-
-// [hybrid.watch]
-/// Find where those that lean, and those that they may wake, can get before the step ends.
-void Hybrid::watch()
-{
-    rest_.find_islands(island_);
-    const std::size_t count = hands_.size();
-    std::vector<double> top(count, 0.0);
-    std::vector<char> is_awake(count, 0);
-    for (int k = 0; k < static_cast<int>(count); ++k) {
-        if (hands_[k] != Hands::rest) continue;
-        top[island_[k]] = std::max(top[island_[k]], rest_.state(k).velocity.norm());
-        if (!rest_.is_asleep(k)) is_awake[island_[k]] = 1;
-    }
-    reaches_.clear();
-    widest_ = 0.0;
-    const double left = step_ends_ - rest_.time();
-    const double fall = setting_.gravity.norm() * left;
-    for (int k = 0; k < static_cast<int>(count); ++k) {
-        if (hands_[k] != Hands::rest || !is_awake[island_[k]]) continue;
-
-        // A blow gives it no more than twice the speed of what strikes it
-        const double way = left * (2.0 * top[island_[k]] + fall) + (1.0 + k_room) * radius_[k];
-        const Vec2 x = rest_.state(k).position;
-        reaches_.push_back({{x - Vec2(way, way), x + Vec2(way, way)}, k});
-        widest_ = std::max(widest_, 2.0 * way);
-    }
-    std::sort(reaches_.begin(), reaches_.end(), [](const Reach& p, const Reach& q) {
-        return p.box.min.x() != q.box.min.x() ? p.box.min.x() < q.box.min.x() : p.body < q.body;
-    });
-}
-
-/// Some body that leans, other than those marked, may get into the box.
-bool Hybrid::has_leaning_near(const Aabb& box, const std::vector<char>* but) const
-{
-    auto reach = std::lower_bound(reaches_.begin(), reaches_.end(), box.min.x() - widest_ * (1.0 + k_room),
-                                  [](const Reach& r, double x) { return r.box.min.x() < x; });
-    for (; reach != reaches_.end() && reach->box.min.x() <= box.max.x(); ++reach) {
-        if (but && (*but)[reach->body]) continue;
-        if (overlap(reach->box, box)) return true;
-    }
-    return false;
-}
-
-/// A flight leads, before the step ends, to where a body that leans may be.
-bool Hybrid::comes_near(const EventEngine& engine, int body) const
-{
-    const Flyer flyer = engine.flyer(body);
-    const double from = engine.time();
-    const Vec2 start = state_at(flyer, from).position;
-    const Vec2 end = state_at(flyer, step_ends_).position;
-    const double left = step_ends_ - from;
-    const double bow = 0.125 * left * left * setting_.gravity.norm();
-    const double room = (1.0 + k_room) * radius_[body] + bow;
-    return has_leaning_near({start.cwiseMin(end) - Vec2(room, room), start.cwiseMax(end) + Vec2(room, room)}, nullptr);
-}
-// [hybrid.watch]
 
 // [hybrid.state]
 BodyState Hybrid::state(const EventEngine& engine, int body, double time) const
@@ -425,9 +364,7 @@ double Hybrid::energy(int body, const BodyState& state) const
 double Hybrid::energy_of_leaning() const
 {
     double sum = 0.0;
-    for (int k = 0; k < static_cast<int>(hands_.size()); ++k) {
-        if (hands_[k] == Hands::rest) sum += energy(k, rest_.state(k));
-    }
+    for (const int k : rests_) sum += energy(k, rest_.state(k));
     return sum;
 }
 // [hybrid.energy]
@@ -450,6 +387,7 @@ void Hybrid::go_on_from(const EventEngine& engine, const Memory& memory)
     for (int k = 0; k < static_cast<int>(hands_.size()); ++k) {
         if (!memory.rests[k]) continue;
         hands_[k] = Hands::rest;
+        rests_.push_back(k);
         lies_[k] = engine.presence(k) == EventEngine::Presence::lies ? 1 : 0;
         any_leans_ = any_leans_ || !lies_[k];
     }

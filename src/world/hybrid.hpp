@@ -7,6 +7,7 @@
 
 #include "events/event_engine.hpp"
 #include "rest/rest_engine.hpp"
+#include "world/box_cells.hpp"
 #include "world/report.hpp"
 
 namespace flying {
@@ -92,13 +93,6 @@ public:
 private:
     enum class Hands : char { none, events, rest };
 
-    /// Where a body that leans may get before the step ends.
-    struct Reach
-    {
-        Aabb box;
-        int body = -1;
-    };
-
     /// What an impact gave to a body that lay: its state, had nothing else moved it.
     struct Blow
     {
@@ -117,6 +111,7 @@ private:
     void let_go_of_the_clear(EventEngine& engine);
     void follow_sleep(EventEngine& engine);
     void watch();
+    void find_islands();
     [[nodiscard]] bool comes_near(const EventEngine& engine, int body) const;
     [[nodiscard]] bool has_leaning_near(const Aabb& box, const std::vector<char>* but) const;
     [[nodiscard]] double energy(int body, const BodyState& state) const;
@@ -132,9 +127,10 @@ private:
     std::vector<char> clear_;      // steps in a row after which a body was clear, no more than counts
     double step_ends_ = 0.0;       // the present step, where some body leans [s]
     bool any_leans_ = false;
-    std::vector<Reach> reaches_;   // by their left ends
-    double widest_ = 0.0;          // of their boxes [m]
-    std::vector<int> island_;      // workspace
+    std::vector<int> rests_;       // bodies that the resting integrator has, ascending
+    BoxCells reaches_;             // where those that lean may get before the step ends
+    BoxCells near_;                // workspace: where those that rest may get within a whole step
+    std::vector<int> island_;      // of each body that rests: the lowest that it may be connected to
     std::vector<Change> changes_;
     double energy_of_steps_ = 0.0;
     double energy_of_blows_ = 0.0;

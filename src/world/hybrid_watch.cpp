@@ -1,0 +1,93 @@
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "motion/flight.hpp"
+#include "world/hybrid.hpp"
+
+namespace flying {
+namespace {
+
+/// [radii] Room about a body's circle, against rounding and the tolerance of touching.
+constexpr double k_room = 0x1p-10;
+/// [radii] Room about the way of a body in a step, within which the resting integrator watches for contacts.
+constexpr double k_near = 0x1p-6;
+
+} // namespace
+
+// [hybrid.watch]
+/// Find where those that lean, and those that they may wake, can get before the step ends.
+void Hybrid::watch()
+{
+    find_islands();
+    std::vector<double> top(hands_.size(), 0.0);
+    std::vector<char> is_awake(hands_.size(), 0);
+    for (const int k : rests_) {
+        top[island_[k]] = std::max(top[island_[k]], rest_.state(k).velocity.norm());
+        if (!rest_.is_asleep(k)) is_awake[island_[k]] = 1;
+    }
+    std::vector<BoxCells::Entry> reaches;
+    const double left = step_ends_ - rest_.time();
+    const double fall = setting_.gravity.norm() * left;
+    for (const int k : rests_) {
+        if (!is_awake[island_[k]]) continue;
+
+        // A blow gives it no more than twice the speed of what strikes it
+        const double way = left * (2.0 * top[island_[k]] + fall) + (1.0 + k_room) * radius_[k];
+        const Vec2 x = rest_.state(k).position;
+        reaches.push_back({{x - Vec2(way, way), x + Vec2(way, way)}, k});
+    }
+    reaches_.sort(std::move(reaches));
+}
+
+/// Join those that rest, awake or asleep, whose ways within a step come together.
+void Hybrid::find_islands()
+{
+    island_.resize(hands_.size());
+    std::vector<BoxCells::Entry> boxes;
+    for (const int k : rests_) {
+        island_[k] = k;
+        const RestBody& body = rest_.bodies()[k];
+        const double speed = body.state.velocity.norm() + std::abs(body.state.spin) * radius_[k];
+        const double way = setting_.step * (speed + setting_.step * setting_.gravity.norm()) + k_near * radius_[k];
+        const Aabb box = bounding_box(body.shape, pose_of(body.state));
+        boxes.push_back({{box.min - Vec2(way, way), box.max + Vec2(way, way)}, k});
+    }
+    near_.sort(std::move(boxes));
+    const auto root = [&](int k) {
+        while (island_[k] != k) k = island_[k] = island_[island_[k]];
+        return k;
+    };
+    for (const BoxCells::Entry& one : near_.entries()) {
+        near_.visit_all_at(one.box, [&](const BoxCells::Entry& two) {
+            const int p = root(one.body);
+            const int q = root(two.body);
+            island_[std::max(p, q)] = std::min(p, q);
+            return true;
+        });
+    }
+    for (const int k : rests_) island_[k] = root(k);
+}
+
+/// Some body that leans, other than those marked, may get into the box.
+bool Hybrid::has_leaning_near(const Aabb& box, const std::vector<char>* but) const
+{
+    return !reaches_.visit_all_at(box, [&](const BoxCells::Entry& reach) { return but && (*but)[reach.body]; });
+}
+
+/// A flight leads, before the step ends, to where a body that leans may be.
+bool Hybrid::comes_near(const EventEngine& engine, int body) const
+{
+    const Flyer flyer = engine.flyer(body);
+    const BodyState& last = flyer.state;
+    const double from = engine.time();
+    const Vec2 start = position_after(last.position, last.velocity, setting_.gravity, from - last.time);
+    const Vec2 end = position_after(last.position, last.velocity, setting_.gravity, step_ends_ - last.time);
+    const double left = step_ends_ - from;
+    const double bow = 0.125 * left * left * setting_.gravity.norm();
+    const double room = (1.0 + k_room) * radius_[body] + bow;
+    return has_leaning_near({start.cwiseMin(end) - Vec2(room, room), start.cwiseMax(end) + Vec2(room, room)}, nullptr);
+}
+// [hybrid.watch]
+
+} // namespace flying
