@@ -47,8 +47,8 @@ struct MarchBounds
 [[nodiscard]] inline bool touches(const EdgeReading& now, const MarchBounds& bounds)
 {
     const double slack = bounds.tolerance.touch;
-    const bool is_at_line = now.gap <= slack && now.gap >= -lowest_touch(now, bounds);
-    return is_at_line && now.along >= -slack && now.along <= bounds.length + slack;
+    if (now.gap > slack || now.along < -slack || now.along > bounds.length + slack) return false;
+    return now.gap >= -slack || now.gap >= -lowest_touch(now, bounds);
 }
 // [toi.touches]
 
@@ -73,10 +73,13 @@ struct MarchBounds
     const double slack = bounds.tolerance.touch;
     double step = 0.0;
     // [toi.certain-step.height]
-    const double below = -lowest_touch(now, bounds) - now.gap;
-    if (now.gap > 0.0) step = safe_step(now.gap, now.gap_rate, bounds.bend);
-    else if (below > 0.0) step = safe_step(below, -now.gap_rate, bounds.bend);
-    else if (now.gap_rate > 0.0) step = safe_step(0.0, now.gap_rate, bounds.bend);
+    if (now.gap > 0.0) {
+        step = safe_step(now.gap, now.gap_rate, bounds.bend);
+    } else {
+        const double below = -lowest_touch(now, bounds) - now.gap;
+        if (below > 0.0) step = safe_step(below, -now.gap_rate, bounds.bend);
+        else if (now.gap_rate > 0.0) step = safe_step(0.0, now.gap_rate, bounds.bend);
+    }
     // [toi.certain-step.height]
 
     // [toi.certain-step.ends]
