@@ -241,9 +241,10 @@ void Hybrid::take_in_all_near(EventEngine& engine)
     any_leans_ = std::any_of(rests_.begin(), rests_.end(), [&](int k) { return leans(k); });
     if (!any_leans_) return;
     int halvings = halvings_for(engine, {});
+    find_islands();
     while (true) {
         step_ends_ = next_end(rest_.time(), halvings);
-        watch();
+        find_reaches();
         std::vector<int> near;
         for (int k = 0; k < static_cast<int>(hands_.size()); ++k) {
             if (hands_[k] == Hands::events && comes_near(engine, k)) near.push_back(k);
@@ -259,6 +260,7 @@ void Hybrid::take_in_all_near(EventEngine& engine)
         Change change;
         change.why = Change::Why::near;
         take_in(engine, near, change);
+        add_to_islands(near);
     }
 }
 // [hybrid.take]
@@ -279,7 +281,8 @@ void Hybrid::let_go_of_the_clear(EventEngine& engine)
 
     // Whoever would be taken in again by one that stays, stays
     step_ends_ = next_end(rest_.time(), 0);
-    watch();
+    find_islands();
+    find_reaches();
     std::vector<int> going;
     for (bool changed = true; changed;) {
         changed = false;
@@ -393,7 +396,8 @@ void Hybrid::go_on_from(const EventEngine& engine, const Memory& memory)
     }
     if (!any_leans_) return;
     step_ends_ = memory.step_ends;
-    watch();
+    find_islands();
+    find_reaches();
 }
 // [hybrid.memory]
 

@@ -110,8 +110,12 @@ private:
     void take_in_all_near(EventEngine& engine);
     void let_go_of_the_clear(EventEngine& engine);
     void follow_sleep(EventEngine& engine);
-    void watch();
+    void find_reaches();
     void find_islands();
+    void add_to_islands(const std::vector<int>& bodies);
+    [[nodiscard]] int island_of(int k);
+    void join_islands(int one, int two);
+    [[nodiscard]] Aabb way_of(int k) const;
     [[nodiscard]] bool comes_near(const EventEngine& engine, int body) const;
     [[nodiscard]] bool has_leaning_near(const Aabb& box, const std::vector<char>* but) const;
     [[nodiscard]] double energy(int body, const BodyState& state) const;
@@ -129,8 +133,9 @@ private:
     bool any_leans_ = false;
     std::vector<int> rests_;       // bodies that the resting integrator has, ascending
     BoxCells reaches_;             // where those that lean may get before the step ends
-    BoxCells near_;                // workspace: where those that rest may get within a whole step
-    std::vector<int> island_;      // of each body that rests: the lowest that it may be connected to
+    BoxCells ways_;                // where those that rest may get within a whole step
+    std::vector<BoxCells::Entry> late_ways_; // the same, of those that have come since
+    std::vector<int> island_;      // of each body that rests: towards the lowest that it may be connected to
     std::vector<Change> changes_;
     double energy_of_steps_ = 0.0;
     double energy_of_blows_ = 0.0;

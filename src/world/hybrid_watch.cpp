@@ -17,23 +17,24 @@ constexpr double k_near = 0x1p-6;
 
 // [hybrid.watch]
 /// Find where those that lean, and those that they may wake, can get before the step ends.
-void Hybrid::watch()
+void Hybrid::find_reaches()
 {
-    find_islands();
     std::vector<double> top(hands_.size(), 0.0);
     std::vector<char> is_awake(hands_.size(), 0);
     for (const int k : rests_) {
-        top[island_[k]] = std::max(top[island_[k]], rest_.state(k).velocity.norm());
-        if (!rest_.is_asleep(k)) is_awake[island_[k]] = 1;
+        const int island = island_of(k);
+        top[island] = std::max(top[island], rest_.state(k).velocity.norm());
+        if (!rest_.is_asleep(k)) is_awake[island] = 1;
     }
     std::vector<BoxCells::Entry> reaches;
     const double left = step_ends_ - rest_.time();
     const double fall = setting_.gravity.norm() * left;
     for (const int k : rests_) {
-        if (!is_awake[island_[k]]) continue;
+        const int island = island_of(k);
+        if (!is_awake[island]) continue;
 
         // A blow gives it no more than twice the speed of what strikes it
-        const double way = left * (2.0 * top[island_[k]] + fall) + (1.0 + k_room) * radius_[k];
+        const double way = left * (2.0 * top[island] + fall) + (1.0 + k_room) * radius_[k];
         const Vec2 x = rest_.state(k).position;
         reaches.push_back({{x - Vec2(way, way), x + Vec2(way, way)}, k});
     }
@@ -47,26 +48,62 @@ void Hybrid::find_islands()
     std::vector<BoxCells::Entry> boxes;
     for (const int k : rests_) {
         island_[k] = k;
-        const RestBody& body = rest_.bodies()[k];
-        const double speed = body.state.velocity.norm() + std::abs(body.state.spin) * radius_[k];
-        const double way = setting_.step * (speed + setting_.step * setting_.gravity.norm()) + k_near * radius_[k];
-        const Aabb box = bounding_box(body.shape, pose_of(body.state));
-        boxes.push_back({{box.min - Vec2(way, way), box.max + Vec2(way, way)}, k});
+        boxes.push_back({way_of(k), k});
     }
-    near_.sort(std::move(boxes));
-    const auto root = [&](int k) {
-        while (island_[k] != k) k = island_[k] = island_[island_[k]];
-        return k;
-    };
-    for (const BoxCells::Entry& one : near_.entries()) {
-        near_.visit_all_at(one.box, [&](const BoxCells::Entry& two) {
-            const int p = root(one.body);
-            const int q = root(two.body);
-            island_[std::max(p, q)] = std::min(p, q);
+    ways_.sort(std::move(boxes));
+    late_ways_.clear();
+    for (const BoxCells::Entry& one : ways_.entries()) {
+        ways_.visit_all_at(one.box, [&](const BoxCells::Entry& two) {
+            if (two.body < one.body) join_islands(one.body, two.body);
             return true;
         });
     }
-    for (const int k : rests_) island_[k] = root(k);
+}
+
+/// The same for some who have come since the islands were found.
+void Hybrid::add_to_islands(const std::vector<int>& bodies)
+{
+    constexpr std::size_t k_few = 64; // more are better sorted into cells
+    if (late_ways_.size() + bodies.size() > k_few) {
+        find_islands();
+        return;
+    }
+    for (const int k : bodies) {
+        island_[k] = k;
+        const BoxCells::Entry one{way_of(k), k};
+        ways_.visit_all_at(one.box, [&](const BoxCells::Entry& two) {
+            join_islands(k, two.body);
+            return true;
+        });
+        for (const BoxCells::Entry& two : late_ways_) {
+            if (overlap(one.box, two.box)) join_islands(k, two.body);
+        }
+        late_ways_.push_back(one);
+    }
+}
+
+int Hybrid::island_of(int k)
+{
+    while (island_[k] != k) k = island_[k] = island_[island_[k]];
+    return k;
+}
+
+void Hybrid::join_islands(int one, int two)
+{
+    const int p = island_of(one);
+    const int q = island_of(two);
+    island_[std::max(p, q)] = std::min(p, q);
+}
+
+/// Where a body that rests may get within a whole step, as it moves now.
+Aabb Hybrid::way_of(int k) const
+{
+    const RestBody& body = rest_.bodies()[k];
+    const double speed = body.state.velocity.norm() + std::abs(body.state.spin) * radius_[k];
+    const double way = setting_.step * (speed + setting_.step * setting_.gravity.norm()) + k_near * radius_[k];
+    const bool is_disc = std::holds_alternative<Disc>(body.shape); // which looks the same from everywhere
+    const Aabb box = bounding_box(body.shape, is_disc ? Pose{body.state.position, {}} : pose_of(body.state));
+    return {box.min - Vec2(way, way), box.max + Vec2(way, way)};
 }
 
 /// Some body that leans, other than those marked, may get into the box.
