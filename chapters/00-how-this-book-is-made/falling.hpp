@@ -13,7 +13,7 @@ namespace flying {
 // [made.fall_distance]
 
 // [made.fall_by_steps]
-/// The same by equal steps: in each, the body moves at the speed that it had when the step began.   [m]
+/// The same by equal steps: in each, the body moves at the speed of the step's start.   [m]
 /// steps  1 or more
 [[nodiscard]] inline double fall_by_steps(double g, double t, int steps)
 {

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <random>
 
 #include "falling.hpp"
@@ -22,6 +23,17 @@ TEST_CASE("a body falls by half of g t squared")
 }
 // [made.tests.fall]
 
+// [made.tests.loose]
+TEST_CASE("a bound of a tenth takes twelve steps for the closed form")
+{
+    const double s = fall_distance(9.81, 2.0);
+    const double error = std::abs(fall_by_steps(9.81, 2.0, 12) - s) / s;
+    CHECK(error < 0.1);
+    CHECK_FALSE(error < 1e-15);
+    RECORD_VALUE("made.loose", error);
+}
+// [made.tests.loose]
+
 // [made.tests.steps]
 TEST_CASE("n steps fall short by one part in n")
 {
@@ -31,7 +43,8 @@ TEST_CASE("n steps fall short by one part in n")
 
         // Rounding gathers over the n additions: n units in the last place at most
         const double bound = 1e-15 * n;
-        CHECK_EQUATION_SCALED("made.short_by", whole - by_steps, whole / n, whole, bound, {"s", whole}, {"n", n});
+        CHECK_EQUATION_SCALED("made.short_by", whole - by_steps, whole / n, whole, bound,
+                              {"s", whole}, {"n", n});
         CHECK_TWIN_SCALED("made.short_by", whole - by_steps, whole / (n + 1), whole, 1e-12);
     }
 }
