@@ -20,7 +20,7 @@ struct Ink
 };
 
 inline constexpr Ink k_dark{0.20, 0.22, 0.25};
-inline constexpr Ink k_grey{0.60, 0.63, 0.67};
+inline constexpr Ink k_grey{0.42, 0.46, 0.51};
 inline constexpr Ink k_faint{0.83, 0.85, 0.87};
 inline constexpr Ink k_blue{0.12, 0.44, 0.71};
 inline constexpr Ink k_orange{0.80, 0.34, 0.10};
@@ -32,7 +32,7 @@ inline constexpr Ink k_sun{0.93, 0.66, 0.14};
 struct Words
 {
     double along = 0.0;
-    double size = 15.0; ///< [points]
+    double size = 19.0; ///< [points]
 };
 
 class Canvas

@@ -132,7 +132,7 @@ void draw_frames()
     c.arrow(Vec2(0, 0), Vec2(0, 2.8));
     c.words(Vec2(5.2, 0), "x", Vec2(6, 0));
     c.words(Vec2(0, 2.8), "y", Vec2(8, 0));
-    c.words(Vec2(0, 0), "the world's frame", Vec2(10, -16), {0.0, 14.0});
+    c.words(Vec2(0, 0), "the world's frame", Vec2(10, -16), {0.0, 18.0});
 
     c.ink(k_blue, 0.16);
     std::vector<Vec2> outline;
@@ -144,7 +144,7 @@ void draw_frames()
     c.line(outline, 1.5);
     c.arrow(pose * Vec2(0, 0), pose * Vec2(1.75, 0), 1.6);
     c.arrow(pose * Vec2(0, 0), pose * Vec2(0, 1.15), 1.6);
-    c.words(pose * Vec2(-1.1, -0.62), "the body's frame", Vec2(-4, -14), {0.0, 14.0});
+    c.words(pose * Vec2(-1.1, -0.62), "the body's frame", Vec2(-4, -14), {0.0, 18.0});
     c.ink(k_grey);
     c.line({body.position, body.position + Vec2(1.5, 0.0)}, 1.2, true);
     c.ink(k_dark);
@@ -157,7 +157,7 @@ void draw_frames()
     c.arrow(body.position, pose * r, 2.6);
     c.dot(pose * r, 4.5);
     c.words(body.position + 0.5 * (pose * r - body.position), "r", Vec2(-13, 8));
-    c.words(pose * r, "a point of the body", Vec2(9, 10), {0.0, 14.0});
+    c.words(pose * r, "a point of the body", Vec2(9, 10), {0.0, 18.0});
 }
 
 void draw_throw()
@@ -187,14 +187,15 @@ void draw_throw()
                 2.2);
     }
     c.ink(k_dark);
-    c.words(place(0.0), "t = 0", Vec2(6, -18), {0.0, 14.0});
-    c.words(place(1.25), "at the top: 6.25 m, after 1.25 s", Vec2(0, 20), {0.5, 14.0});
-    c.words(place(2.5), "2.5 s", Vec2(-6, -18), {1.0, 14.0});
+    c.words(place(0.0), "t = 0", Vec2(6, -18), {0.0, 18.0});
+    c.words(place(1.25), "at the top: 6.25 m, after 1.25 s", Vec2(0, 20), {0.5, 18.0});
+    c.words(place(2.5), "2.5 s", Vec2(-6, -18), {1.0, 18.0});
     c.ink(k_orange);
-    c.words(place(0.0), "(3, 10) m/s", Vec2(36, 34), {0.0, 14.0});
-    c.words(place(2.5), "(3, -10) m/s", Vec2(4, -42), {1.0, 14.0});
+    c.words(place(0.0), "(3, 10) m/s", Vec2(36, 34), {0.0, 18.0});
+    c.words(place(2.5), "(3, −10) m/s", Vec2(-6, -42), {1.0, 18.0});
     c.ink(k_grey);
-    c.words(Vec2(3.75, 0.75 * 2.4), "3.75 m from the start", Vec2(8, 0), {0.0, 13.0});
+    c.words(Vec2(3.75, 0.75 * 2.4), "3.75 m from", Vec2(-8, 12), {1.0, 17.0});
+    c.words(Vec2(3.75, 0.75 * 2.4), "the start", Vec2(-8, -10), {1.0, 17.0});
 }
 
 /// The way of a disc between two walls, and the straight line that it is when the room is
@@ -234,9 +235,9 @@ void draw_fold()
     c.ink(k_grey);
     c.dot(disc.position + t_end * disc.velocity, 6.0);
     c.ink(k_dark);
-    c.words(Vec2(0.5 * L, 0), "the room", Vec2(0, -18), {0.5, 14.0});
-    c.words(Vec2(1.5 * L, 0), "its mirror image", Vec2(0, -18), {0.5, 14.0});
-    c.words(Vec2(2.5 * L, 0), "and the image's image", Vec2(0, -18), {0.5, 14.0});
+    c.words(Vec2(0.5 * L, 0), "the room", Vec2(0, -18), {0.5, 18.0});
+    c.words(Vec2(1.5 * L, 0), "its mirror image", Vec2(0, -18), {0.5, 18.0});
+    c.words(Vec2(2.5 * L, 0), "and the image's image", Vec2(0, -18), {0.5, 18.0});
 }
 
 // ---- Steps
@@ -269,7 +270,7 @@ void draw_one_step()
                 panel == 0   ? "explicit Euler"
                 : panel == 1 ? "symplectic Euler"
                              : "Verlet",
-                Vec2(0, 0), {0.5, 15.0});
+                Vec2(0, 0), {0.5, 19.0});
     }
 }
 
@@ -299,13 +300,13 @@ void draw_spiral()
     c.ink(k_sun);
     c.dot(Vec2(0, 0), 9.0);
     c.ink(k_blue);
-    c.words(Vec2(-0.9, 0.0), "closed form", Vec2(0, 0), {0.5, 14.0});
+    c.words(Vec2(-0.9, 0.0), "closed form", Vec2(0, 0), {0.5, 18.0});
     c.ink(k_orange);
-    c.words(Vec2(1.75, 1.55), "explicit Euler", Vec2(0, 0), {0.0, 14.0});
-    c.words(Vec2(1.75, 1.55), "three periods", Vec2(0, -17), {0.0, 13.0});
+    c.words(Vec2(1.75, 1.55), "explicit Euler", Vec2(0, 0), {0.0, 18.0});
+    c.words(Vec2(1.75, 1.55), "three periods", Vec2(0, -17), {0.0, 17.0});
     c.ink(k_violet);
-    c.words(Vec2(1.1, -1.25), "symplectic Euler", Vec2(0, 0), {0.0, 14.0});
-    c.words(Vec2(1.1, -1.25), "twenty-four periods", Vec2(0, -17), {0.0, 13.0});
+    c.words(Vec2(1.1, -1.25), "symplectic Euler", Vec2(0, 0), {0.0, 18.0});
+    c.words(Vec2(1.1, -1.25), "twenty-four periods", Vec2(0, -17), {0.0, 17.0});
 }
 
 void record_orbits()
@@ -331,7 +332,7 @@ void record_orbits()
 /// Miss over steps, both by powers of ten.
 void draw_orders()
 {
-    Canvas c(file("orders.svg"), 620, 400, Vec2(-0.6, -0.7), 44.0);
+    Canvas c(file("orders.svg"), 620, 408, Vec2(-1.1, -0.75), 43.0);
     const auto place = [](double n, double miss) {
         return Vec2(3.3 * (std::log10(n) - 2.0) + 0.2, 0.72 * (std::log10(miss) + 10.5));
     };
@@ -339,15 +340,15 @@ void draw_orders()
         c.ink(k_faint);
         c.line({place(std::pow(10, k), 1e-10), place(std::pow(10, k), 3.0)}, 1.0);
         c.ink(k_dark);
-        c.words(place(std::pow(10, k), 1e-10), "10", Vec2(-4, -16), {0.5, 13.0});
-        c.words(place(std::pow(10, k), 1e-10), std::to_string(k), Vec2(8, -10), {0.5, 9.5});
+        c.words(place(std::pow(10, k), 1e-10), "10", Vec2(-7, -19), {0.5, 17.0});
+        c.words(place(std::pow(10, k), 1e-10), std::to_string(k), Vec2(9, -11), {0.5, 13.0});
     }
     for (int k = -10; k <= 0; k += 2) {
         c.ink(k_faint);
         c.line({place(100, std::pow(10, k)), place(1e5, std::pow(10, k))}, 1.0);
         c.ink(k_dark);
-        c.words(place(100, std::pow(10, k)), "10", Vec2(-24, 0), {0.5, 13.0});
-        c.words(place(100, std::pow(10, k)), std::to_string(k), Vec2(-9, 6), {0.5, 9.5});
+        c.words(place(100, std::pow(10, k)), "10", Vec2(-25, 0), {1.0, 17.0});
+        c.words(place(100, std::pow(10, k)), (k < 0 ? "−" : "") + std::to_string(std::abs(k)), Vec2(-24, 8), {0.0, 13.0});
     }
     const double t = 0.75 * k_orbit.period();
     const auto draw = [&](const auto& step, const Ink& ink, const std::string& name,
@@ -364,15 +365,15 @@ void draw_orders()
         c.ink(ink);
         c.line(points, 2.2);
         for (const Vec2& p : points) c.dot(p, 3.6);
-        c.words(place(1e5, miss), name, Vec2(10, 7), {0.0, 14.0});
-        c.words(place(1e5, miss), slope, Vec2(10, -10), {0.0, 12.5});
+        c.words(place(1e5, miss), name, Vec2(10, 7), {0.0, 18.0});
+        c.words(place(1e5, miss), slope, Vec2(10, -12), {0.0, 15.0});
     };
     draw(k_euler, k_orange, "Euler", "slope 1");
     draw(k_symplectic, k_violet, "symplectic", "slope 1");
     draw(k_verlet, k_blue, "Verlet", "slope 2");
     c.ink(k_dark);
-    c.words(place(1e5, 1e-10), "steps", Vec2(24, -14), {0.0, 14.0});
-    c.words(place(100, 3.0), "miss, in half axes", Vec2(-20, 12), {0.0, 14.0});
+    c.words(place(1e5, 1e-10), "steps", Vec2(24, -19), {0.0, 18.0});
+    c.words(place(100, 3.0), "miss, in half axes", Vec2(-20, 12), {0.0, 18.0});
 }
 
 /// Two equal bodies that circle each other, moved one after the other: their middle doesn't
@@ -407,7 +408,7 @@ void draw_order()
         c.ink(k_dark);
         c.words(Vec2(shift.x(), -0.9),
                 panel == 0 ? "ask all, then move all" : "move each as it is asked",
-                Vec2(0, 0), {0.5, 15.0});
+                Vec2(0, 0), {0.5, 19.0});
     }
 }
 

@@ -34,7 +34,7 @@ inline void draw_anomaly(const std::string& path)
     c.line({centre, outer(E)}, 1.4);
     c.line({outer(E), Vec2(std::cos(E), 0)}, 1.0, true);
     c.arc(centre, 36, 0.0, E);
-    c.words(centre, "E", Vec2(24, 15));
+    c.words(centre, "E", Vec2(42, 22));
     c.ink(k_orange);
     c.line({sun, ellipse(E)}, 2.2);
     c.words(0.5 * (sun + ellipse(E)), "r", Vec2(8, 4));
@@ -44,17 +44,17 @@ inline void draw_anomaly(const std::string& path)
     c.dot(sun, 9.0);
     c.ink(k_blue);
     c.dot(ellipse(E), 6.0);
-    c.words(ellipse(E), "the body", Vec2(12, 4), {0.0, 14.0});
+    c.words(ellipse(E), "the body", Vec2(34, 26), {0.0, 18.0});
     c.ink(k_dark);
     c.dot(centre, 3.5);
     c.dot(outer(E), 3.5);
-    c.words(centre, "middle", Vec2(0, -15), {0.5, 14.0});
-    c.words(sun, "centre", Vec2(4, -20), {0.5, 14.0});
-    c.words(Vec2(-0.5, 0), "a", Vec2(0, 11), {0.5, 15.0});
-    c.words(Vec2(0.5 * ecc, 0), "ε a", Vec2(6, -13), {0.5, 13.0});
+    c.words(centre, "middle", Vec2(0, -15), {0.5, 18.0});
+    c.words(sun, "centre", Vec2(4, -20), {0.5, 18.0});
+    c.words(Vec2(-0.5, 0), "a", Vec2(0, 11), {0.5, 19.0});
+    c.words(Vec2(0.5 * ecc, 0), "ε a", Vec2(6, -13), {0.5, 17.0});
     c.ink(k_grey);
-    c.words(outer(2.45), "the circle", Vec2(-16, 20), {1.0, 13.0});
-    c.words(outer(2.45), "round the ellipse", Vec2(-16, 4), {1.0, 13.0});
+    c.words(outer(2.45), "the circle", Vec2(-16, 20), {1.0, 17.0});
+    c.words(outer(2.45), "round the ellipse", Vec2(-16, 4), {1.0, 17.0});
 }
 
 inline void draw_conics(const std::string& path)
@@ -90,14 +90,14 @@ inline void draw_conics(const std::string& path)
         c.dot(Vec2(0.0, -low), 3.2);
     }
     c.line({Vec2(0, -1.25), Vec2(0, -0.12)}, 1.6);
-    c.words(Vec2(0, -1.25), "a fall", Vec2(-9, 8), {1.0, 14.0});
+    c.words(Vec2(0, -1.25), "a fall", Vec2(-9, 8), {1.0, 18.0});
     c.ink(k_green);
-    c.words(Vec2(-0.9, 0.0), "circle, ε = 0", Vec2(-8, 0), {1.0, 14.0});
+    c.words(Vec2(-0.9, 0.0), "circle, ε = 0", Vec2(-8, 0), {1.0, 18.0});
     c.ink(k_blue);
-    c.words(Vec2(-3.3, 0.0), "ellipse, ε = 0.6", Vec2(0, 0), {0.0, 14.0});
+    c.words(Vec2(-3.2, 0.0), "ellipse, ε = 0.6", Vec2(0, 44), {0.0, 18.0});
     c.ink(k_violet);
-    c.words(Vec2(0.72, 1.2), "hyperbola,", Vec2(12, 12), {0.0, 14.0});
-    c.words(Vec2(0.72, 1.2), "ε = 1.6", Vec2(12, -6), {0.0, 14.0});
+    c.words(Vec2(0.72, 1.2), "hyperbola,", Vec2(12, 12), {0.0, 18.0});
+    c.words(Vec2(0.72, 1.2), "ε = 1.6", Vec2(12, -6), {0.0, 18.0});
 }
 
 } // namespace flying::board

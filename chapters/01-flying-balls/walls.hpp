@@ -52,6 +52,28 @@ using Walls = std::array<Wall, 4>;
 }
 // [walls.reflect]
 
+// [walls.next]
+/// A wall that is going to be met.
+struct Meeting
+{
+    double wait = std::numeric_limits<double>::infinity(); ///< [s]
+    Vec2 normal = Vec2::Zero();                            ///< of the wall
+};
+
+/// The wall that a disc meets first.
+[[nodiscard]] inline Meeting next_wall(const BodyState& disc, const Walls& walls, const Vec2& g)
+{
+    Meeting next;
+    for (const Wall& wall : walls) {
+        const double d = std::max(0.0, wall.normal.dot(disc.position) - wall.offset);
+        const double u = -wall.normal.dot(disc.velocity);
+        const double t = time_to_cover(d, u, -wall.normal.dot(g));
+        if (t < next.wait) next = {t, wall.normal};
+    }
+    return next;
+}
+// [walls.next]
+
 // [walls.fly]
 /// The disc at a later time, after as many walls as come in its way. Not for one that lies
 /// still.
@@ -59,23 +81,12 @@ using Walls = std::array<Wall, 4>;
                                            const Vec2& g, double time)
 {
     for (;;) {
-        // Find the wall that comes first
-        double soonest = std::numeric_limits<double>::infinity();
-        Vec2 n = Vec2::Zero();
-        for (const Wall& wall : walls) {
-            const double d = std::max(0.0, wall.normal.dot(disc.position) - wall.offset);
-            const double u = -wall.normal.dot(disc.velocity);
-            const double t = time_to_cover(d, u, -wall.normal.dot(g));
-            if (t < soonest) {
-                soonest = t;
-                n = wall.normal;
-            }
-        }
-        if (!(disc.time + soonest <= time)) return flight(disc, g, time);
+        const Meeting next = next_wall(disc, walls, g);
+        if (!(disc.time + next.wait <= time)) return flight(disc, g, time);
 
         // Fly there and turn round
-        disc = flight(disc, g, disc.time + soonest);
-        disc.velocity = reflected(disc.velocity, n);
+        disc = flight(disc, g, disc.time + next.wait);
+        disc.velocity = reflected(disc.velocity, next.normal);
     }
 }
 // [walls.fly]

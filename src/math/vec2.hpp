@@ -11,13 +11,19 @@ using Vec2 = Eigen::Vector2d;
 // [math.vec2]
 
 // [math.cross]
-/// z component of a x b: positive where b lies counter-clockwise of a.   [product of the units]
-[[nodiscard]] inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+/// z component of a x b: positive where b lies counter-clockwise of a. [product of units]
+[[nodiscard]] inline double cross(const Vec2& a, const Vec2& b)
+{
+    return a.x() * b.y() - a.y() * b.x();
+}
 
 /// omega x r, the velocity of a point at r on a body that turns at omega.
 /// omega  angular velocity, counter-clockwise positive  [rad/s]
 /// r      from the axis to the point           [m]
-[[nodiscard]] inline Vec2 cross(double omega, const Vec2& r) { return Vec2(-omega * r.y(), omega * r.x()); }
+[[nodiscard]] inline Vec2 cross(double omega, const Vec2& r)
+{
+    return Vec2(-omega * r.y(), omega * r.x());
+}
 // [math.cross]
 
 // [math.perp]

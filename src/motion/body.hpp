@@ -37,7 +37,10 @@ struct Material
 
 // [motion.velocity_at]
 /// Velocity of the body's point that lies at r from its centre of mass.  [m/s]
-[[nodiscard]] inline Vec2 velocity_at(const BodyState& body, const Vec2& r) { return body.velocity + cross(body.spin, r); }
+[[nodiscard]] inline Vec2 velocity_at(const BodyState& body, const Vec2& r)
+{
+    return body.velocity + cross(body.spin, r);
+}
 // [motion.velocity_at]
 
 // [motion.pose_of]

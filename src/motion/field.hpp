@@ -18,8 +18,9 @@ struct UniformField
     Vec2 gravity = Vec2::Zero(); ///< [m/s^2]
 };
 
-/// The pull of a centre that stays where it is: every body that is not static is accelerated by mu / r^2 towards it. Bodies
-/// don't attract each other. The centre may have a solid core, a static disc.
+/// The pull of a centre that stays where it is: every body that is not static is
+/// accelerated by mu / r^2 towards it. Bodies don't attract each other. The centre may have
+/// a solid core, a static disc.
 struct CentralField
 {
     Vec2 centre = Vec2::Zero(); ///< [m]

@@ -5,16 +5,17 @@
 namespace flying {
 
 // [flight.position]
-/// Where a point is that started at x with velocity v, a time t later, accelerated by g.   [m]
-[[nodiscard]] inline Vec2 position_after(const Vec2& x, const Vec2& v, const Vec2& g, double t)
+/// Where a point is that started at x with velocity v, a time t later, under g.   [m]
+[[nodiscard]] inline Vec2 position_after(const Vec2& x, const Vec2& v, const Vec2& g,
+                                         double t)
 {
     return x + t * (v + (0.5 * t) * g);
 }
 // [flight.position]
 
 // [flight.uniform]
-/// The body at another moment, under a constant acceleration. Closed form: the error is rounding, however
-/// far the step.
+/// The body at another moment, under a constant acceleration. Closed form: the error is
+/// rounding, however far the step.
 ///
 /// body  its state at body.time
 /// g     acceleration, zero where there is no field         [m/s^2]

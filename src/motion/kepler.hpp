@@ -61,9 +61,11 @@ private:
 // [kepler.flight]
 
 // [kepler.declared]
-/// The body at another moment, under the pull of a centre. Its spin stays as it is: the pull acts at the centre of
-/// mass. body  not at the centre; time  any moment [s]
-[[nodiscard]] BodyState flight(const BodyState& body, const CentralField& field, double time);
+/// The body at another moment, under the pull of a centre. Its spin stays as it is: the
+/// pull acts at the centre of mass.
+/// body  not at the centre; time  any moment [s]
+[[nodiscard]] BodyState flight(const BodyState& body, const CentralField& field,
+                               double time);
 
 /// The body at another moment, in any field.
 /// body  one that moves freely: static bodies feel no field; time  any moment [s]
