@@ -138,7 +138,7 @@ void draw_axes(const std::string& folder)
 /// A disc as rings, and a ring with a hole.
 void draw_rings(const std::string& folder)
 {
-    Sketch s(folder + "/rings.svg", 540, 250);
+    Sketch s(folder + "/rings.svg", 540, 262);
     const Vec2 c(135, 122);
     for (int k = 6; k >= 1; --k) s.disc(c, 17.0 * k, pale(k_blue, k == 5 ? 0.0 : 0.10), pale(k_blue, 0.6), 1.0);
     s.ring(c, 68.0, 85.0, pale(k_rust, 0.6), k_rust, 1.4);

@@ -5,7 +5,8 @@ namespace flying {
 // [rectangle.pieces]
 /// Moment of inertia of a plate about its centre, each of n x n equal pieces
 /// taken for a point.   [kg m^2]
-[[nodiscard]] inline double inertia_by_pieces(double mass, double width, double height, int n)
+[[nodiscard]] inline double inertia_by_pieces(double mass, double width, double height,
+                                              int n)
 {
     const double piece = mass / n / n;
     double sum = 0.0;

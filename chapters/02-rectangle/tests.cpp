@@ -91,7 +91,8 @@ TEST_CASE("four quarters, each moved by parallel axes, make the rectangle")
         const MassProperties quarter = rectangle_mass(0.5 * width, 0.5 * height, 3.0);
         const double distance = 0.25 * std::hypot(width, height);
         const double together = 4.0 * about_parallel_axis(quarter, distance);
-        CHECK(relative(together, rectangle_mass(width, height, 3.0).moment_of_inertia) < 1e-15);
+        CHECK(relative(together, rectangle_mass(width, height, 3.0).moment_of_inertia) <
+              1e-15);
     }
 }
 // [rectangle.tests.quarters]

@@ -30,15 +30,16 @@ TEST_CASE("a rectangle has a twelfth of its mass times the squares of its sides"
         const double h = any(random);
         const double rho = any(random);
         const MassProperties plate = rectangle_mass(w, h, rho);
-
         // Seven roundings at most on either side, each half a unit in the last place
         const double m = rho * w * h;
-        CHECK_EQUATION("rectangle.mass", plate.mass, m, 1e-15, {"\\rho", rho}, {"w", w}, {"h", h});
+        CHECK_EQUATION("rectangle.mass", plate.mass, m, 1e-15, {"\\rho", rho}, {"w", w},
+                       {"h", h});
         CHECK_TWIN("rectangle.mass", plate.mass, 2.0 * m, 1e-15);
-        const double inertia = plate.moment_of_inertia;
-        CHECK_EQUATION("rectangle.inertia", inertia, m / 12 * (w * w + h * h), 1e-15, {"m", m}, {"w", w}, {"h", h});
+        const double I = plate.moment_of_inertia;
+        CHECK_EQUATION("rectangle.inertia", I, m / 12 * (w * w + h * h), 1e-15, {"m", m},
+                       {"w", w}, {"h", h});
         const double slip = m / 12 * (w * w + h * h * h);
-        CHECK_TWIN("rectangle.inertia", inertia, slip, 1e-15);
+        CHECK_TWIN("rectangle.inertia", I, slip, 1e-15);
     }
 }
 // [rectangle.tests.inertia]
@@ -118,17 +119,16 @@ TEST_CASE("an axis moved aside adds the mass times the distance squared")
         const double h = any(random);
         const double d = any(random);
         const MassProperties plate = rectangle_mass(w, h, 1.0);
-
         // The oracle knows nothing of the theorem
         const double far = 2 * about_corner(d + w / 2, h / 2);
         const double across = 2 * about_corner(std::abs(d - w / 2), h / 2);
         const double near = d >= w / 2 ? across : -across;
-
         // Far and near may differ by little: the rounding counts with the larger
         const double moved = about_parallel_axis(plate, d);
-        CHECK_EQUATION_SCALED("rectangle.parallel", moved, far - near, far, 2e-15);
-        const double twice = plate.moment_of_inertia + 2 * plate.mass * d * d;
-        CHECK_TWIN_SCALED("rectangle.parallel", moved, twice, far, 2e-15);
+        const auto [m, I] = plate;
+        CHECK_EQUATION_SCALED("rectangle.parallel", moved, far - near, far, 2e-15, {"I", I},
+                              {"m", m}, {"d", d});
+        CHECK_TWIN_SCALED("rectangle.parallel", moved, I + 2 * m * d * d, far, 2e-15);
     }
 }
 // [rectangle.tests.parallel]
@@ -146,13 +146,14 @@ TEST_CASE("what the finger's work gives is the motion of the mass that it feels"
         // A mass pushed freely comes as far as the finger does
         const double way = d * angle_turned(inertia, force * d, time);
         const double free_mass = force * time * time / (2 * way);
-        CHECK_EQUATION("rectangle.felt", mass_felt(inertia, d), free_mass, 3e-15);
+        CHECK_EQUATION("rectangle.felt", mass_felt(inertia, d), free_mass, 3e-15,
+                       {"I_A", inertia}, {"d", d});
         CHECK_TWIN("rectangle.felt", mass_felt(inertia, d), 2 * free_mass, 3e-15);
 
         const double turned = angle_turned(inertia, force * d, time);
         const double closed = force * d * time * time / (2 * inertia);
-        CHECK_EQUATION("rectangle.turned", turned, closed, 2e-15, {"F", force}, {"d", d}, {"t", time},
-                       {"I_A", inertia});
+        CHECK_EQUATION("rectangle.turned", turned, closed, 2e-15, {"F", force}, {"d", d},
+                       {"t", time}, {"I_A", inertia});
         CHECK_TWIN("rectangle.turned", turned, force * d * time * time / inertia, 2e-15);
     }
 }

@@ -21,7 +21,7 @@ struct Tone
 };
 
 inline constexpr Tone k_ink{0x2c2d38, 1.0};
-inline constexpr Tone k_soft{0x8d949c, 1.0};
+inline constexpr Tone k_soft{0x69717a, 1.0};
 inline constexpr Tone k_rust{0xc8501e, 1.0};
 inline constexpr Tone k_teal{0x22737a, 1.0};
 inline constexpr Tone k_ochre{0xd9982a, 1.0};
