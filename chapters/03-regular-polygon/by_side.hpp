@@ -10,7 +10,8 @@ namespace flying {
 
 // [regular.by-side]
 /// Mass and moment of inertia of n triangles on sides of length l.
-[[nodiscard]] inline MassProperties polygon_by_side(int sides, double l, double cot, double density)
+[[nodiscard]] inline MassProperties polygon_by_side(int sides, double l, double cot,
+                                                    double density)
 {
     const double m = density * sides * (l * l) * cot / 4.0;
     return {m, m * (l * l) / 24.0 * (1.0 + 3.0 * cot * cot)};
@@ -19,7 +20,8 @@ namespace flying {
 
 // [regular.cotangent]
 /// A regular polygon through the length of its side and the cotangent.
-[[nodiscard]] inline MassProperties polygon_by_cotangent(int sides, double radius, double density)
+[[nodiscard]] inline MassProperties polygon_by_cotangent(int sides, double radius,
+                                                         double density)
 {
     const SineCosine half = sine_cosine(std::numbers::pi / sides);
     const double l = 2.0 * radius * half.sine;
@@ -30,7 +32,8 @@ namespace flying {
 // [regular.wrong]
 /// WRONG for many sides, and it looks right: the side by the law of cosines,
 /// the height of the triangle by Pythagoras.
-[[nodiscard]] inline MassProperties wrong_polygon_mass(int sides, double radius, double density)
+[[nodiscard]] inline MassProperties wrong_polygon_mass(int sides, double radius,
+                                                       double density)
 {
     const double theta = 2.0 * std::numbers::pi / sides;
     const double l = radius * std::sqrt(2.0 - 2.0 * sine_cosine(theta).cosine);

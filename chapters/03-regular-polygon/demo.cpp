@@ -43,10 +43,8 @@ void count_sides()
 
 } // namespace
 
-// [regular.demo.main]
 int main()
 {
     compare_with_discs();
     count_sides();
 }
-// [regular.demo.main]

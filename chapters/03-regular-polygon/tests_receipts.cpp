@@ -22,7 +22,6 @@ double any(Random& random)
 
 } // namespace
 
-// [regular.tests.inertia]
 TEST_CASE("a regular polygon is its triangles, about their common tip")
 {
     Random random(301);
@@ -34,27 +33,30 @@ TEST_CASE("a regular polygon is its triangles, about their common tip")
         const double m = found.mass;
         const double inertia = found.moment_of_inertia;
 
+        // [regular.tests.inertia]
         // Sine and cosine of the library; each side has about ten roundings
         const double x = std::numbers::pi / n;
         const double area = n * R * R * std::sin(x) * std::cos(x);
-        CHECK_EQUATION("regular.mass", m, rho * area, 2e-15, {"\\rho", rho}, {"n", n}, {"R", R});
+        CHECK_EQUATION("regular.mass", m, rho * area, 2e-15, {"\\rho", rho}, {"n", n},
+                       {"R", R});
         CHECK_TWIN("regular.mass", m, rho * area / 2, 2e-15);
 
         const double closed = m * R * R * (0.5 - std::sin(x) * std::sin(x) / 3);
-        CHECK_EQUATION("regular.inertia", inertia, closed, 2e-15, {"m", m}, {"n", n}, {"R", R});
+        CHECK_EQUATION("regular.inertia", inertia, closed, 2e-15, {"m", m}, {"n", n},
+                       {"R", R});
         const double quarter = m * R * R * (0.5 - std::sin(x) * std::sin(x) / 4);
         CHECK_TWIN("regular.inertia", inertia, quarter, 2e-15);
+        // [regular.tests.inertia]
 
         const double l = 2 * R * std::sin(x);
         const double cot = std::cos(x) / std::sin(x);
         const double by_side = m * l * l / 24 * (1 + 3 * cot * cot);
-        CHECK_EQUATION("regular.by_cotangent", inertia, by_side, 3e-15, {"m", m}, {"l", l}, {"n", n});
+        CHECK_EQUATION("regular.by_cotangent", inertia, by_side, 3e-15, {"m", m}, {"l", l},
+                       {"n", n});
         CHECK_TWIN("regular.by_cotangent", inertia, by_side / 2, 3e-15);
     }
 }
-// [regular.tests.inertia]
 
-// [regular.tests.special]
 TEST_CASE("three, four and six sides are what they were by hand")
 {
     Random random(302);
@@ -65,8 +67,10 @@ TEST_CASE("three, four and six sides are what they were by hand")
             return regular_polygon_mass(n, radius, 1.0);
         };
 
+        // [regular.tests.special]
         const auto [m_three, three] = of_side(3);
-        CHECK_EQUATION("regular.three", three, m_three * l * l / 12, 2e-15, {"m", m_three}, {"l", l});
+        CHECK_EQUATION("regular.three", three, m_three * l * l / 12, 2e-15, {"m", m_three},
+                       {"l", l});
         CHECK_TWIN("regular.three", three, m_three * l * l / 36, 2e-15);
 
         // The square of chapter 2 comes out of a formula that never met it
@@ -74,13 +78,14 @@ TEST_CASE("three, four and six sides are what they were by hand")
         const double square = rectangle_mass(l, l, 1.0).moment_of_inertia;
         CHECK_EQUATION("regular.four", four, square, 3e-15, {"m", m_four}, {"l", l});
         CHECK_TWIN("regular.four", four, m_four * l * l / 12, 3e-15);
+        // [regular.tests.special]
 
         const auto [m_six, six] = of_side(6);
-        CHECK_EQUATION("regular.six", six, 5 * m_six * l * l / 12, 2e-15, {"m", m_six}, {"l", l});
+        CHECK_EQUATION("regular.six", six, 5 * m_six * l * l / 12, 2e-15, {"m", m_six},
+                       {"l", l});
         CHECK_TWIN("regular.six", six, 5 * m_six * l * l / 24, 2e-15);
     }
 }
-// [regular.tests.special]
 
 // [regular.tests.rates]
 TEST_CASE("the gap to a disc closes with the second or the fourth power")
