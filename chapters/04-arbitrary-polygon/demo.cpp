@@ -19,8 +19,9 @@ void print_row(const char* name, const std::vector<Ring>& rings)
     const Polygon polygon(rings);
     const AreaMoments moments = moments_of(polygon);
     const Vec2 mean = vertex_mean(polygon.vertices());
-    std::printf("%-18s %6.0f %7.2f %6.2f %7.2f %6.2f %10.0f\n", name, moments.area, moments.centroid.x(),
-                moments.centroid.y(), mean.x(), mean.y(), moments.second_moment);
+    std::printf("%-18s %6.0f %7.2f %6.2f %7.2f %6.2f %10.0f\n", name, moments.area,
+                moments.centroid.x(), moments.centroid.y(), mean.x(), mean.y(),
+                moments.second_moment);
 }
 // [polygon.demo.row]
 
@@ -39,7 +40,6 @@ void move_house()
 
 } // namespace
 
-// [polygon.demo.main]
 int main()
 {
     std::printf("in cm                area    centroid     mean of corners   moment\n");
@@ -48,11 +48,11 @@ int main()
     print_row("horseshoe", {horseshoe()});
     print_row("dumbbell", {dumbbell()});
     print_row("dumbbell, 4 more", {with_corners(dumbbell(), 9, 4)});
-    print_row("square with a hole", {square(Vec2(0, 0), 80), reversed(square(Vec2(10, 0), 40))});
+    print_row("square with a hole",
+              {square(Vec2(0, 0), 80), reversed(square(Vec2(10, 0), 40))});
     move_house();
 
     const MassProperties body = polygon_mass(Polygon({dumbbell()}), 0.001);
     std::printf("\ndumbbell of 1 g per cm^2: mass = %.3f kg\n", body.mass);
     std::printf("moment of inertia = %.3f kg cm^2\n", body.moment_of_inertia);
 }
-// [polygon.demo.main]

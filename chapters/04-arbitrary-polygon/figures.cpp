@@ -95,7 +95,7 @@ void draw_triangle(const std::string& folder)
     s.formula(b + Vec2(-4, -10), "B");
     s.formula(p1 + Vec2(2, 24), "P_1");
     s.formula(p2 + Vec2(-14, -8), "P_2");
-    s.formula(q + Vec2(-14, 18), "Q", Anchor::middle, k_rust);
+    s.formula(q + Vec2(32, 16), "Q", Anchor::middle, k_rust);
     s.formula(0.5 * (c + q) + Vec2(14, 22), "r", Anchor::middle, k_rust);
     s.formula(c + 0.86 * (foot - c) + Vec2(0, 22), "h", Anchor::middle, k_soft);
     s.formula(0.4 * a + 0.6 * b + Vec2(22, -10), "b");
@@ -108,7 +108,7 @@ void draw_signed(const std::string& folder)
     Sketch s(folder + "/signed.svg", 600, 215);
     const Ring ring = dumbbell();
     for (int panel = 0; panel < 3; ++panel) {
-        const Place at{Vec2(100.0 + 200.0 * panel, 86.0), 1.12};
+        const Place at{Vec2(90.0 + 210.0 * panel, 82.0), 1.02};
         for (std::size_t k = 0; k < ring.size() && panel < 2; ++k) {
             const Vec2& a = ring[k];
             const Vec2& b = ring[(k + 1) % ring.size()];
@@ -119,13 +119,13 @@ void draw_signed(const std::string& folder)
         s.polygon(at(ring), panel == 2 ? pale(k_ochre, 0.5) : k_none, k_ink, 2.0);
         s.disc(at(Vec2(0, 0)), 3.6, k_ink, k_none);
     }
-    s.words(Vec2(200, 94), "−", Anchor::middle, k_ink, 26.0);
-    s.words(Vec2(400, 94), "=", Anchor::middle, k_ink, 26.0);
-    s.words(Vec2(100, 172), "8 triangles", Anchor::middle, k_teal, 20.0);
-    s.words(Vec2(100, 198), "56 halves", Anchor::middle, k_teal, 20.0);
-    s.words(Vec2(300, 172), "4 triangles", Anchor::middle, k_rust, 20.0);
-    s.words(Vec2(300, 198), "8 halves", Anchor::middle, k_rust, 20.0);
-    s.words(Vec2(500, 172), "24 squares", Anchor::middle, k_ink, 20.0);
+    s.words(Vec2(195, 91), "−", Anchor::middle, k_ink, 26.0);
+    s.words(Vec2(405, 91), "=", Anchor::middle, k_ink, 26.0);
+    s.words(Vec2(90, 166), "8 triangles", Anchor::middle, k_teal, 20.0);
+    s.words(Vec2(90, 192), "56 halves", Anchor::middle, k_teal, 20.0);
+    s.words(Vec2(300, 166), "4 triangles", Anchor::middle, k_rust, 20.0);
+    s.words(Vec2(300, 192), "8 halves", Anchor::middle, k_rust, 20.0);
+    s.words(Vec2(510, 166), "24 squares", Anchor::middle, k_ink, 20.0);
 }
 
 /// Why the signs come out right: a ray and the edges that it crosses.

@@ -51,7 +51,8 @@ inline Ring square(const Vec2& centre, double side)
 }
 
 // [outlines.split]
-/// The same outline with `more` corners on the edge that starts at corner k, where no corner is needed.
+/// The same outline with `more` corners on the edge that starts at corner k, where no
+/// corner is needed.
 inline Ring with_corners(const Ring& ring, std::size_t k, int more)
 {
     Ring result;

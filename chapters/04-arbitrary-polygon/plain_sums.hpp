@@ -28,14 +28,11 @@ inline AreaMoments plain_moments(std::span<const Vec2> ring, const Vec2& o)
     for (std::size_t k = 0; k < ring.size(); ++k) {
         const Vec2 a = ring[k] - o;
         const Vec2 b = ring[(k + 1) % ring.size()] - o;
-
-        // Signed area of the triangle
         const double s = 0.5 * cross(a, b);
         area += s;
         first += s / 3.0 * (a + b);
         second += triangle_inertia(s, a, b);
     }
-
     // From the common corner to the centroid
     const Vec2 centroid = first / area;
     second -= area * centroid.squaredNorm();

@@ -59,9 +59,11 @@ TEST_CASE("a triangle about its corner: the integral on its edges, by hand and b
         const double side = (b - a).norm();
         const double c = a.dot(b - a);
         const double scale = std::abs(m) * (u * u + side * side);
-        CHECK_EQUATION_SCALED("polygon.triangle", I_T, m / 2 * (side * side / 3 + c + u * u), scale, 2e-15, {"m", m},
+        CHECK_EQUATION_SCALED("polygon.triangle", I_T,
+                              m / 2 * (side * side / 3 + c + u * u), scale, 2e-15, {"m", m},
                               {"b", side}, {"c", c}, {"u", u});
-        CHECK_TWIN_SCALED("polygon.triangle", I_T, m / 2 * (side * side / 2 + c + u * u), scale, 2e-15);
+        CHECK_TWIN_SCALED("polygon.triangle", I_T, m / 2 * (side * side / 2 + c + u * u),
+                          scale, 2e-15);
         CHECK(std::abs(triangle_inertia(m, a, b) - I_T) <= 2e-15 * scale);
         // [polygon.tests.triangle]
 
@@ -91,15 +93,16 @@ TEST_CASE("half a square about its right angle has a third of m L^2")
     }
 }
 
-// [polygon.tests.oracle]
 TEST_CASE("sums of signed triangles are the trapezia of exact rationals")
 {
     Random random(403);
     for (int k = 0; k < 300; ++k) {
-        // Any corners will do, crossing edges included: both sides count each point as often as the ring winds round it
+        // Any corners will do, crossing edges included: both sides count each point as
+        // often as the ring winds round it
         Ring ring;
         const int n = 3 + random.below(9);
         for (int v = 0; v < n; ++v) ring.push_back(any_point(random));
+        // [polygon.tests.oracle]
         const AreaMoments engine = moments_of_ring(ring);
         const oracle::Moments exact = oracle::moments_of_rings({ring});
         const double area = static_cast<double>(exact.area);
@@ -113,9 +116,9 @@ TEST_CASE("sums of signed triangles are the trapezia of exact rationals")
         const MassProperties body = polygon_mass(Polygon({ring}), 2.0);
         CHECK_EQUATION("polygon.inertia", body.moment_of_inertia, 2.0 * second, 4e-16);
         CHECK_TWIN("polygon.inertia", body.moment_of_inertia, second, 4e-16);
+        // [polygon.tests.oracle]
     }
 }
-// [polygon.tests.oracle]
 
 TEST_CASE("the middle of a house lies below the mean of its corners")
 {
@@ -161,11 +164,12 @@ TEST_CASE("a hole counts negatively, and pushes the middle away")
 }
 
 // [polygon.tests.thin]
-TEST_CASE("a frame of thin bars keeps its digits, though nearly all of its triangles cancel")
+TEST_CASE("a frame of thin bars keeps its digits, though nearly all triangles cancel")
 {
     const double a = 1.0;
     const double s = 1.0 - 0x1p-40;
-    const std::vector<Ring> rings = {square(Vec2(0, 0), a), reversed(square(Vec2(0, 0), s))};
+    const std::vector<Ring> rings = {square(Vec2(0, 0), a),
+                                     reversed(square(Vec2(0, 0), s))};
     const AreaMoments engine = moments_of(Polygon(rings));
     const oracle::Moments exact = oracle::moments_of_rings(rings);
     CHECK(oracle::ulps(engine.area, exact.area) <= 0.5);
@@ -194,7 +198,8 @@ TEST_CASE("the seed's dumbbell, with signs and without")
 }
 
 // [polygon.tests.mean]
-TEST_CASE("corners that change no outline change no moment, but move the mean of the corners")
+TEST_CASE(
+    "corners that change no outline change no moment, but move the mean of the corners")
 {
     const AreaMoments before = moments_of_ring(dumbbell());
     for (int j = 1; j <= 400; ++j) {
@@ -206,7 +211,8 @@ TEST_CASE("corners that change no outline change no moment, but move the mean of
 
         // The sum of j roundings
         const double X = 80.0;
-        CHECK_EQUATION("polygon.mean", vertex_mean(ring).x(), j * X / (12 + j), 1e-14, {"j", j}, {"X", X});
+        CHECK_EQUATION("polygon.mean", vertex_mean(ring).x(), j * X / (12 + j), 1e-14,
+                       {"j", j}, {"X", X});
         CHECK_TWIN("polygon.mean", vertex_mean(ring).x(), j * X / (13 + j), 1e-14);
     }
 }
@@ -221,7 +227,8 @@ TEST_CASE("sixteen corners have their mean a quarter of the way to the edge")
 TEST_CASE("a shape weighs what its two halves weigh, but not without signs")
 {
     // The dumbbell cut upright through its middle: each half has two corners on the cut
-    const Ring right = {{0, -20}, {40, -20}, {40, -40}, {80, -40}, {80, 40}, {40, 40}, {40, 20}, {0, 20}};
+    const Ring right = {{0, -20}, {40, -20}, {40, -40}, {80, -40},
+                        {80, 40}, {40, 40},  {40, 20},  {0, 20}};
     Ring left = right;
     for (Vec2& vertex : left) vertex = -vertex;
 
@@ -229,7 +236,8 @@ TEST_CASE("a shape weighs what its two halves weigh, but not without signs")
     CHECK(moments_of_ring(right).area + moments_of_ring(left).area == whole);
 
     const double wrong_whole = moments_without_sign(dumbbell()).area;
-    const double wrong_parts = moments_without_sign(right).area + moments_without_sign(left).area;
+    const double wrong_parts =
+        moments_without_sign(right).area + moments_without_sign(left).area;
     CHECK(std::abs(wrong_parts / wrong_whole - 1.0) > 0.1);
 }
 // [polygon.tests.cut]

@@ -25,9 +25,9 @@ Arm arm(const Vec2& corner, const Vec2& vertex)
 struct Sums
 {
     Twofold twice_area; ///< sum of a x b [m^2]
-    Twofold first_x;    ///< sum of (a x b) (a + b): six times the area times the centroid [m^3]
+    Twofold first_x;    ///< sum of (a x b) (a + b): six areas times the centroid [m^3]
     Twofold first_y;
-    Twofold second; ///< sum of (a x b) (a.a + a.b + b.b): twelve times the second moment [m^4]
+    Twofold second;     ///< sum of (a x b) (a.a + a.b + b.b): twelve second moments [m^4]
 };
 // [moments.sums]
 
@@ -60,7 +60,7 @@ void add_ring(Sums& sums, const Vec2& corner, std::span<const Vec2> ring)
 // [moments.add-ring]
 
 // [moments.centred]
-/// Area and centroid from the sums, and the second moment moved to the centroid (parallel axes).
+/// Area and centroid from the sums, and the second moment about it (parallel axes).
 AreaMoments about_centroid(const Sums& sums, const Vec2& corner)
 {
     if (sums.twice_area.upper == 0.0) return {0.0, corner, 0.0};
@@ -72,7 +72,8 @@ AreaMoments about_centroid(const Sums& sums, const Vec2& corner)
     const Twofold second = sums.second / Twofold(12.0) - area * (x * x + y * y);
     const Twofold from_origin_x = Twofold(corner.x()) + x;
     const Twofold from_origin_y = Twofold(corner.y()) + y;
-    return {area.rounded(), Vec2(from_origin_x.rounded(), from_origin_y.rounded()), second.rounded()};
+    return {area.rounded(), Vec2(from_origin_x.rounded(), from_origin_y.rounded()),
+            second.rounded()};
 }
 // [moments.centred]
 
@@ -95,7 +96,7 @@ AreaMoments moments_of(const Polygon& polygon)
     const std::span<const int> starts = polygon.ring_starts();
     const Vec2 corner = vertices.front();
 
-    // Holes turn the other way: their triangles take away what the outer ring's have counted
+    // Holes turn the other way: their triangles take away what the outer ring has counted
     Sums sums;
     for (std::size_t k = 0; k + 1 < starts.size(); ++k) {
         add_ring(sums, corner, vertices.subspan(starts[k], starts[k + 1] - starts[k]));

@@ -10,9 +10,9 @@ namespace flying {
 /// Area, centroid and second moment of a region of the plane.
 struct AreaMoments
 {
-    double area = 0.0;            ///< signed: positive for a ring that turns counter-clockwise [m^2]
+    double area = 0.0;            ///< positive if it turns counter-clockwise [m^2]
     Vec2 centroid = Vec2::Zero(); ///< [m]
-    double second_moment = 0.0;   ///< integral of the squared distance from the centroid over the area [m^4]
+    double second_moment = 0.0;   ///< squared distance from there, over the area [m^4]
 };
 // [moments.area]
 

@@ -19,7 +19,8 @@ Polygon::Polygon(const std::vector<std::vector<Vec2>>& rings)
             const double length = (b - a).norm();
             const Vec2 tangent = (b - a) / length;
             vertices_.push_back(a);
-            edges_.push_back({first + k, first + (k + 1) % count, tangent, Vec2(tangent.y(), -tangent.x()), length});
+            edges_.push_back({first + k, first + (k + 1) % count, tangent,
+                              Vec2(tangent.y(), -tangent.x()), length});
             previous_.push_back(first + (k + count - 1) % count);
             radius_ = std::max(radius_, a.norm());
         }

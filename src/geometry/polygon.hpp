@@ -8,7 +8,7 @@
 namespace flying {
 
 // [geometry.edge]
-/// One side of a polygon, from a vertex to the next of its ring. The inside lies to the left.
+/// One side of a polygon, from a vertex to the next. The inside lies to the left.
 struct Edge
 {
     int from = 0;                ///< index of the first vertex; the edge has the same index
@@ -22,27 +22,30 @@ struct Edge
 // [geometry.polygon]
 /// A simple polygon, convex or not, with or without holes, in a frame of its own.
 ///
-/// The outer ring turns counter-clockwise, holes turn clockwise, so that the inside always lies to the left of an edge.
-/// All rings stand one after another in `vertices()`; edge k starts at vertex k. Whether rings are fit to be a polygon
-/// is asked by `make_polygon` (geometry/make_polygon.hpp), the one checked door.
+/// The outer ring turns counter-clockwise, holes turn clockwise, so that the inside always
+/// lies to the left of an edge. All rings stand one after another in `vertices()`; edge k
+/// starts at vertex k. Whether rings are fit to be a polygon is asked by `make_polygon`
+/// (geometry/make_polygon.hpp), the one checked door.
 class Polygon
 {
 public:
-    /// rings  the outer ring first, each with three vertices or more, simple, disjoint, turning as said above [m]
+    /// rings  the outer ring first, each with three vertices or more, simple, disjoint,
+    /// turning as said above [m]
     explicit Polygon(const std::vector<std::vector<Vec2>>& rings);
 
     [[nodiscard]] std::span<const Vec2> vertices() const { return vertices_; }
     [[nodiscard]] std::span<const Edge> edges() const { return edges_; }
 
-    /// Index of the first vertex of each ring, and the number of all vertices at the end: ring k holds the vertices
-    /// ring_starts()[k] ... ring_starts()[k + 1] - 1.
+    /// Index of the first vertex of each ring, and the number of all vertices at the end:
+    /// ring k holds the vertices ring_starts()[k] ... ring_starts()[k + 1] - 1.
     [[nodiscard]] std::span<const int> ring_starts() const { return ring_starts_; }
 
     // [geometry.polygon.asked]
     /// The edge that ends where edge `vertex` starts.
     [[nodiscard]] int previous(int vertex) const { return previous_[vertex]; }
 
-    /// The inside angle at the vertex is over half a turn: no other body's edge can reach it first.
+    /// The inside angle at the vertex is over half a turn: no other body's edge can reach
+    /// it first.
     [[nodiscard]] bool is_reflex(int vertex) const { return is_reflex_[vertex] != 0; }
 
     /// No reflex vertex and no hole.

@@ -12,7 +12,8 @@ struct Exact
 // [math.exact]
 
 // [math.two_sum]
-/// a + b without loss, for all finite numbers whose sum is finite (Knuth, "The Art of Computer Programming 2", 4.2.2).
+/// a + b without loss, for all finite numbers whose sum is finite (Knuth, "The Art of
+/// Computer Programming 2", 4.2.2).
 [[nodiscard]] inline Exact two_sum(double a, double b)
 {
     const double sum = a + b;

@@ -5,9 +5,10 @@
 namespace flying {
 
 // [math.twofold]
-/// A number carried with twice the digits, as a double and the much smaller rest: relative error of a sum, product or
-/// quotient below 2^-100, given that the products' bounds of math/exact.hpp hold. Sums of terms with both signs keep
-/// their digits where plain doubles lose them. Methods of Dekker 1971.
+/// A number carried with twice the digits, as a double and the much smaller rest: relative
+/// error of a sum, product or quotient below 2^-100, given that the products' bounds of
+/// math/exact.hpp hold. Sums of terms with both signs keep their digits where plain doubles
+/// lose them. Methods of Dekker 1971.
 struct Twofold
 {
     double upper = 0.0;
@@ -35,7 +36,8 @@ struct Twofold
     {
         const Exact upper_sum = two_sum(a.upper, b.upper);
         const Exact lower_sum = two_sum(a.lower, b.lower);
-        const Exact sum = two_sum_ordered(upper_sum.rounded, upper_sum.error + lower_sum.rounded);
+        const Exact sum =
+            two_sum_ordered(upper_sum.rounded, upper_sum.error + lower_sum.rounded);
         return two_sum_ordered(sum.rounded, sum.error + lower_sum.error);
     }
     // [math.twofold.sum]
@@ -62,7 +64,8 @@ struct Twofold
         const Twofold left_over = a - b * Twofold(first);
         const double second = left_over.upper / b.upper;
         const Twofold left_after = left_over - b * Twofold(second);
-        return Twofold(two_sum_ordered(first, second)) + Twofold(left_after.upper / b.upper);
+        return Twofold(two_sum_ordered(first, second)) +
+               Twofold(left_after.upper / b.upper);
     }
     // [math.twofold.quotient]
 };
