@@ -23,8 +23,8 @@ void bring_together()
         const Pose b = placed(x, 0.0, 30.0 * k_degree);
         const Axis axis = greatest_separation(square, square, relative_pose(a, b));
         const Manifold manifold = make_manifold(square, a, square, b, 0.0);
-        std::printf("%6.2f m %+10.4f m %4s %d %8d\n", x, axis.separation, axis.owner == Owner::a ? "A" : "B", axis.edge,
-                    manifold.count);
+        std::printf("%6.2f m %+10.4f m %4s %d %8d\n", x, axis.separation,
+                    axis.owner == Owner::a ? "A" : "B", axis.edge, manifold.count);
     }
 }
 // [separating-axis.demo.push]
@@ -40,7 +40,7 @@ int tried(const Axis& found, const std::optional<Axis>& guess, int edges_of_a)
 // [separating-axis.demo.tried]
 
 // [separating-axis.demo.cache]
-/// A hexagon flies past an octagon and turns as it goes: a thousand looks, with and without memory.
+/// A hexagon flies past an octagon and turns: a thousand looks, with and without memory.
 void fly_past()
 {
     const Polygon octagon = regular(8, 1.0);

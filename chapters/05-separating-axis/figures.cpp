@@ -79,8 +79,8 @@ void draw_ruler(const std::string& folder)
 /// Two polygons, an axis on which their shadows are apart, and one on which they overlap.
 void draw_shadows(const std::string& folder)
 {
-    Sketch s(folder + "/shadows.svg", 560, 400);
-    const Map map{Vec2(190, 165), 82.0};
+    Sketch s(folder + "/shadows.svg", 560, 412);
+    const Map map{Vec2(190, 182), 82.0};
     const Polygon a = box_of(1.7, 1.2);
     const Polygon b = regular(3, 1.0);
     const Pose pose_a = placed(0.0, 0.0);
@@ -244,7 +244,7 @@ void draw_clip(const std::string& folder)
 /// Crossing bars, and squares head on with what either rule says.
 void draw_wrong(const std::string& folder)
 {
-    Sketch s(folder + "/wrong.svg", 580, 230);
+    Sketch s(folder + "/wrong.svg", 580, 240);
     const Map bars{Vec2(110, 112), 48.0};
     s.polygon(outline(bars, box_of(4.0, 0.5), {}), pale(k_blue, 0.3), k_blue, 2.0);
     s.polygon(outline(bars, box_of(0.5, 4.0), {}), pale(k_ochre, 0.4), k_ochre, 2.0);
@@ -260,8 +260,8 @@ void draw_wrong(const std::string& folder)
     s.polygon(outline(squares, square, placed(0.88, 0)), pale(k_ochre, 0.4), k_ochre, 2.0);
     s.arrow(squares(Vec2(0.44, 0.5)), squares(Vec2(0.44, 0.88)), k_rust, 3.0);
     s.arrow(squares(Vec2(0.44, 0.0)), squares(Vec2(0.86, 0.0)), k_teal, 3.0);
-    s.words(squares(Vec2(0.52, 0.76)), "nearest edge", Anchor::left, k_rust, 15.0);
-    s.words(squares(Vec2(0.44, -0.2)), "greatest separation", Anchor::middle, k_teal, 15.0);
+    s.words(squares(Vec2(0.52, 0.76)), "nearest edge", Anchor::left, k_rust, 17.0);
+    s.words(squares(Vec2(0.44, -0.69)), "greatest separation", Anchor::middle, k_teal, 17.0);
 }
 
 /// The two rules in motion, one above the other.

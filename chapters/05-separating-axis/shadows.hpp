@@ -42,8 +42,9 @@ inline Polygon regular(int sides, double radius)
 // [separating-axis.ring]
 
 // [separating-axis.gap]
-/// Gap between the shadows of A and B on one direction: the least of B less the greatest of A.  [m]
-inline double gap(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b, const Vec2& n)
+/// Gap between the shadows on one direction: the least of B less the greatest of A.  [m]
+inline double gap(const Polygon& a, const Pose& pose_a, const Polygon& b,
+                  const Pose& pose_b, const Vec2& n)
 {
     double reach_a = n.dot(pose_a * a.vertices()[0]);
     for (const Vec2& p : a.vertices()) reach_a = std::max(reach_a, n.dot(pose_a * p));

@@ -27,7 +27,6 @@ Vec2 direction(const Axis& axis, const Polygon& a, const Pose& pose_a, const Pol
 
 } // namespace
 
-// [separating-axis.tests.boxes]
 TEST_CASE("a turned box reaches as far along an axis as the shadows of its sides")
 {
     Random random(511);
@@ -38,17 +37,20 @@ TEST_CASE("a turned box reaches as far along an axis as the shadows of its sides
         const double D = random.uniform(0.0, 4.0);
         const double theta = random.uniform(-3.0, 3.0);
         const Pose pose = placed(D, random.uniform(-2.0, 2.0), theta);
-        const double s = axis_of_edge(box_of(w_a, 1.0), 1, box_of(w_b, h_b), pose).separation;
+        // [separating-axis.tests.boxes]
+        const double s =
+            axis_of_edge(box_of(w_a, 1.0), 1, box_of(w_b, h_b), pose).separation;
 
         const double c = std::abs(std::cos(theta));
         const double sine = std::abs(std::sin(theta));
         const double expected = D - 0.5 * (w_a + w_b * c + h_b * sine);
-        CHECK_EQUATION_SCALED("axis.boxes", s, expected, 8.0, k_bound, {"D", D}, {"w_a", w_a}, {"w_b", w_b},
-                              {"h_b", h_b}, {"\\theta", theta});
-        CHECK_TWIN_SCALED("axis.boxes", s, D - 0.5 * (w_a + w_b * sine + h_b * c), 8.0, k_bound);
+        CHECK_EQUATION_SCALED("axis.boxes", s, expected, 8.0, k_bound, {"D", D},
+                              {"w_a", w_a}, {"w_b", w_b}, {"h_b", h_b}, {"\\theta", theta});
+        CHECK_TWIN_SCALED("axis.boxes", s, D - 0.5 * (w_a + w_b * sine + h_b * c), 8.0,
+                          k_bound);
+        // [separating-axis.tests.boxes]
     }
 }
-// [separating-axis.tests.boxes]
 
 // [separating-axis.tests.push]
 TEST_CASE("a push along an axis widens its gap by the length of the push")
@@ -74,8 +76,8 @@ TEST_CASE("a push along an axis widens its gap by the length of the push")
 }
 // [separating-axis.tests.push]
 
-// [separating-axis.tests.directions]
-TEST_CASE("where polygons overlap, no direction has a greater gap than the best edge; where any has a gap, an edge has")
+TEST_CASE("where polygons overlap, no direction has a greater gap than the best edge; "
+          "where any has a gap, an edge has")
 {
     Random random(513);
     int overlapping = 0;
@@ -84,7 +86,9 @@ TEST_CASE("where polygons overlap, no direction has a greater gap than the best 
         const Polygon b = random_convex(random);
         const Pose pose_a = random_pose(random, 1.5);
         const Pose pose_b = random_pose(random, 1.5);
-        const double s = greatest_separation(a, b, relative_pose(pose_a, pose_b)).separation;
+        // [separating-axis.tests.directions]
+        const double s =
+            greatest_separation(a, b, relative_pose(pose_a, pose_b)).separation;
         double most = -1e300;
         for (int i = 0; i < 720; ++i) {
             const Rotation turn = Rotation::of(i * std::numbers::pi / 360.0);
@@ -93,14 +97,14 @@ TEST_CASE("where polygons overlap, no direction has a greater gap than the best 
         overlapping += s < 0.0 ? 1 : 0;
         if (s < 0.0) CHECK(most <= s + 8.0 * k_bound);
         if (most > 8.0 * k_bound) CHECK(s > 0.0);
+        // [separating-axis.tests.directions]
     }
     CHECK(overlapping > 100);
     CHECK(overlapping < 400);
 }
-// [separating-axis.tests.directions]
 
-// [separating-axis.tests.shortest]
-TEST_CASE("the shortest push parts two polygons, and a push shorter by a thousandth in any direction does not")
+TEST_CASE("the shortest push parts two polygons, and a push shorter by a thousandth in any "
+          "direction does not")
 {
     Random random(514);
     int tried = 0;
@@ -126,7 +130,6 @@ TEST_CASE("the shortest push parts two polygons, and a push shorter by a thousan
     }
     CHECK(tried > 300);
 }
-// [separating-axis.tests.shortest]
 
 // [separating-axis.tests.cut]
 TEST_CASE("a crate that hangs over the end of a shelf is cut off at the end")
@@ -164,25 +167,27 @@ TEST_CASE("a crate that hangs over the end of a shelf is cut off at the end")
 }
 // [separating-axis.tests.cut]
 
-// [separating-axis.tests.far]
-TEST_CASE("two bodies a million kilometres from the origin see each other to the bit as they do near it")
+TEST_CASE("two bodies a million kilometres from the origin see each other to the bit as "
+          "they do near it")
 {
     const Polygon a = regular(5, 1.0);
     const Polygon b = regular(7, 1.0);
     Random random(516);
     for (int k = 0; k < 1000; ++k) {
         // Places on a grid of 2^-20 m, moved by 2^30 m: sums and differences are exact
-        const auto on_grid = [&] { return std::floor(random.uniform(-1.5, 1.5) * 1048576.0) / 1048576.0; };
+        const auto on_grid = [&] {
+            return std::floor(random.uniform(-1.5, 1.5) * 1048576.0) / 1048576.0;
+        };
         Pose pose_a = placed(on_grid(), on_grid(), random.uniform(-3.0, 3.0));
         Pose pose_b = placed(on_grid(), on_grid(), random.uniform(-3.0, 3.0));
-        const double near = greatest_separation(a, b, relative_pose(pose_a, pose_b)).separation;
+        const double near =
+            greatest_separation(a, b, relative_pose(pose_a, pose_b)).separation;
         const Vec2 far_away(1073741824.0, -1073741824.0);
         pose_a.position += far_away;
         pose_b.position += far_away;
         CHECK(greatest_separation(a, b, relative_pose(pose_a, pose_b)).separation == near);
     }
 }
-// [separating-axis.tests.far]
 
 // [separating-axis.tests.bars]
 TEST_CASE("corners miss crossing bars, which intervals find")
@@ -191,8 +196,11 @@ TEST_CASE("corners miss crossing bars, which intervals find")
     const Aabb standing = bounding_box(box_of(0.5, 4.0), placed(0.0, 0.0));
     CHECK(overlap(lying, standing));
     CHECK_FALSE(wrong_overlap(lying, standing));
+}
+// [separating-axis.tests.bars]
 
-    // Boxes of random sides: how many of the overlapping pairs are missed?
+TEST_CASE("corners miss some of the boxes that overlap, whatever their sides")
+{
     Random random(517);
     int overlapping = 0;
     int missed = 0;
@@ -213,10 +221,10 @@ TEST_CASE("corners miss crossing bars, which intervals find")
     CHECK(missed > 0);
     RECORD_VALUE("separating-axis.missed", 100.0 * missed / overlapping);
 }
-// [separating-axis.tests.bars]
 
 // [separating-axis.tests.head_on]
-TEST_CASE("two squares head on bounce off their facing sides; by the nearest edge they pass through each other")
+TEST_CASE("two squares head on bounce off their facing sides; by the nearest edge they "
+          "pass through each other")
 {
     const auto gap_after = [](Rule rule, double higher) {
         HeadOn meeting;
@@ -224,9 +232,11 @@ TEST_CASE("two squares head on bounce off their facing sides; by the nearest edg
         for (int k = 0; k < 120; ++k) meeting.step(rule, 1.0 / 60.0);
         return meeting.pose_b.position.x() - meeting.pose_a.position.x();
     };
-    for (const double higher : {0.0, 0.01, 0.1, 0.5}) CHECK(gap_after(Rule::greatest_separation, higher) > 1.0);
+    for (const double higher : {0.0, 0.01, 0.1, 0.5})
+        CHECK(gap_after(Rule::greatest_separation, higher) > 1.0);
 
-    // The wrong rule is right for squares that are well out of line, and wrong where they are in line
+    // The wrong rule is right for squares that are well out of line, and wrong where they
+    // are in line
     CHECK(gap_after(Rule::nearest_edge, 0.1) > 1.0);
     CHECK(gap_after(Rule::nearest_edge, 0.0) < -1.0);
 }

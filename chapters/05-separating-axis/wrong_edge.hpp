@@ -9,8 +9,9 @@
 namespace flying {
 
 // [separating-axis.wrong.edge]
-/// Wrong: the edge of A that touches is the one that a corner of B lies nearest to. Returns its normal in the world.
-inline Vec2 wrong_normal(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b)
+/// Wrong: the normal of that edge of A which a corner of B lies nearest to, in the world.
+inline Vec2 wrong_normal(const Polygon& a, const Pose& pose_a, const Polygon& b,
+                         const Pose& pose_b)
 {
     double nearest = std::numeric_limits<double>::infinity();
     Vec2 normal = Vec2::Zero();

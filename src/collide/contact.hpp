@@ -13,7 +13,7 @@ struct Contact
     Vec2 point = Vec2::Zero();  ///< in the world, midway between the two surfaces [m]
     Vec2 normal = Vec2::Zero(); ///< unit vector from A to B
     double separation = 0.0;    ///< gap along the normal, negative where they overlap [m]
-    std::uint32_t feature = 0;  ///< names the pair of features that meet: the same features, the same number
+    std::uint32_t feature = 0;  ///< names the pair of features that meet, by one number
 };
 // [collide.contact]
 

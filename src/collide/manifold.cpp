@@ -11,7 +11,7 @@ namespace flying {
 namespace {
 
 // [collide.manifold.feature]
-/// The number of a pair of features: vertex `vertex` of one body on edge `edge` of the other.
+/// The number of a pair of features: a vertex of one body on an edge of the other.
 std::uint32_t feature_number(Owner of_vertex, int vertex, int edge)
 {
     const std::uint32_t is_of_b = of_vertex == Owner::b ? 1u : 0u;
@@ -21,8 +21,10 @@ std::uint32_t feature_number(Owner of_vertex, int vertex, int edge)
 // [collide.manifold.feature]
 
 // [collide.manifold.at]
-/// One contact of two surfaces: `point` lies on the second, `separation` away from the first along the normal.
-Contact contact_at(const Vec2& point, const Vec2& normal, double separation, std::uint32_t feature)
+/// One contact of two surfaces: `point` lies on the second, `separation` away from the
+/// first along the normal.
+Contact contact_at(const Vec2& point, const Vec2& normal, double separation,
+                   std::uint32_t feature)
 {
     return {point - 0.5 * separation * normal, normal, separation, feature};
 }
@@ -55,8 +57,8 @@ struct ClippedEnd
 {
     Vec2 point = Vec2::Zero(); ///< in the reference polygon's frame
     double along = 0.0;        ///< along the reference edge, from its start [m]
-    bool is_cut = false;       ///< the end lies at the end of the reference edge, not at a vertex of its own
-    int vertex = 0;            ///< the incident polygon's vertex; where cut, the reference polygon's
+    bool is_cut = false;       ///< it lies at the end of the reference edge
+    int vertex = 0;            ///< of the incident polygon; where cut, of the reference
 };
 // [collide.manifold.end]
 
@@ -70,7 +72,7 @@ ClippedEnd cut_at(const ClippedEnd& from, const ClippedEnd& to, double along, in
 // [collide.manifold.cut]
 
 // [collide.manifold.incident]
-/// Of the two edges at the vertex furthest behind the reference edge, the one that faces it more.
+/// Of the two edges at the vertex furthest behind, the one that faces the edge more.
 int facing_edge(const Polygon& incident, int vertex, const Vec2& normal_in_incident)
 {
     const int before = incident.previous(vertex);
@@ -111,7 +113,8 @@ Manifold clip(const Polygon& reference, const Pose& world_from_reference, const 
         const ClippedEnd whole_low = low;
         const ClippedEnd whole_high = high;
         if (whole_low.along < 0.0) low = cut_at(whole_low, whole_high, 0.0, edge.from);
-        if (whole_high.along > edge.length) high = cut_at(whole_low, whole_high, edge.length, edge.to);
+        if (whole_high.along > edge.length)
+            high = cut_at(whole_low, whole_high, edge.length, edge.to);
     }
     // [collide.manifold.polygons.cut]
 
@@ -123,9 +126,11 @@ Manifold clip(const Polygon& reference, const Pose& world_from_reference, const 
         if (manifold.count == 1 && end.point == low.point) break;
         const double separation = edge.normal.dot(end.point - start);
         if (separation > margin) continue;
-        const std::uint32_t feature =
-            end.is_cut ? feature_number(Owner::a, end.vertex, facing) : feature_number(Owner::b, end.vertex, axis.edge);
-        add(manifold, contact_at(world_from_reference * end.point, normal, separation, feature));
+        const std::uint32_t feature = end.is_cut
+                                          ? feature_number(Owner::a, end.vertex, facing)
+                                          : feature_number(Owner::b, end.vertex, axis.edge);
+        add(manifold,
+            contact_at(world_from_reference * end.point, normal, separation, feature));
     }
     // [collide.manifold.polygons.keep]
     return manifold;

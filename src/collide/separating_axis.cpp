@@ -24,7 +24,8 @@ Pose inverse(const Pose& a_from_b)
 
 // [collide.separating_axis.project]
 /// Separation of one vertex of the other polygon from the line of the owner's edge.  [m]
-double separation_of(const Polygon& owner, const Edge& edge, const Vec2& vertex, const Pose& owner_from_other)
+double separation_of(const Polygon& owner, const Edge& edge, const Vec2& vertex,
+                     const Pose& owner_from_other)
 {
     const Vec2 from_edge = owner_from_other * vertex - owner.vertices()[edge.from];
     return edge.normal.dot(from_edge);
@@ -57,24 +58,22 @@ int lowest_vertex(const Polygon& polygon, const Vec2& direction)
 // [collide.separating_axis.lowest]
 
 // [collide.separating_axis.walk]
-/// The axis of greatest separation among the owner's edges. Going round the owner, normals turn one way; so does the
-/// vertex furthest behind, and going round the other once finds it for every edge.
-Axis greatest_of_owner(const Polygon& owner, const Polygon& other, const Pose& owner_from_other)
+/// The axis of greatest separation among the owner's edges, in one round of both polygons.
+Axis greatest_of_owner(const Polygon& owner, const Polygon& other,
+                       const Pose& owner_from_other)
 {
     Axis best = axis_of_edge(owner, 0, other, owner_from_other);
     int vertex = best.vertex;
     int steps_left = 2 * static_cast<int>(other.vertices().size());
     for (int k = 1; k < static_cast<int>(owner.edges().size()); ++k) {
         const Edge& edge = owner.edges()[k];
-
-        // Follow the other's edges as long as they lead further behind
         const Vec2 normal = normal_in_other(edge, owner_from_other);
         while (normal.dot(other.edges()[vertex].tangent) < 0.0 && steps_left > 0) {
             vertex = other.edges()[vertex].to;
             --steps_left;
         }
-
-        const double separation = separation_of(owner, edge, other.vertices()[vertex], owner_from_other);
+        const double separation =
+            separation_of(owner, edge, other.vertices()[vertex], owner_from_other);
         if (separation > best.separation) best = {Owner::a, k, vertex, separation};
     }
     return best;
@@ -84,11 +83,13 @@ Axis greatest_of_owner(const Polygon& owner, const Polygon& other, const Pose& o
 } // namespace
 
 // [collide.separating_axis.edge]
-Axis axis_of_edge(const Polygon& owner, int edge, const Polygon& other, const Pose& owner_from_other)
+Axis axis_of_edge(const Polygon& owner, int edge, const Polygon& other,
+                  const Pose& owner_from_other)
 {
     const Edge& side = owner.edges()[edge];
     const int vertex = lowest_vertex(other, normal_in_other(side, owner_from_other));
-    return {Owner::a, edge, vertex, separation_of(owner, side, other.vertices()[vertex], owner_from_other)};
+    return {Owner::a, edge, vertex,
+            separation_of(owner, side, other.vertices()[vertex], owner_from_other)};
 }
 // [collide.separating_axis.edge]
 
@@ -103,15 +104,19 @@ Axis greatest_separation(const Polygon& a, const Polygon& b, const Pose& a_from_
 // [collide.separating_axis.greatest]
 
 // [collide.separating_axis.find]
-std::optional<Axis> find_separating_axis(const Polygon& a, const Polygon& b, const Pose& a_from_b,
+std::optional<Axis> find_separating_axis(const Polygon& a, const Polygon& b,
+                                         const Pose& a_from_b,
                                          const std::optional<Axis>& guess)
 {
     const Pose b_from_a = inverse(a_from_b);
+    // [collide.separating_axis.find.try]
     const auto try_edge = [&](Owner owner, int edge) {
-        Axis axis = owner == Owner::a ? axis_of_edge(a, edge, b, a_from_b) : axis_of_edge(b, edge, a, b_from_a);
+        Axis axis = owner == Owner::a ? axis_of_edge(a, edge, b, a_from_b)
+                                      : axis_of_edge(b, edge, a, b_from_a);
         axis.owner = owner;
         return axis;
     };
+    // [collide.separating_axis.find.try]
 
     // [collide.separating_axis.find.guess]
     // What parted the two a moment ago most often parts them still
@@ -122,7 +127,8 @@ std::optional<Axis> find_separating_axis(const Polygon& a, const Polygon& b, con
     // [collide.separating_axis.find.guess]
 
     for (const Owner owner : {Owner::a, Owner::b}) {
-        const int count = static_cast<int>(owner == Owner::a ? a.edges().size() : b.edges().size());
+        const int count =
+            static_cast<int>(owner == Owner::a ? a.edges().size() : b.edges().size());
         for (int k = 0; k < count; ++k) {
             const Axis axis = try_edge(owner, k);
             if (axis.separation > 0.0) return axis;

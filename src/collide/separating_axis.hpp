@@ -20,13 +20,14 @@ enum class Owner
 // [collide.separating_axis.owner]
 
 // [collide.separating_axis.axis]
-/// The line on which two convex polygons are compared: the outward normal of one edge of A or of B.
+/// The line on which two convex polygons are compared: the outward normal of one edge.
+/// What lies behind the edge has a negative separation.
 struct Axis
 {
     Owner owner = Owner::a;
     int edge = 0;            ///< of the owner
     int vertex = 0;          ///< of the other polygon: the one furthest behind the edge
-    double separation = 0.0; ///< from the edge's line to that vertex, along the normal; negative where it is behind [m]
+    double separation = 0.0; ///< of that vertex from the edge's line [m]
 };
 // [collide.separating_axis.axis]
 
