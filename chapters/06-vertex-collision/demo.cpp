@@ -12,7 +12,6 @@ using namespace flying::corner;
 
 namespace {
 
-// [corner.demo.lay]
 /// Lays B on A and prints where the two have entered each other.
 void lay(const char* what, const Polygon& a, const Polygon& b, const Pose& world_from_b)
 {
@@ -20,12 +19,11 @@ void lay(const char* what, const Polygon& a, const Polygon& b, const Pose& world
     for (const Contact& contact : contacts) {
         const Vec2& p = contact.point;
         const Vec2& n = contact.normal;
-        std::printf("%-18s (%6.3f,%6.3f)   (%4.1f,%4.1f)   %.3f\n", what, p.x(), p.y(), n.x() + 0.0, n.y() + 0.0,
-                    -contact.separation);
+        std::printf("%-18s (%6.3f,%6.3f)   (%4.1f,%4.1f)   %.3f\n", what, p.x(), p.y(),
+                    n.x() + 0.0, n.y() + 0.0, -contact.separation);
         what = "";
     }
 }
-// [corner.demo.lay]
 
 // [corner.demo.pairs]
 void lay_all()
@@ -43,7 +41,6 @@ void lay_all()
 }
 // [corner.demo.pairs]
 
-// [corner.demo.grid]
 /// A square of 64 by 64 neighbouring doubles beside one line, judged twice.
 void judge_grid()
 {
@@ -61,7 +58,6 @@ void judge_grid()
     std::printf("\npoints beside a line = %d\n", 64 * 64);
     std::printf("misjudged by rounding = %d\n", wrong);
 }
-// [corner.demo.grid]
 
 } // namespace
 

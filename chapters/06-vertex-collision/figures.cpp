@@ -57,7 +57,7 @@ void draw_struck(const std::string& folder)
     s.words(view(Vec2(0, 0)) + Vec2(0, 22), "A");
     s.words(view(pose.position) + Vec2(16, -6), "B");
     s.words(view(Vec2(0.0, 1.05)), "from centre to centre", Anchor::middle, k_soft);
-    s.formula(view(Vec2(2.55, 1.3)), "n", Anchor::middle, k_rust, 22.0);
+    s.formula(view(Vec2(2.64, 1.72)), "n", Anchor::middle, k_rust, 22.0);
 }
 
 /// Three points, and the parallelogram whose area their turn is.

@@ -12,7 +12,6 @@
 using namespace flying;
 using namespace flying::corner;
 
-// [corner.tests.depth]
 TEST_CASE("a square on its corner enters a floor as deep as its sides say")
 {
     Random random(661);
@@ -23,6 +22,7 @@ TEST_CASE("a square on its corner enters a floor as deep as its sides say")
         const double below = w / 2 * (turned.cosine + turned.sine);
         const double y = below - random.uniform(0.01, 0.1) * w;
         const double x = random.uniform(-3.0, 3.0);
+        // [corner.tests.depth]
         const Pose pose = at(x, 0.5 + y, phi);
         const auto contacts = entered_contacts(box(10, 1), at(0, 0), box(w, w), pose);
         REQUIRE(contacts.size() == 1);
@@ -30,17 +30,20 @@ TEST_CASE("a square on its corner enters a floor as deep as its sides say")
         // Coordinates are below 8, roundings a few units in their last place
         const double bound = 1e-14;
         const double d = -contacts[0].separation;
-        CHECK_EQUATION_SCALED("corner.depth", d, below - y, 1.0, bound, {"w", w}, {"\\varphi", phi}, {"y", y});
-        CHECK_TWIN_SCALED("corner.depth", d, w / 2 * (turned.cosine - turned.sine) - y, 1.0, bound);
+        CHECK_EQUATION_SCALED("corner.depth", d, below - y, 1.0, bound, {"w", w},
+                              {"\\varphi", phi}, {"y", y});
+        CHECK_TWIN_SCALED("corner.depth", d, w / 2 * (turned.cosine - turned.sine) - y, 1.0,
+                          bound);
         const double foot = x - w / 2 * (turned.cosine - turned.sine);
         const double found = contacts[0].point.x();
-        CHECK_EQUATION_SCALED("corner.foot", found, foot, 1.0, bound, {"x", x}, {"w", w}, {"\\varphi", phi});
-        CHECK_TWIN_SCALED("corner.foot", found, x - w / 2 * (turned.cosine + turned.sine), 1.0, bound);
+        CHECK_EQUATION_SCALED("corner.foot", found, foot, 1.0, bound, {"x", x}, {"w", w},
+                              {"\\varphi", phi});
+        CHECK_TWIN_SCALED("corner.foot", found, x - w / 2 * (turned.cosine + turned.sine),
+                          1.0, bound);
+        // [corner.tests.depth]
     }
 }
-// [corner.tests.depth]
 
-// [corner.tests.middle]
 TEST_CASE("a crate that lies flat is held in the middle of what it shares")
 {
     Random random(662);
@@ -49,17 +52,18 @@ TEST_CASE("a crate that lies flat is held in the middle of what it shares")
         const double x = random.uniform(-6.0, 6.0);
         const double x_1 = x - width / 2;
         const double x_2 = x + width / 2;
-        if (std::min(x_2, 5.0) - std::max(x_1, -5.0) < 0.2) continue; // beside it, or in from the side
-        const auto contacts = entered_contacts(box(10, 1), at(0, 0), box(width, 1), at(x, 0.95));
+        // Leave out a crate beside the floor, or in from its side
+        if (std::min(x_2, 5.0) - std::max(x_1, -5.0) < 0.2) continue;
+        const auto contacts =
+            entered_contacts(box(10, 1), at(0, 0), box(width, 1), at(x, 0.95));
         REQUIRE(contacts.size() == 1);
         const double middle = (std::max(x_1, -5.0) + std::min(x_2, 5.0)) / 2;
         const double found = contacts[0].point.x();
-        CHECK_EQUATION_SCALED("corner.middle", found, middle, 5.0, 1e-15, {"x_1", x_1}, {"x_2", x_2}, {"u_1", -5.0},
-                              {"u_2", 5.0});
+        CHECK_EQUATION_SCALED("corner.middle", found, middle, 5.0, 1e-15, {"x_1", x_1},
+                              {"x_2", x_2}, {"u_1", -5.0}, {"u_2", 5.0});
         CHECK_TWIN_SCALED("corner.middle", found, (x_1 + x_2) / 3, 5.0, 1e-15);
     }
 }
-// [corner.tests.middle]
 
 TEST_CASE("two bars laid crosswise are as deep as the narrower is wide")
 {
@@ -76,12 +80,14 @@ TEST_CASE("two bars laid crosswise are as deep as the narrower is wide")
 }
 
 // [corner.tests.int]
-TEST_CASE("a turn in an int misjudges squares of a metre, and hardly any of a hundred metres")
+TEST_CASE(
+    "a turn in an int misjudges squares of a metre, and hardly any of a hundred metres")
 {
     const int unit = misjudged_pairs(1.0, 1000);
     const int large = misjudged_pairs(100.0, 1000);
     CHECK(unit > 400);
-    // Some turn must come within one square metre of zero, where a typical one is of ten thousand
+    // Some turn must come within one square metre of zero, where a typical one is of ten
+    // thousand
     CHECK(large < 10);
     RECORD_VALUE("corner.int.unit", unit);
     RECORD_VALUE("corner.int.large", large);
@@ -99,7 +105,9 @@ TEST_CASE("a floor made longer at its far end pushes a crate as before")
         return Polygon({{Vec2(-left, -1), Vec2(10, -1), Vec2(10, 0), Vec2(-left, 0)}});
     };
     const Pose crate = at(8.0, 0.49);
-    const auto push = [&](double left) { return entered_contacts(floor(left), at(0, 0), box(1, 1), crate).front(); };
+    const auto push = [&](double left) {
+        return entered_contacts(floor(left), at(0, 0), box(1, 1), crate).front();
+    };
     const auto middle = [](double left) { return Vec2(0.5 * (10.0 - left), -0.5); };
     for (const double left : {20.0, 40.0, 1000.0}) {
         CHECK(push(left).normal == push(10.0).normal);

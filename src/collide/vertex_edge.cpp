@@ -16,15 +16,18 @@ namespace flying {
 // [collide.vertex_edge.cross]
 bool segments_cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d)
 {
-    return orientation(a, b, c) * orientation(a, b, d) < 0 && orientation(c, d, a) * orientation(c, d, b) < 0;
+    return orientation(a, b, c) * orientation(a, b, d) < 0 &&
+           orientation(c, d, a) * orientation(c, d, b) < 0;
 }
 // [collide.vertex_edge.cross]
 
 // [collide.vertex_edge.entered]
-bool corner_has_entered(const Vec2& before, const Vec2& corner, const Vec2& after, const Vec2& from, const Vec2& to)
+bool corner_has_entered(const Vec2& before, const Vec2& corner, const Vec2& after,
+                        const Vec2& from, const Vec2& to)
 {
     const bool is_inside = orientation(from, to, corner) > 0;
-    return is_inside && segments_cross(before, corner, from, to) && segments_cross(corner, after, from, to);
+    return is_inside && segments_cross(before, corner, from, to) &&
+           segments_cross(corner, after, from, to);
 }
 // [collide.vertex_edge.entered]
 
@@ -49,14 +52,15 @@ struct Crossing
     int edge[2] = {0, 0};         ///< of A and of B
     double along[2] = {0.0, 0.0}; ///< 0 at the edge's start, 1 at its end
     Vec2 point = Vec2::Zero();    ///< in A's frame
-    bool a_enters = false;        ///< following A's boundary, one comes into B here; following B's, out of A
+    bool a_enters = false;        ///< along A one comes into B here; along B, out of A
     bool is_used = false;
 };
 // [collide.vertex_edge.crossing]
 
 // [collide.vertex_edge.side]
-/// On which side of the line from -> to the point lies, +1 left or -1 right. A point on the line counts as if it were
-/// pushed by next to nothing along `push`, and if that leads along the line, to the left of `push`.
+/// On which side of the line from -> to the point lies, +1 left or -1 right. A point on the
+/// line counts as if it were pushed by next to nothing along `push`, and if that leads
+/// along the line, to the left of `push`.
 int side(const Vec2& from, const Vec2& to, const Vec2& point, const Vec2& push)
 {
     const int turn = orientation(from, to, point);
@@ -86,6 +90,7 @@ std::vector<Crossing> crossings_of(const Pair& pair)
             if (side(p, q, u, -pair.push) == side(p, q, v, -pair.push)) continue;
             // [collide.vertex_edge.both]
 
+            // [collide.vertex_edge.place]
             const double turn = cross(q - p, v - u);
             Crossing crossing;
             crossing.edge[0] = edge_a.from;
@@ -97,6 +102,7 @@ std::vector<Crossing> crossings_of(const Pair& pair)
             }
             crossing.point = p + crossing.along[0] * (q - p);
             crossings.push_back(crossing);
+            // [collide.vertex_edge.place]
         }
     }
     return crossings;
@@ -134,8 +140,8 @@ struct Piece
 // [collide.vertex_edge.piece]
 
 // [collide.vertex_edge.walk]
-/// Walk round the common piece that begins where A enters B at the crossing `first`: along A to where it leaves B, from
-/// there along B to where it leaves A, until the walk closes. None if it doesn't, which only rounding can cause.
+/// Walk round the common piece that begins where A enters B at the crossing `first`, along
+/// A and along B in turn. None if the walk doesn't close, which only rounding can cause.
 std::optional<Piece> walk(const Pair& pair, std::span<Crossing> crossings,
                           const std::vector<std::vector<int>> (&on_edge)[2], int first)
 {
@@ -149,7 +155,7 @@ std::optional<Piece> walk(const Pair& pair, std::span<Crossing> crossings,
         piece.corners.push_back(from.point);
 
         // [collide.vertex_edge.next]
-        // Look for the next crossing behind this one on the same edge, then on the edges that follow
+        // Look for the next crossing behind this one, then on the edges that follow
         int edge = from.edge[body];
         const std::vector<int>& list = on_edge[body][edge];
         auto next = std::find(list.begin(), list.end(), at) + 1;
@@ -209,8 +215,9 @@ bool leaves_last(const Pair& pair, const Entry& entry)
 // [collide.vertex_edge.last]
 
 // [collide.vertex_edge.entry]
-/// How deep the other's vertices in a piece lie below one of its edges. None if there are no such vertices, or if all
-/// lie above the edge's line, as happens beside a reflex corner: then they have come in over another edge.
+/// How deep the other's vertices in a piece lie below one of its edges. None if there are
+/// no such vertices, or if all lie above the edge's line, as happens beside a reflex
+/// corner: then they have come in over another edge.
 std::optional<Entry> entry_over(const Pair& pair, const Piece& piece, int owner, int edge)
 {
     const int other = 1 - owner;
@@ -221,7 +228,8 @@ std::optional<Entry> entry_over(const Pair& pair, const Piece& piece, int owner,
         const double depth = -normal.dot(pair.vertices[other][vertex] - start);
         if (!entry || depth > entry->depth) entry = {owner, edge, vertex, depth};
     }
-    if (entry && entry->depth < -allowance(pair, pair.polygon[owner]->edges()[edge])) return std::nullopt;
+    if (entry && entry->depth < -allowance(pair, pair.polygon[owner]->edges()[edge]))
+        return std::nullopt;
     return entry;
 }
 // [collide.vertex_edge.entry]
@@ -240,8 +248,9 @@ Entry width_below(const Pair& pair, const Piece& piece, int owner, int edge)
 // [collide.vertex_edge.width]
 
 // [collide.vertex_edge.shallowest]
-/// The edge of a piece over which the least depth has been reached: one over which the vertex leaves last, if there is
-/// one; the one with the least width below it, if no vertex is inside.
+/// The edge of a piece over which the least depth has been reached: one over which the
+/// vertex leaves last, if there is one; if no vertex is inside, the edge with the least
+/// width below it.
 Entry shallowest_entry(const Pair& pair, const Piece& piece)
 {
     std::optional<Entry> entered;
@@ -255,7 +264,8 @@ Entry shallowest_entry(const Pair& pair, const Piece& piece)
             const std::optional<Entry> entry = entry_over(pair, piece, owner, edge);
             if (!entry) continue;
             const bool last = leaves_last(pair, *entry);
-            const bool is_less = last == entered_leaves_last && entered && entry->depth < entered->depth;
+            const bool is_less =
+                last == entered_leaves_last && entered && entry->depth < entered->depth;
             if (entered && !(last && !entered_leaves_last) && !is_less) continue;
             entered = entry;
             entered_leaves_last = last;
@@ -266,8 +276,9 @@ Entry shallowest_entry(const Pair& pair, const Piece& piece)
 // [collide.vertex_edge.shallowest]
 
 // [collide.vertex_edge.parallel]
-/// The point of the entered body's edge line above the contact: the foot of the deepest vertex, or the middle of the
-/// stretch that an edge at this vertex and the entered edge share, if the two are parallel.
+/// The point of the entered body's edge line above the contact: the foot of the deepest
+/// vertex, or the middle of the stretch that an edge at this vertex and the entered edge
+/// share, if the two are parallel.
 Vec2 foot_of(const Pair& pair, const Entry& entry)
 {
     const int other = 1 - entry.owner;
@@ -276,6 +287,7 @@ Vec2 foot_of(const Pair& pair, const Entry& entry)
     const Vec2 tangent = perp(pair.normals[entry.owner][entry.edge]);
     const Vec2& deepest = pair.vertices[other][entry.vertex];
     double along = tangent.dot(deepest - start);
+    // [collide.vertex_edge.shared]
     for (const int k : {pair.polygon[other]->previous(entry.vertex), entry.vertex}) {
         const Edge& facing = pair.polygon[other]->edges()[k];
         const double from = tangent.dot(pair.vertices[other][facing.from] - start);
@@ -283,11 +295,13 @@ Vec2 foot_of(const Pair& pair, const Entry& entry)
         const double low = std::max(0.0, std::min(from, to));
         const double high = std::min(edge.length, std::max(from, to));
 
-        // Parallel means: over the shared stretch, the gap changes by no more than rounding and the width of a touch
+        // Parallel means: over the shared stretch, the gap changes by no more than rounding
+        // and the width of a touch
         const double tilt = cross(tangent, perp(pair.normals[other][k]));
         const double shift = std::abs(tilt) * (high - low);
         if (high > low && shift <= allowance(pair, edge)) along = 0.5 * (low + high);
     }
+    // [collide.vertex_edge.shared]
     return start + along * tangent;
 }
 // [collide.vertex_edge.parallel]
@@ -313,12 +327,13 @@ Pair in_frame_of_a(const Polygon& a, const Polygon& b, const Pose& a_from_b)
 } // namespace
 
 // [collide.vertex_edge]
-std::vector<Contact> entered_contacts(const Polygon& a, const Pose& world_from_a, const Polygon& b,
-                                      const Pose& world_from_b)
+std::vector<Contact> entered_contacts(const Polygon& a, const Pose& world_from_a,
+                                      const Polygon& b, const Pose& world_from_b)
 {
     const Pair pair = in_frame_of_a(a, b, relative_pose(world_from_a, world_from_b));
     std::vector<Crossing> crossings = crossings_of(pair);
-    const std::vector<std::vector<int>> on_edge[2] = {order_along(pair, crossings, 0), order_along(pair, crossings, 1)};
+    const std::vector<std::vector<int>> on_edge[2] = {order_along(pair, crossings, 0),
+                                                      order_along(pair, crossings, 1)};
     std::vector<Contact> contacts;
     for (int k = 0; k < static_cast<int>(crossings.size()); ++k) {
         if (!crossings[k].a_enters || crossings[k].is_used) continue;
@@ -326,21 +341,24 @@ std::vector<Contact> entered_contacts(const Polygon& a, const Pose& world_from_a
         if (!piece) continue;
 
         // [collide.vertex_edge.stands]
-        // Find where the contact stands over the entered edge, and go halfway to the other surface
+        // Find where the contact stands, and go halfway to the other surface
         const Entry entry = shallowest_entry(pair, *piece);
         const Vec2& outward = pair.normals[entry.owner][entry.edge];
         Vec2 point = Vec2::Zero();
         if (entry.vertex >= 0) {
             point = foot_of(pair, entry) - 0.5 * entry.depth * outward;
         } else {
-            for (const Vec2& corner : piece->corners) point += corner / static_cast<double>(piece->corners.size());
+            for (const Vec2& corner : piece->corners)
+                point += corner / static_cast<double>(piece->corners.size());
         }
 
         const Vec2 from_a_to_b = entry.owner == 0 ? outward : Vec2(-outward);
         const std::uint32_t is_of_b = entry.owner == 0 ? 1u : 0u;
-        const std::uint32_t feature = is_of_b | (static_cast<std::uint32_t>(entry.vertex) & 0x7fffu) << 1 |
-                                      (static_cast<std::uint32_t>(entry.edge) & 0xffffu) << 16;
-        contacts.push_back({world_from_a * point, world_from_a.rotation * from_a_to_b, -entry.depth, feature});
+        const std::uint32_t feature =
+            is_of_b | (static_cast<std::uint32_t>(entry.vertex) & 0x7fffu) << 1 |
+            (static_cast<std::uint32_t>(entry.edge) & 0xffffu) << 16;
+        contacts.push_back({world_from_a * point, world_from_a.rotation * from_a_to_b,
+                            -entry.depth, feature});
         // [collide.vertex_edge.stands]
     }
     return contacts;

@@ -17,8 +17,8 @@ int sign(double x)
 // [orientation.sign]
 
 // [orientation.exact]
-/// Sign of a sum of six exact products. An expansion, a list of numbers that overlap in no bit and grow from term to
-/// term, takes up one product after another without loss; its last term that is not zero has the sign of the sum.
+/// Sign of a sum of six exact products. An expansion, a list of numbers that overlap in no
+/// bit and grow from term to term, takes up one product after another without loss.
 int sign_of_sum(const std::array<std::array<double, 2>, 6>& factors)
 {
     std::array<double, 12> expansion{};
@@ -26,7 +26,7 @@ int sign_of_sum(const std::array<std::array<double, 2>, 6>& factors)
     for (const auto& [a, b] : factors) {
         const Exact product = two_product(a, b);
         for (double term : {product.error, product.rounded}) {
-            // Carry the term through the expansion: each place keeps what the sum there loses
+            // Carry the term through: each place keeps what the sum there loses
             for (std::size_t k = 0; k < count; ++k) {
                 const Exact sum = two_sum(term, expansion[k]);
                 term = sum.rounded;
@@ -35,10 +35,12 @@ int sign_of_sum(const std::array<std::array<double, 2>, 6>& factors)
             expansion[count++] = term;
         }
     }
+    // [orientation.exact.last]
     for (std::size_t k = count; k-- > 0;) {
         if (expansion[k] != 0.0) return sign(expansion[k]);
     }
     return 0;
+    // [orientation.exact.last]
 }
 // [orientation.exact]
 
@@ -53,7 +55,7 @@ int orientation(const Vec2& a, const Vec2& b, const Vec2& c)
     const double vy = b.y() - c.y();
 
     // [orientation.signs]
-    // Compare the signs of the two products: a difference of two doubles never rounds to a wrong sign
+    // Compare the signs of the products: no difference of doubles rounds to a wrong sign
     const int left_sign = sign(ux) * sign(vy);
     const int right_sign = sign(uy) * sign(vx);
     if (left_sign != right_sign) return left_sign > right_sign ? 1 : -1;
@@ -69,13 +71,18 @@ int orientation(const Vec2& a, const Vec2& b, const Vec2& c)
     const double right = uy * vx;
     const double difference = left - right;
     const double size = std::abs(left + right);
-    if (size > k_no_underflow && std::abs(difference) > k_worst_error * size) return sign(difference);
+    if (size > k_no_underflow && std::abs(difference) > k_worst_error * size)
+        return sign(difference);
     // [orientation.filter]
 
     // [orientation.last]
     // Multiply out, so that only given numbers are multiplied, and sum without loss
-    return sign_of_sum(
-        {{{a.x(), b.y()}, {-a.y(), b.x()}, {b.x(), c.y()}, {-b.y(), c.x()}, {c.x(), a.y()}, {-c.y(), a.x()}}});
+    return sign_of_sum({{{a.x(), b.y()},
+                         {-a.y(), b.x()},
+                         {b.x(), c.y()},
+                         {-b.y(), c.x()},
+                         {c.x(), a.y()},
+                         {-c.y(), a.x()}}});
     // [orientation.last]
 }
 // [orientation]
