@@ -6,8 +6,7 @@
 
 using namespace flying;
 
-// [impulse.breaks]
-/// A ball of 1 kg and a wall: normal speeds before and after, by four formulas.
+/// A ball of 1 kg and a wall: normal speeds before and after, by three formulas.
 int main()
 {
     const double w_n = 1.0;
@@ -17,8 +16,9 @@ int main()
             const double right = v_n + w_n * newton_impulse(v_n, w_n, e);
             const double two_e = v_n + w_n * impulse_two_e(v_n, w_n, e);
             const double no_test = v_n + w_n * impulse_without_test(v_n, w_n, e);
-            std::printf("%-10s %9.1f %4.1f %8.1f %7.1f %9.1f\n", v_n < 0.0 ? "approaches" : "leaves", v_n, e,
-                        right + 0.0, two_e + 0.0, no_test + 0.0);
+            std::printf("%-10s %9.1f %4.1f %8.1f %7.1f %9.1f\n",
+                        v_n < 0.0 ? "approaches" : "leaves", v_n, e, right + 0.0,
+                        two_e + 0.0, no_test + 0.0);
         }
     }
 
@@ -32,4 +32,3 @@ int main()
         std::printf("%7.0f %7.1f N s %6.1f N s\n", train, right, wrong);
     }
 }
-// [impulse.breaks]

@@ -19,14 +19,14 @@ void strike_rods()
         const ImpactResult after = strike_rod(1.0, d, 1.0);
         const double ball = after.velocity_a.y();
         const double rod = after.velocity_b.y();
-        const double energy = 0.5 * (ball * ball + rod * rod + after.spin_b * after.spin_b / 12.0);
-        std::printf("%9.3f m %4.2f kg %6.3f N s %9.3f %9.3f %9.3f %9.3f\n", d, felt, 1.0 - ball, ball, rod,
-                    after.spin_b, energy);
+        const double energy =
+            0.5 * (ball * ball + rod * rod + after.spin_b * after.spin_b / 12.0);
+        std::printf("%9.3f m %4.2f kg %6.3f N s %9.3f %9.3f %9.3f %9.3f\n", d, felt,
+                    1.0 - ball, ball, rod, after.spin_b, energy);
     }
 }
 // [impulse.demo.rod]
 
-// [impulse.demo.floor]
 /// A disc on a rough floor, faster and faster along it.
 void strike_floors()
 {
@@ -36,13 +36,13 @@ void strike_floors()
         const ImpactResult after = strike_floor(slip, {1.0, 0.5});
         const double left = after.velocity_b.x() + after.spin_b;
         const double before = slip * slip + 1.0;
-        const double kept = after.velocity_b.squaredNorm() + 0.5 * after.spin_b * after.spin_b;
-        std::printf("%10.1f m/s %9.3f %9.3f %12.3f\n", slip, left, after.spin_b, kept / before);
+        const double kept =
+            after.velocity_b.squaredNorm() + 0.5 * after.spin_b * after.spin_b;
+        std::printf("%10.1f m/s %9.3f %9.3f %12.3f\n", slip, left, after.spin_b,
+                    kept / before);
     }
 }
-// [impulse.demo.floor]
 
-// [impulse.demo.row]
 /// Five equal balls that touch; the first comes in at 1 m/s.
 void strike_rows()
 {
@@ -51,16 +51,16 @@ void strike_rows()
         double momentum = 0.0;
         double energy = 0.0;
         for (const double each : v) momentum += each, energy += each * each;
-        std::printf("%-8s %4.1f %7.3f %7.3f %7.3f %7.3f %7.3f %9.3f %9.3f\n", law, e, v[0], v[1], v[2], v[3], v[4],
-                    momentum, energy);
+        std::printf("%-8s %4.1f %7.3f %7.3f %7.3f %7.3f %7.3f %9.3f %9.3f\n", law, e, v[0],
+                    v[1], v[2], v[3], v[4], momentum, energy);
     };
-    std::printf("\nfive balls    e       1       2       3       4       5  momentum    energy\n");
+    std::printf(
+        "\nfive balls    e       1       2       3       4       5  momentum    energy\n");
     for (const double e : {1.0, 0.9}) {
         print("in turn", e, struck_in_turn(start, e));
         print("at once", e, struck_at_once(start, e));
     }
 }
-// [impulse.demo.row]
 
 } // namespace
 

@@ -116,7 +116,7 @@ void draw_valley(const std::string& folder)
     };
     mark(0.0, "e = 0", Anchor::middle, Vec2(0, 28));
     mark(0.5, "e = 1/2", Anchor::left, Vec2(12, 14));
-    mark(1.0, "e = 1", Anchor::middle, Vec2(-22, -12));
+    mark(1.0, "e = 1", Anchor::right, Vec2(-14, -12));
     s.disc(at(0.0, 0.0), 5.5, k_ink, k_none);
     s.words(at(0.42, -0.14), "compression", Anchor::left, k_blue);
     s.words(at(1.25, -0.14), "restitution", Anchor::middle, k_blue);
@@ -178,7 +178,7 @@ void draw_course(const std::string& folder)
     s.formula(at(0, -1) + Vec2(-22, 6), "v_n");
     s.formula(at(2.7, 0) + Vec2(0, 26), "j", Anchor::middle, k_soft);
     s.formula(at(0.45, -0.38), "W", Anchor::middle, k_blue, 22.0);
-    s.formula(at(j_f, 0.16) + Vec2(-22, 0), "e^2 W", Anchor::middle, k_rust);
+    s.formula(at(j_f, 0.16) + Vec2(-34, 4), "e^2 W", Anchor::middle, k_rust);
     s.words(at(0.34, -1.0) + Vec2(8, 4), "slip", Anchor::left, k_soft);
     s.words(at(1.06, -0.42) + Vec2(22, 0), "stick", Anchor::left, k_soft);
 }
@@ -187,7 +187,7 @@ void draw_course(const std::string& folder)
 void draw_slip(const std::string& folder)
 {
     Sketch s(folder + "/slip.svg", 540, 320);
-    const auto at = [](double x, double y) { return Vec2(70.0 + 56.0 * x, 262.0 - 38.0 * y); };
+    const auto at = [](double x, double y) { return Vec2(64.0 + 48.0 * x, 262.0 - 38.0 * y); };
     s.arrow(at(0, 0), at(8.2, 0), k_soft, 1.6);
     s.arrow(at(0, 0), at(0, 6.3), k_soft, 1.6);
     for (int k = 2; k <= 8; k += 2) s.words(at(k, 0) + Vec2(0, 22), std::to_string(k), Anchor::middle, k_ink, 15.0);
@@ -202,7 +202,7 @@ void draw_slip(const std::string& folder)
             points.push_back(at(slip, after.velocity_b.x() + after.spin_b));
         }
         s.path(points, tones[which], 2.8);
-        s.formula(points.back() + Vec2(6, -8), "μ = " + text_of("%.2g", mu), Anchor::right, tones[which], 17.0);
+        s.formula(points.back() + Vec2(8, 6), "μ = " + text_of("%.2g", mu), Anchor::left, tones[which], 18.0);
         ++which;
     }
     s.words(at(4.2, 0) + Vec2(0, 46), "slip before, m/s");

@@ -21,7 +21,7 @@ inline ImpactResult strike_rod(double ball_mass, double d, double e)
 // [impulse.rod]
 
 // [impulse.floor]
-/// A disc of 1 m and 1 kg that strikes the floor at 1 m/s, sliding to the right without spin.
+/// A disc of 1 m and 1 kg that strikes the floor at 1 m/s, sliding to the right, no spin.
 /// slip  [m/s]
 inline ImpactResult strike_floor(double slip, const Material& material)
 {

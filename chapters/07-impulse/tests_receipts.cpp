@@ -93,7 +93,6 @@ TEST_CASE("the normal speed is that of one point seen from the other")
 }
 // [impulse.tests.speed]
 
-// [impulse.tests.mass]
 TEST_CASE("a push of one newton second changes the normal speed by the inverse mass")
 {
     flying::Random random(723);
@@ -103,37 +102,44 @@ TEST_CASE("a push of one newton second changes the normal speed by the inverse m
         const double m_b = 1.0 / m.inertia.b.inv_mass;
         const double i_a = 1.0 / m.inertia.a.inv_moment_of_inertia;
         const double i_b = 1.0 / m.inertia.b.inv_moment_of_inertia;
+        // [impulse.tests.mass]
         const double c_a = flying::cross(m.point.r_a, m.point.normal);
         const double c_b = flying::cross(m.point.r_b, m.point.normal);
         const double w_n = flying::inverse_mass(m.frame.normal, m.frame.normal, m.inertia);
         const double sum = 1 / m_a + 1 / m_b + c_a * c_a / i_a + c_b * c_b / i_b;
-        CHECK_EQUATION("impulse.inverse_mass", w_n, sum, 3e-15, {"m_a", m_a}, {"m_b", m_b}, {"I_a", i_a}, {"I_b", i_b},
-                       {"c_a", c_a}, {"c_b", c_b});
-        CHECK_TWIN("impulse.inverse_mass", w_n, 1 / m_a + 1 / m_b + c_a * c_a / m_a + c_b * c_b / i_b, 3e-15);
+        CHECK_EQUATION("impulse.inverse_mass", w_n, sum, 3e-15, {"m_a", m_a}, {"m_b", m_b},
+                       {"I_a", i_a}, {"I_b", i_b}, {"c_a", c_a}, {"c_b", c_b});
+        CHECK_TWIN("impulse.inverse_mass", w_n,
+                   1 / m_a + 1 / m_b + c_a * c_a / m_a + c_b * c_b / i_b, 3e-15);
 
         // The same from motion: push and look
         flying::PairPush push;
         push.add(m.frame.normal, 1.0);
         const PairMotion after = flying::pushed(m.motion, push, m.inertia);
-        const double gain = flying::speed_along(m.frame.normal, after) - flying::speed_along(m.frame.normal, m.motion);
+        const double gain = flying::speed_along(m.frame.normal, after) -
+                            flying::speed_along(m.frame.normal, m.motion);
         CHECK(std::abs(gain - w_n) <= 16.0 * k_epsilon * (8.0 + w_n));
+        // [impulse.tests.mass]
         const double before = m.motion.spin_b;
         const double spin = before + c_b / i_b;
-        CHECK_EQUATION_SCALED("impulse.spin_b", after.spin_b, spin, 1.0 + std::abs(c_b / i_b), 2e-15,
-                              {"\\omega_b", before}, {"c_b", c_b}, {"j", 1.0}, {"I_b", i_b});
-        CHECK_TWIN_SCALED("impulse.spin_b", after.spin_b, before - c_b / i_b, 1.0 + std::abs(c_b / i_b), 2e-15);
+        CHECK_EQUATION_SCALED("impulse.spin_b", after.spin_b, spin,
+                              1.0 + std::abs(c_b / i_b), 2e-15, {"\\omega_b", before},
+                              {"c_b", c_b}, {"j", 1.0}, {"I_b", i_b});
+        CHECK_TWIN_SCALED("impulse.spin_b", after.spin_b, before - c_b / i_b,
+                          1.0 + std::abs(c_b / i_b), 2e-15);
         const double v = m.motion.velocity_b.x();
         const double n_x = m.point.normal.x();
         const double size = 1.0 + 1.0 / m_b;
-        CHECK_EQUATION_SCALED("impulse.velocity_b", after.velocity_b.x(), v + n_x / m_b, size, 2e-15, {"v_{bx}", v},
-                              {"n_x", n_x}, {"j", 1.0}, {"m_b", m_b});
-        CHECK_TWIN_SCALED("impulse.velocity_b", after.velocity_b.x(), v - n_x / m_b, size, 2e-15);
+        CHECK_EQUATION_SCALED("impulse.velocity_b", after.velocity_b.x(), v + n_x / m_b,
+                              size, 2e-15, {"v_{bx}", v}, {"n_x", n_x}, {"j", 1.0},
+                              {"m_b", m_b});
+        CHECK_TWIN_SCALED("impulse.velocity_b", after.velocity_b.x(), v - n_x / m_b, size,
+                          2e-15);
     }
 }
-// [impulse.tests.mass]
 
-// [impulse.tests.newton]
-TEST_CASE("the impulse turns the approach round, e times as fast, and loses what that costs")
+TEST_CASE(
+    "the impulse turns the approach round, e times as fast, and loses what that costs")
 {
     flying::Random random(724);
     int struck = 0;
@@ -144,30 +150,37 @@ TEST_CASE("the impulse turns the approach round, e times as fast, and loses what
         ++struck;
         const double e = random.uniform();
         const double w_n = flying::inverse_mass(m.frame.normal, m.frame.normal, m.inertia);
+        // [impulse.tests.newton]
         const double j = flying::newton_impulse(v_n, w_n, e);
-        CHECK_EQUATION("impulse.normal", j, (1 + e) * -v_n / w_n, 1e-15, {"e", e}, {"v_n", v_n}, {"w_n", w_n});
+        CHECK_EQUATION("impulse.normal", j, (1 + e) * -v_n / w_n, 1e-15, {"e", e},
+                       {"v_n", v_n}, {"w_n", w_n});
         CHECK_TWIN("impulse.normal", j, 2 * e * -v_n / w_n, 1e-15);
 
         // Rounding has its share of all speeds at hand
-        const ImpactResult after = flying::resolve_impact(m.pair.a, m.pair.b, {&m.point, 1}, {e, 0.0});
+        const ImpactResult after =
+            flying::resolve_impact(m.pair.a, m.pair.b, {&m.point, 1}, {e, 0.0});
         const double speeds = speed_scale(m.pair.a, m.pair.b, after, m.point);
         const double rebound = normal_speed(after, m.point);
-        CHECK_EQUATION_SCALED("impulse.newton", rebound, -e * v_n, speeds, 4e-15, {"e", e}, {"v_n", v_n});
+        CHECK_EQUATION_SCALED("impulse.newton", rebound, -e * v_n, speeds, 4e-15, {"e", e},
+                              {"v_n", v_n});
         CHECK_TWIN_SCALED("impulse.newton", rebound, -e * e * v_n, speeds, 4e-15);
+        // [impulse.tests.newton]
 
         const real before = energy(m.pair.a, m.pair.b);
-        const double change = static_cast<double>(energy(m.pair.a, m.pair.b, after) - before);
+        const double change =
+            static_cast<double>(energy(m.pair.a, m.pair.b, after) - before);
         const double all = static_cast<double>(before) + j * j * w_n;
-        CHECK_EQUATION_SCALED("impulse.energy", change, v_n * j + w_n * j * j / 2, all, 4e-15, {"v_n", v_n}, {"j", j},
-                              {"w_n", w_n});
+        CHECK_EQUATION_SCALED("impulse.energy", change, v_n * j + w_n * j * j / 2, all,
+                              4e-15, {"v_n", v_n}, {"j", j}, {"w_n", w_n});
         CHECK_TWIN_SCALED("impulse.energy", change, v_n * j + w_n * j * j, all, 4e-15);
         const double lost = -(1 - e * e) * v_n * v_n / (2 * w_n);
-        CHECK_EQUATION_SCALED("impulse.lost", change, lost, all, 4e-15, {"e", e}, {"v_n", v_n}, {"w_n", w_n});
-        CHECK_TWIN_SCALED("impulse.lost", change, -(1 - e) * v_n * v_n / (2 * w_n), all, 4e-15);
+        CHECK_EQUATION_SCALED("impulse.lost", change, lost, all, 4e-15, {"e", e},
+                              {"v_n", v_n}, {"w_n", w_n});
+        CHECK_TWIN_SCALED("impulse.lost", change, -(1 - e) * v_n * v_n / (2 * w_n), all,
+                          4e-15);
     }
     CHECK(struck > 500);
 }
-// [impulse.tests.newton]
 
 // [impulse.tests.disc]
 TEST_CASE("a disc on the floor loses the slip that the cone can take")
@@ -181,10 +194,11 @@ TEST_CASE("a disc on the floor loses the slip that the cone can take")
         const ImpactResult after = flying::strike_floor(slip, rough);
         const double left = after.velocity_b.x() + after.spin_b;
         const double closed = std::max(0.0, slip - 3 * mu * (1 + e));
-        CHECK_EQUATION_SCALED("impulse.disc", left, closed, 8.0, 1e-15, {"v_t", slip}, {"\\mu", mu}, {"e", e},
-                              {"v_n", -1.0});
+        CHECK_EQUATION_SCALED("impulse.disc", left, closed, 8.0, 1e-15, {"v_t", slip},
+                              {"\\mu", mu}, {"e", e}, {"v_n", -1.0});
         if (closed == 0.0) continue;
-        CHECK_TWIN_SCALED("impulse.disc", left, std::max(0.0, slip - 2 * mu * (1 + e)), 8.0, 1e-15);
+        CHECK_TWIN_SCALED("impulse.disc", left, std::max(0.0, slip - 2 * mu * (1 + e)), 8.0,
+                          1e-15);
     }
     RECORD_VALUE("impulse.disc.threshold", 3 * 0.5 * (1 + 1.0) * 1.0);
 }
@@ -317,7 +331,8 @@ TEST_CASE("a block that rocks from one corner to the other keeps what the angle 
 // [impulse.tests.rocking]
 
 // [impulse.tests.wrong_two_e]
-TEST_CASE("2 e in place of 1 + e is right at e = 1 alone; at e = 0 the ball goes through the wall")
+TEST_CASE("2 e in place of 1 + e is right at e = 1 alone; at e = 0 the ball goes through "
+          "the wall")
 {
     CHECK(flying::impulse_two_e(-1.0, 1.0, 1.0) == flying::newton_impulse(-1.0, 1.0, 1.0));
     CHECK(-1.0 + flying::impulse_two_e(-1.0, 1.0, 0.0) == -1.0);
@@ -334,13 +349,15 @@ TEST_CASE("2 e in place of 1 + e is right at e = 1 alone; at e = 0 the ball goes
 // [impulse.tests.wrong_two_e]
 
 // [impulse.tests.wrong_no_test]
-TEST_CASE("without a test of approach a body that leaves is thrown back, and its energy is none the wiser")
+TEST_CASE("without a test of approach a body that leaves is thrown back, and its energy is "
+          "none the wiser")
 {
     const double v = 50.0;
     const double wrong = v + flying::impulse_without_test(v, 1.0, 1.0);
     CHECK(wrong == -50.0);
-    CHECK(0.5 * wrong * wrong == 0.5 * v * v);                     // energy is kept, to the bit
-    CHECK_FALSE(flying::impulse_without_test(v, 1.0, 1.0) >= 0.0); // contact pulls: this finds it
+    CHECK(0.5 * wrong * wrong == 0.5 * v * v); // energy is kept, to the bit
+    // Contact pulls: this finds it
+    CHECK_FALSE(flying::impulse_without_test(v, 1.0, 1.0) >= 0.0);
     CHECK(flying::newton_impulse(v, 1.0, 1.0) == 0.0);
 }
 // [impulse.tests.wrong_no_test]
@@ -353,6 +370,7 @@ TEST_CASE("the velocity of one body alone makes the impulse depend on who looks"
         const double v_b = 0.0 - train;
         CHECK(flying::newton_impulse(v_b - v_a, 2.0, 1.0) == 3.0);
     }
-    CHECK(flying::impulse_of_one_body(-1.0, 2.0, 1.0) != flying::impulse_of_one_body(-5.0, 2.0, 1.0));
+    CHECK(flying::impulse_of_one_body(-1.0, 2.0, 1.0) !=
+          flying::impulse_of_one_body(-5.0, 2.0, 1.0));
 }
 // [impulse.tests.wrong_one_body]

@@ -16,14 +16,15 @@ PointResponse response_at(const PointFrame& frame, const PairInertia& inertia)
     response.w_t = inverse_mass(t, t, inertia);
     response.w_nt = inverse_mass(n, t, inertia);
 
-    // Sum the determinant from terms that are all positive; the difference w_n w_t - w_nt^2 would cancel
+    // Sum the determinant from positive terms; the difference w_n w_t - w_nt^2 would cancel
     const double inv_m = inertia.inv_mass();
     const double inv_i_a = inertia.a.inv_moment_of_inertia;
     const double inv_i_b = inertia.b.inv_moment_of_inertia;
     const double turn_a = inv_i_a * (n.arm_a * n.arm_a + t.arm_a * t.arm_a);
     const double turn_b = inv_i_b * (n.arm_b * n.arm_b + t.arm_b * t.arm_b);
     const double minor = n.arm_a * t.arm_b - t.arm_a * n.arm_b;
-    response.determinant = inv_m * (inv_m + (turn_a + turn_b)) + inv_i_a * inv_i_b * (minor * minor);
+    response.determinant =
+        inv_m * (inv_m + (turn_a + turn_b)) + inv_i_a * inv_i_b * (minor * minor);
     return response;
 }
 // [impulse.response_at]
@@ -31,7 +32,8 @@ PointResponse response_at(const PointFrame& frame, const PairInertia& inertia)
 // [impulse.normal]
 double newton_impulse(double v_n, double w_n, double e)
 {
-    // Leave separating points alone: contact pushes, it never pulls. Two immovable bodies have no answer
+    // Leave separating points alone: contact pushes, it never pulls. Nor do two immovable
+    // bodies have an answer
     if (!(v_n < 0.0) || !(w_n > 0.0)) return 0.0;
 
     return -(1.0 + e) * v_n / w_n;
@@ -51,15 +53,16 @@ PointImpulse uncoupled_impulse(const PointResponse& w, double v_n, double v_t, c
 // [impulse.friction.uncoupled]
 
 // [impulse.friction.course]
-// The two stretches of a coupled impact, over the normal impulse: first slip as it came in, then what follows its end
+// The two stretches of a coupled impact, over the normal impulse: first slip as it came in,
+// then what follows its end
 struct Course
 {
-    double slip_sign;  // of v_t in the first stretch; 0 where the point doesn't slip
-    double slip_end;   // normal impulse at which the slip ends; infinite where friction can't end it [N s]
+    double slip_sign; // of v_t in the first stretch; 0 where the point doesn't slip
+    double slip_end; // normal impulse at its end, infinite if nothing ends it [N s]
     double rate_first; // d v_n / d j while slipping; may be negative: a jam [1/kg]
     double rate_then;  // d v_n / d j afterwards, > 0 [1/kg]
-    double rate_step;  // rate_first - rate_then, without cancellation where it sticks [1/kg]
-    bool sticks;       // after the slip has ended; else it slips back
+    double rate_step; // rate_first - rate_then, without cancellation where it sticks [1/kg]
+    bool sticks;      // after the slip has ended; else it slips back
 };
 // [impulse.friction.course]
 
@@ -69,12 +72,15 @@ Course course_of(const PointResponse& w, double v_t, double mu)
     Course course{};
     course.slip_sign = v_t > 0.0 ? 1.0 : v_t < 0.0 ? -1.0 : 0.0;
 
-    // Slip: q = -s mu j, so friction brakes the slip while the coupling drives or brakes it too
+    // Slip: q = -s mu j, so friction brakes the slip; the coupling drives or brakes it too
     const double s = course.slip_sign;
     const double brake = mu * w.w_t - s * w.w_nt;
     course.rate_first = w.w_n - s * mu * w.w_nt;
-    course.slip_end = s == 0.0 ? 0.0 : brake > 0.0 ? std::abs(v_t) / brake : std::numeric_limits<double>::infinity();
+    course.slip_end = s == 0.0      ? 0.0
+                      : brake > 0.0 ? std::abs(v_t) / brake
+                                    : std::numeric_limits<double>::infinity();
 
+    // [impulse.friction.then]
     // Stick if friction can hold what the coupling drives; else slip to where it drives
     course.sticks = std::abs(w.w_nt) <= mu * w.w_t;
     const double rate_stick = w.determinant / w.w_t;
@@ -85,6 +91,7 @@ Course course_of(const PointResponse& w, double v_t, double mu)
         course.rate_then = std::max(w.w_n - mu * std::abs(w.w_nt), rate_stick);
         course.rate_step = course.rate_first - course.rate_then;
     }
+    // [impulse.friction.then]
     return course;
 }
 // [impulse.friction.phases]
@@ -100,16 +107,19 @@ double final_impulse(const Course& course, double v_n, double e)
     const double newton = (1.0 + e) * in / k;
     if (k > 0.0 && newton <= j_s) return newton;
 
-    // Slip ends at normal speed v_s, after compression: the rest of the work is given back at the other rate
     const double v_s = v_n + k * j_s;
     const double k_then = course.rate_then;
+    // [impulse.friction.late]
+    // Slip ends at v_s, after compression: the rest of the work comes back at k_then
     if (v_s >= 0.0) {
-        const double squared = (course.rate_step * (v_s * v_s) + k_then * (e * in) * (e * in)) / k;
+        const double squared =
+            (course.rate_step * (v_s * v_s) + k_then * (e * in) * (e * in)) / k;
         const double out = std::sqrt(std::max(squared, v_s * v_s));
         return j_s + (out - v_s) / k_then;
     }
+    // [impulse.friction.late]
 
-    // Slip ends during compression: the work so far is (v_n + v_s) j_s / 2, be it a jam or not
+    // Slip ends during compression: the work so far is (v_n + v_s) j_s / 2, jam or not
     const double out = e * std::sqrt(v_s * v_s - k_then * (j_s * (v_n + v_s)));
     return j_s + (out - v_s) / k_then;
 }

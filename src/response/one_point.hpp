@@ -5,7 +5,7 @@
 namespace flying {
 
 // [impulse.point_response]
-/// How a point gives way: the changes of its normal and tangential speed per unit of impulse.
+/// How a point gives way: changes of normal and tangential speed per unit of impulse.
 ///
 ///     d v_n = w_n d j + w_nt d q          j normal, q tangential impulse          [N s]
 ///     d v_t = w_nt d j + w_t d q

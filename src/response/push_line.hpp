@@ -31,7 +31,7 @@ struct PairInertia
 // [impulse.inertia]
 
 // [impulse.line]
-/// The line along which two bodies push each other: a direction and the arms of its two moments.
+/// The line along which two bodies push each other: a direction and two arms.
 struct PushLine
 {
     Vec2 direction = Vec2::Zero(); ///< in which B is pushed; A is pushed the other way
@@ -52,8 +52,8 @@ struct PointFrame
 // [impulse.arm]
 /// Arm of a push along unit vector n at r. [m]
 ///
-/// A normal that goes through the centre of mass has no arm; rounding gives it one. Such an arm is taken for none, so
-/// that a frictionless disc never spins.
+/// A normal that goes through the centre of mass has no arm; rounding gives it one. Such an
+/// arm is taken for none, so that a frictionless disc never spins.
 [[nodiscard]] inline double normal_arm(const Vec2& r, const Vec2& n)
 {
     const double arm = cross(r, n);
@@ -67,12 +67,15 @@ struct PointFrame
 [[nodiscard]] inline PointFrame frame_at(const ImpactPoint& point)
 {
     const Vec2& n = point.normal;
-    return {{n, normal_arm(point.r_a, n), normal_arm(point.r_b, n)}, {perp(n), point.r_a.dot(n), point.r_b.dot(n)}};
+    return {{n, normal_arm(point.r_a, n), normal_arm(point.r_b, n)},
+            {perp(n), point.r_a.dot(n), point.r_b.dot(n)}};
 }
 // [impulse.frame]
 
 // [impulse.speed]
-/// Speed of B's point relative to A's, seen along a line; along a normal, negative when approaching.  [m/s]
+/// Speed of B's point relative to A's, seen along a line.  [m/s]
+///
+/// Along a normal it is negative when they approach.
 ///
 /// The point at r moves at v + omega x r, and (omega x r).n = omega (r x n): the arm again.
 [[nodiscard]] inline double speed_along(const PushLine& line, const PairMotion& motion)
@@ -84,10 +87,12 @@ struct PointFrame
 // [impulse.speed]
 
 // [impulse.inverse_mass]
-/// By how much the speed along `seen` changes for one N s along `pushed`; symmetric in the two.  [1/kg]
+/// Change of the speed along `seen` for one N s along `pushed`; symmetric.  [1/kg]
 ///
-/// For one line: the inverse of its effective mass, 1/m_a + 1/m_b + (r_a x n)^2/I_a + (r_b x n)^2/I_b.
-[[nodiscard]] inline double inverse_mass(const PushLine& seen, const PushLine& pushed, const PairInertia& inertia)
+/// For one line: the inverse of its effective mass,
+/// 1/m_a + 1/m_b + (r_a x n)^2/I_a + (r_b x n)^2/I_b.
+[[nodiscard]] inline double inverse_mass(const PushLine& seen, const PushLine& pushed,
+                                         const PairInertia& inertia)
 {
     const double shift = inertia.inv_mass() * seen.direction.dot(pushed.direction);
     const double turn_a = inertia.a.inv_moment_of_inertia * (seen.arm_a * pushed.arm_a);
@@ -96,8 +101,8 @@ struct PointFrame
 }
 // [impulse.inverse_mass]
 
-// [impulse.apply]
-/// A sum of pushes: impulse on B, and moments about both centres of mass. A takes the impulse's opposite.
+// [impulse.push]
+/// A sum of pushes: impulse on B, and moments about both centres. A takes the opposite.
 struct PairPush
 {
     Vec2 impulse = Vec2::Zero(); ///< [N s]
@@ -112,9 +117,12 @@ struct PairPush
         moment_b += j * line.arm_b;
     }
 };
+// [impulse.push]
 
+// [impulse.apply]
 /// The motion after a push.
-[[nodiscard]] inline PairMotion pushed(const PairMotion& motion, const PairPush& push, const PairInertia& inertia)
+[[nodiscard]] inline PairMotion pushed(const PairMotion& motion, const PairPush& push,
+                                       const PairInertia& inertia)
 {
     return {motion.velocity_a - inertia.a.inv_mass * push.impulse,
             motion.velocity_b + inertia.b.inv_mass * push.impulse,
