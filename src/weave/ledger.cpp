@@ -112,12 +112,16 @@ std::optional<std::string> format_value(double value, const std::string& format)
     if (!is_format) return std::nullopt;
     std::array<char, 1500> text{};
     std::snprintf(text.data(), text.size(), format.c_str(), value);
-    const std::string shown = text.data();
+    std::string shown = text.data();
     const std::size_t e = shown.find_first_of("eE");
-    if (e == std::string::npos || !std::isfinite(value)) return shown;
-    const int exponent = std::stoi(shown.substr(e + 1));
+    const bool has_power = e != std::string::npos && std::isfinite(value);
+    if (has_power && value == 0.0) return "0";
+    const int exponent = has_power ? std::stoi(shown.substr(e + 1)) : 0;
+    if (has_power) shown.resize(e);
+    if (shown.front() == '-') shown.replace(0, 1, "\u2212");
+    if (!has_power) return shown;
     const std::string power = fmt::format("10<sup>{}{}</sup>", exponent < 0 ? "\u2212" : "", std::abs(exponent));
-    return shown.substr(0, e) == "1" ? power : fmt::format("{}\u2009\u00b7\u2009{}", shown.substr(0, e), power);
+    return shown == "1" ? power : fmt::format("{}\u2009\u00b7\u2009{}", shown, power);
 }
 
 } // namespace flying::weave

@@ -65,6 +65,8 @@ private:
     [[nodiscard]] std::string insert(const std::string& text, Site site, const Place& place);
     [[nodiscard]] std::string math(const std::string& tex, const Place& place);
     [[nodiscard]] std::string caption(const Block& block);
+    /// A caption for those who don't see the figure: without dollars and backquotes, its inserts as text.
+    [[nodiscard]] std::string plain_caption(const Block& block);
 
     const Material& material_;
     Fragments& fragments_;

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "weave/inline.hpp"
+#include "weave/receipts.hpp"
 #include "weave/text.hpp"
 
 namespace flying::weave {
@@ -76,10 +77,12 @@ std::optional<std::string> typed_decimal(const std::string& text)
     return std::nullopt;
 }
 
-void check_text(const Block& block, int& given, Problems& problems)
+using Lines = std::vector<std::pair<int, std::string>>;
+
+void check_text(const Block& block, const Lines& words, int& given, Problems& problems)
 {
     static const std::regex k_insert(R"(\{\{[^}]*\}\})");
-    for (const Piece& piece : pieces_of(block.lines)) {
+    for (const Piece& piece : pieces_of(words)) {
         const Place place{block.place.file, piece.line};
         if (piece.kind == PieceKind::insert && parse_insert(piece.text).kind == "given") ++given;
         if (piece.kind == PieceKind::math) {
@@ -238,8 +241,13 @@ int check_prose(const Material& material, Problems& problems)
     for (const Chapter& chapter : material.chapters) {
         for (const ChapterText* text : texts_of(chapter)) {
             for (const Block& block : text->blocks) {
-                if (block.kind == BlockKind::text) check_text(block, given, problems);
+                if (block.kind == BlockKind::text) check_text(block, block.lines, given, problems);
+                if (!block.caption.empty())
+                    check_text(block, Lines{{block.place.line, block.caption}}, given, problems);
                 if (block.kind == BlockKind::fence) check_fence(block, problems);
+                if (block.kind != BlockKind::derivation) continue;
+                for (const Step& step : steps_of(block))
+                    check_text(block, Lines{{step.line, step.reason}}, given, problems);
             }
         }
     }

@@ -322,15 +322,28 @@ std::string TextWriter::caption(const Block& block)
     return inline_text({{block.place.line, block.caption}}, block.place.file);
 }
 
+std::string TextWriter::plain_caption(const Block& block)
+{
+    std::string words;
+    for (const Piece& piece : pieces_of({{block.place.line, block.caption}})) {
+        const Insert insert = parse_insert(piece.text);
+        const auto value = material_.ledger.values.find(insert.name);
+        if (piece.kind != PieceKind::insert)
+            words += piece.text;
+        else if (insert.kind == "value" && value != material_.ledger.values.end())
+            words += replace_all(format_value(value->second, insert.format).value_or(""), "<sup>", "^");
+        else
+            words += insert.name;
+    }
+    return escape_html(trim(replace_all(words, "</sup>", "")));
+}
+
 std::string TextWriter::figure(const Chapter& chapter, const Block& block)
 {
-    // The words for those who don't see it are the caption without its dollars and backquotes
-    std::string words;
-    for (const Piece& piece : pieces_of({{block.place.line, block.caption}})) words += piece.text;
     return block_token(
         fragments_.add_html(fmt::format("<figure class=\"picture\" id=\"figure-{0}\"><img src=\"figures/{1}/{0}.svg\" "
                                         "alt=\"{2}\"><figcaption>{3}</figcaption></figure>",
-                                        block.name, chapter.entry.name, escape_html(trim(words)), caption(block))));
+                                        block.name, chapter.entry.name, plain_caption(block), caption(block))));
 }
 
 std::string TextWriter::live(const Chapter& chapter, const Block& block)
@@ -341,7 +354,7 @@ std::string TextWriter::live(const Chapter& chapter, const Block& block)
                                         "aria-label=\"{1}\"></canvas><figcaption>{2}</figcaption>"
                                         "<noscript>This picture moves only where scripts "
                                         "run.</noscript></figure><script src=\"traces/{0}.js\"></script>",
-                                        escape_html(id), escape_html(block.caption), caption(block))));
+                                        escape_html(id), plain_caption(block), caption(block))));
 }
 
 std::string TextWriter::output(const Chapter& chapter, const Block& block)

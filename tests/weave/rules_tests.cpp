@@ -261,6 +261,20 @@ TEST_CASE("a decimal number typed into the text fails the book, in formulas of t
     check_one(tree, k_chapter, "a finger turns", "decimal number 1e-3 typed into the text");
 }
 
+TEST_CASE("a decimal number typed into a caption or into a reason fails the book")
+{
+    const auto with = [](const std::string& from, const std::string& to) {
+        const ExampleTree tree;
+        tree.replace(k_chapter, from, to);
+        return tree.problems();
+    };
+    const std::string number = "decimal number 2.5 typed into the text";
+    CHECK(with("A thin rod, its end", "A thin rod of 2.5 m, its end").find("chapter.md:5: " + number) !=
+          std::string::npos);
+    CHECK(with("the integral of a square", "2.5 of them").find(number) != std::string::npos);
+    CHECK(with("A thin rod, its end", "A thin rod of {{given:2.5}} m, its end") == "");
+}
+
 TEST_CASE("a decimal number that is declared as given is counted; code and versions are no numbers")
 {
     const ExampleTree tree;

@@ -28,6 +28,9 @@ TEST_CASE("values are set with powers of ten, and no format reaches further than
     CHECK(format_value(0.25, "%.2f") == "0.25");
     CHECK(format_value(6.6e-16, "%.1e") == "6.6\u2009\u00b7\u200910<sup>\u221216</sup>");
     CHECK(format_value(1000.0, "%.0e") == "10<sup>3</sup>");
+    CHECK(format_value(0.0, "%.0e") == "0");
+    CHECK(format_value(-0.269, "%.3f") == "\u22120.269");
+    CHECK(format_value(-6.6e-16, "%.1e") == "\u22126.6\u2009\u00b7\u200910<sup>\u221216</sup>");
     for (const char* bad : {"%s", "%n", "%d", "%.3g%s", "x", "", "%", "%*g"})
         CHECK_FALSE(format_value(1.0, bad).has_value());
 }
