@@ -145,6 +145,7 @@ Handover describe(const Hybrid::Change& change, const Scene& scene)
     case Why::unresolved:
         handover.reason = describe({EventFailure::Kind::unresolved, handover.time, change.a, change.b}, scene).message;
         break;
+    case Why::leaning: handover.reason = "they lean on something from the start"; break;
     case Why::near: handover.reason = "within a step they may meet bodies that lean on others"; break;
     case Why::free: handover.reason = "they bear no load, and will touch nothing for two steps"; break;
     }

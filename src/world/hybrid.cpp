@@ -194,6 +194,14 @@ void Hybrid::take_blow(const Blow& blow)
 // [hybrid.take]
 bool Hybrid::takes(const EventFailure& failure) { return failure.kind != EventFailure::Kind::spun_out; }
 
+void Hybrid::take_leaning(EventEngine& engine, const std::vector<int>& bodies)
+{
+    Change change;
+    change.why = Change::Why::leaning;
+    take_in(engine, bodies, change);
+    take_in_all_near(engine);
+}
+
 void Hybrid::take(EventEngine& engine, const EventFailure& failure)
 {
     const std::vector<Blow> blows = blows_of(engine, failure.a, failure.b);

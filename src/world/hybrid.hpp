@@ -37,7 +37,7 @@ public:
     /// A hand-over before the scene gives it its words.
     struct Change
     {
-        enum class Why { crowded, settled, unresolved, near, free };
+        enum class Why { leaning, crowded, settled, unresolved, near, free };
         Why why = Why::crowded;
         double time = 0.0;        ///< when it happened [s]
         std::vector<int> bodies;
@@ -56,6 +56,8 @@ public:
 
     /// Whether a failure is one that ends by giving the bodies to the resting integrator.
     [[nodiscard]] static bool takes(const EventFailure& failure);
+    /// Take bodies that lean on something from the start, and those near them.
+    void take_leaning(EventEngine& engine, const std::vector<int>& bodies);
     /// Take the two bodies of such a failure, and those near them.
     void take(EventEngine& engine, const EventFailure& failure);
 

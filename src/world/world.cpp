@@ -10,6 +10,7 @@
 #include "rest/rest_engine.hpp"
 #include "world/account.hpp"
 #include "world/checks.hpp"
+#include "world/leaning.hpp"
 #include "world/make_shape.hpp"
 
 namespace flying {
@@ -81,6 +82,7 @@ struct EngineMemory
     EventEngine::Resume events;
     std::optional<RestEngine::Memory> rest; ///< where the resting integrator alone was at work
     std::optional<Hybrid::Memory> hybrid;   ///< where both were
+    bool has_begun = false;                 ///< who leans from the start has been handed over
 };
 
 /// What a world is made of.
@@ -104,7 +106,9 @@ struct World::Parts
     std::int64_t earlier_events = 0; ///< before this world was resumed
     std::int64_t earlier_collisions = 0;
     bool failed = false;
+    bool has_begun = false; ///< who leans from the start has been handed over
 
+    void begin();
     void start_rest(double time);
     void start_hybrid();
     [[nodiscard]] BodyState state(int body) const;
@@ -190,6 +194,7 @@ Expected<World> World::resume(const Scene& scene, const Snapshot& snapshot, cons
     parts.ledger = snapshot.ledger;
     parts.max_overlap = snapshot.max_overlap;
     parts.clock = snapshot.time;
+    parts.has_begun = memory.has_begun;
     if (memory.rest) {
         parts.start_rest(0.0);
         parts.rest->go_on_from(*memory.rest);
@@ -212,7 +217,7 @@ Snapshot World::snapshot() const
     snapshot.collisions = collisions();
     snapshot.max_overlap = parts.max_overlap;
     snapshot.initial_total = parts.initial_total;
-    EngineMemory memory{parts.engine.resume(), {}, {}};
+    EngineMemory memory{parts.engine.resume(), {}, {}, parts.has_begun};
     if (parts.rest) memory.rest = parts.rest->memory();
     if (parts.hybrid) memory.hybrid = parts.hybrid->memory();
     snapshot.engines = std::make_shared<const EngineMemory>(std::move(memory));
@@ -236,6 +241,19 @@ void World::Parts::start_hybrid()
 {
     hybrid.emplace(engine, materials, is_static,
                    Hybrid::Setting{options.step, uniform_acceleration(scene.world.field), seconds});
+}
+
+/// Give to the resting integrator who leans on something from the start, if the user left the choice to us.
+void World::Parts::begin()
+{
+    has_begun = true;
+    const Vec2 gravity = uniform_acceleration(scene.world.field);
+    if (options.engine != EngineChoice::automatic || gravity == Vec2::Zero()) return;
+    const std::vector<int> leaning = find_leaning(engine, gravity);
+    if (leaning.empty()) return;
+    start_hybrid();
+    clock = engine.time();
+    hybrid->take_leaning(engine, leaning);
 }
 
 RunFailure World::Parts::fail(const EventFailure& failure)
@@ -275,6 +293,7 @@ std::optional<RunFailure> World::advance(double time, std::int64_t max_events)
         parts.advance_rest(time, max_events);
         return std::nullopt;
     }
+    if (!parts.has_begun) parts.begin();
     if (!parts.hybrid) {
         const std::optional<EventFailure> failure = parts.engine.advance(time, max_events);
         if (!failure) return std::nullopt;
