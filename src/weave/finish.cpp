@@ -230,6 +230,51 @@ std::map<std::string, std::string> chapter_notes(const Material& material)
     return notes;
 }
 
+/// Doxygen's row of links over a page names lists that it leaves out: those links go.
+std::string with_true_row(std::string page)
+{
+    std::size_t at = page.find("<div class=\"summary\">");
+    if (at == std::string::npos) return page;
+    const std::string separator = " &#124;\n";
+    while (true) {
+        const std::size_t end = page.find("</div>", at);
+        const std::size_t link = page.find("<a href=\"#", at);
+        if (link >= end) return page;
+        const std::size_t name = link + 10;
+        const std::string anchor = page.substr(name, page.find('"', name) - name);
+        at = page.find("</a>", link) + 4;
+        if (page.find("name=\"" + anchor + "\"") != std::string::npos ||
+            page.find("id=\"" + anchor + "\"") != std::string::npos)
+            continue;
+        const std::size_t after = page.compare(at, separator.size(), separator) == 0 ? separator.size() : 0;
+        page.erase(link, at + after - link);
+        at = link;
+    }
+}
+
+/// Doxygen makes variables of file names. Where the name begins with a digit, no browser reads the line, and the tree
+/// beside the page stays shut: such variables get a letter in front, and so does the one place that looks for them.
+void mend_tree_scripts(const fs::path& html, Problems& problems)
+{
+    static const std::string k_asks = "eval(n.replace(/\\-/g,'_'))";
+    const auto rewrite = [&](const fs::path& path, const std::string& text) {
+        if (!write_file(path, text))
+            problems.add({path.filename().string(), 0}, "a script that can't be written", "a folder to write to");
+    };
+    std::error_code error;
+    for (const auto& file : fs::directory_iterator(html, error)) {
+        const fs::path& path = file.path();
+        if (path.extension() != ".js" || std::isdigit(static_cast<unsigned char>(path.filename().string()[0])) == 0)
+            continue;
+        const std::string text = read_file(path).value_or("");
+        if (text.rfind("var ", 0) == 0 && text.rfind("var _", 0) != 0) rewrite(path, "var _" + text.substr(4));
+    }
+    const std::string tree = read_file(html / "navtree.js").value_or("");
+    if (tree.find(k_asks) != std::string::npos)
+        rewrite(html / "navtree.js",
+                replace_all(tree, k_asks, "eval(n.replace(/\\-/g,'_').replace(/^(?=[0-9])/,'_'))"));
+}
+
 std::string with_note(std::string page, const std::string& note)
 {
     const std::string mark = "<div class=\"contents\">";
@@ -296,9 +341,11 @@ void finish_pages(const Material& material, const std::vector<Fragment>& fragmen
                 if (finished.find("href=\"" + page + "\"", end) != std::string::npos) note = by_page.find(page);
         }
         if (note != by_page.end()) finished = with_note(finished, note->second);
+        finished = with_true_row(finished);
         if (finished != text && !write_file(path, finished))
             problems.add({name, 0}, "a page that can't be written", "a folder to write to");
     }
+    mend_tree_scripts(html, problems);
 }
 
 void check_links(const fs::path& html, Problems& problems)
@@ -307,10 +354,7 @@ void check_links(const fs::path& html, Problems& problems)
     std::map<std::string, std::set<std::string>> links;
     for (const fs::path& path : html_files(html)) {
         const std::string name = path.filename().string();
-        std::string text = read_file(path).value_or("");
-        // Doxygen's own row of links over a page names lists that it leaves out
-        const std::size_t row = text.find("<div class=\"summary\">");
-        if (row != std::string::npos) text.erase(row, text.find("</div>", row) - row);
+        const std::string text = read_file(path).value_or("");
         std::set<std::string>& own = anchors[name];
         for (const char* attribute : {" id=\"", " name=\""}) {
             std::size_t at = 0;
@@ -326,6 +370,8 @@ void check_links(const fs::path& html, Problems& problems)
         for (const std::string& target : targets) {
             const std::size_t hash = target.find('#');
             std::string file = target.substr(0, hash);
+            if (file.rfind("file:", 0) == 0)
+                problems.add({page, 0}, fmt::format("link to {}", target), "no path of this machine");
             if (file.find(':') != std::string::npos) continue; // another scheme, or the web
             file = file.substr(0, file.find('?'));
             if (file.empty()) file = page;

@@ -36,7 +36,7 @@ public:
     [[nodiscard]] bool empty() const { return list_.empty(); }
     [[nodiscard]] const std::vector<Problem>& list() const { return list_; }
 
-    /// One line each: `file:line: found; expected ...`, sorted by file and line.
+    /// One line each, place, what was found, what was expected; sorted by file and line.
     [[nodiscard]] std::string report() const;
 
 private:
