@@ -64,6 +64,7 @@ constexpr Part k_parts[] = {
     {"speeds", "Maxwell's distribution in a gas that starts with one speed", "speeds", 10'000'000, run_speeds},
     {"spins", "equal shares of energy in a gas of squares that starts without spin", "spins", 1'000'000, run_spins},
     {"cooling", "a gas of discs at e = 0.99 cools as Haff says", "discs", 10'000, run_cooling},
+    {"collapse", "a gas of discs at e = 0.1 collapses again and again, and goes on to its end", "discs", 10'000, run_collapse},
 };
 
 void print_help()
