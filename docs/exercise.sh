@@ -33,6 +33,7 @@ start() {
         fi
     done
     ((found)) || { echo "chapter $number has no exercise in code" >&2; exit 2; }
+    echo "When you have an answer: ./course check $number"
 }
 
 check() {
