@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <cmath>
+#include <fstream>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -213,6 +216,36 @@ void draw_lean(const std::string& folder)
     s.words(view(Vec2(3.55, 0.0)) + Vec2(0, 50), "by the centres", Anchor::left, k_rust, 15.0);
 }
 
+/// A crate rocks on the end of a floor, a twentieth of a metre deep, and lies flat between: the dot is the contact.
+void record_rocking(const std::string& folder)
+{
+    std::ofstream trace(folder + "/rocking.ndjson");
+    trace << "{\"view\": [1.4, -0.7, 7.4, 2.3], \"fixed\": [true, false, false], \"shapes\": ["
+          << "{\"rings\": [[[-5, -0.5], [5, -0.5], [5, 0.5], [-5, 0.5]]]}, "
+          << "{\"rings\": [[[-1, -0.5], [1, -0.5], [1, 0.5], [-1, 0.5]]]}, {\"radius\": 0.09}]}\n";
+    const Polygon floor = corner::box(10, 1);
+    const Polygon crate = corner::box(2, 1);
+    for (int k = 0; k <= 360; ++k) {
+        // Rock to either side, and lie flat for a while between
+        const double swing = std::sin(k * std::numbers::pi / 90.0);
+        const double phi = 0.2 * std::copysign(std::max(0.0, std::abs(swing) - 0.3), swing);
+        const double x = 4.4;
+        // Lower it until the engine finds the depth
+        double high = 2.5;
+        double low = 0.7;
+        for (int halving = 0; halving < 40; ++halving) {
+            const double middle = 0.5 * (low + high);
+            const auto found = entered_contacts(floor, at(0, 0), crate, at(x, middle, phi));
+            (!found.empty() && -found.front().separation > 0.05 ? low : high) = middle;
+        }
+        const Pose pose = at(x, high, phi);
+        const auto contacts = entered_contacts(floor, at(0, 0), crate, pose);
+        const Vec2 dot = contacts.empty() ? Vec2(0.0, -9.0) : contacts.front().point;
+        trace << "{\"time\": " << k / 60.0 << ", \"bodies\": [[0, 0, 0], [" << x << ", " << pose.position.y() << ", "
+              << phi << "], [" << dot.x() << ", " << dot.y() << ", 0]]}\n";
+    }
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -227,4 +260,5 @@ int main(int argc, char** argv)
     draw_parallel(folder);
     draw_pieces(folder);
     draw_lean(folder);
+    record_rocking(folder);
 }
