@@ -49,8 +49,8 @@ std::string filter_source(const std::string& source)
             in_list = false;
         }
     }
-    // The stop of `eq. 4` ends no sentence, and so no brief description
-    return replace_all(out, "eq. ", "eq.&nbsp;");
+    // The stop of `eq. 4` ends no sentence; for Doxygen it would end the brief description
+    return replace_all(out, "eq. ", "equation ");
 }
 
 } // namespace flying::weave
