@@ -145,8 +145,8 @@ TEST_CASE("a body that flies straight crosses 4 v / (pi s) borders a second, on 
 // [which-pairs.tests.crossings]
 
 // [which-pairs.tests.best]
-TEST_CASE("the engine's cells are those that are best where a change of cells costs three "
-          "comparisons")
+TEST_CASE("the engine's cells are those that are best where a change of cells costs one and a "
+          "half comparisons")
 {
     Random random(914);
     for (int i = 0; i < 1000; ++i) {
@@ -155,9 +155,9 @@ TEST_CASE("the engine's cells are those that are best where a change of cells co
         const int n = 1 + random.below(500);
         const double rho = n / (W * H);
         const double s = make_grid({Vec2::Zero(), Vec2(W, H)}, 0.01, n, n).cell_size();
-        CHECK_EQUATION("grid.best", s, std::sqrt(3.0 / (3.0 * rho)), 1e-15, {"c", 3.0},
+        CHECK_EQUATION("grid.best", s, std::sqrt(1.5 / (3.0 * rho)), 1e-15, {"c", 1.5},
                        {"\\rho", rho});
-        CHECK_TWIN("grid.best", s, std::sqrt(3.0 / (9.0 * rho)), 1e-15);
+        CHECK_TWIN("grid.best", s, std::sqrt(1.5 / (9.0 * rho)), 1e-15);
     }
 }
 // [which-pairs.tests.best]

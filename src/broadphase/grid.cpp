@@ -29,18 +29,33 @@ Cell Grid::cell_at(const Vec2& point) const
 // [grid.move]
 void Grid::insert(int body, const Cell& cell)
 {
-    int& first = heads_[index(cell)].first;
+    Head& head = heads_[index(cell)];
     cell_of_[body] = cell;
-    next_[body] = first;
-    first = body;
+    for (int& place : head.bodies) {
+        if (place >= 0) continue;
+        place = body;
+        return;
+    }
+    next_[body] = head.chain;
+    head.chain = body;
 }
 
 void Grid::move(int body, const Cell& to)
 {
-    // Find who points at the body: cells hold one or two
-    int* link = &heads_[index(cell_of_[body])].first;
-    while (*link != body) link = &next_[*link];
-    *link = next_[body];
+    // Find who names the body: its cell, or another in the chain
+    Head& head = heads_[index(cell_of_[body])];
+    int* place = &head.bodies[0];
+    if (*place != body) place = &head.bodies[1];
+    if (*place != body) {
+        place = &head.chain;
+        while (*place != body) place = &next_[*place];
+        *place = next_[body];
+    } else {
+        // Leave no place empty before one that is taken
+        int& last = head.chain >= 0 ? head.chain : head.bodies[1] >= 0 ? head.bodies[1] : head.bodies[0];
+        *place = last;
+        last = &last == &head.chain ? next_[last] : -1;
+    }
     insert(body, to);
 }
 // [grid.move]
@@ -49,7 +64,7 @@ void Grid::move(int body, const Cell& to)
 void Grid::renumber(std::span<const int> old_ids)
 {
     const std::vector<Cell> old_cells = cell_of_;
-    for (Head& head : heads_) head.first = -1;
+    for (Head& head : heads_) head = {{-1, -1}, -1, head.statics};
     for (std::size_t k = old_ids.size(); k-- > 0;) insert(static_cast<int>(k), old_cells[old_ids[k]]);
 }
 
@@ -97,7 +112,7 @@ void Grid::insert_static(int body, const Aabb& box, double margin)
 Grid make_grid(const Aabb& extent, double largest_radius, int bodies, int movers)
 {
     constexpr double k_clear = 2.125;    // [radii] a diameter, and room for the rounding of borders
-    constexpr double k_bodies_a_cell = 1.0;
+    constexpr double k_bodies_a_cell = 0.5;
     const Vec2 size = extent.max - extent.min;
     const double share = std::sqrt(k_bodies_a_cell * (size.x() * size.y()) / std::max(movers, 1));
     const double cell_size = std::max(k_clear * largest_radius, share);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <span>
@@ -66,17 +67,19 @@ public:
     template <typename Visit>
     void for_each_in(const Cell& cell, Visit&& visit) const
     {
-        for (int other = heads_[index(cell)].first; other >= 0; other = next_[other]) visit(other);
+        for_each_of(heads_[index(cell)], visit);
     }
 
     /// Call visit(other) for every body in the nine cells about this one.
     template <typename Visit>
     void for_each_near(const Cell& cell, Visit&& visit) const
     {
+        const std::size_t left = index({cell.column - 1, 0});
+        const std::size_t middle = index({cell.column, 0});
+        const std::size_t right = index({cell.column + 1, 0});
         for (std::int64_t row = cell.row - 1; row <= cell.row + 1; ++row) {
-            for (std::int64_t column = cell.column - 1; column <= cell.column + 1; ++column) {
-                for_each_in({column, row}, visit);
-            }
+            const Head* const line = &heads_[index({0, row})];
+            for (const std::size_t column : {left, middle, right}) for_each_of(line[column], visit);
         }
     }
     // [grid.visit]
@@ -96,12 +99,23 @@ public:
 
 private:
     // [grid.head]
-    /// What a cell knows.
-    struct Head
+    /// What a cell knows. Two bodies have their names in the cell itself, where they are at hand; the others form a chain.
+    struct alignas(16) Head
     {
-        int first = -1;  // body in it, -1 where there is none
-        int statics = 0; // index of its list of static bodies
+        std::array<int, 2> bodies = {-1, -1}; // -1 where there is none; the second place is filled after the first
+        int chain = -1;                       // first of the others
+        int statics = 0;                      // index of its list of static bodies
     };
+
+    template <typename Visit>
+    void for_each_of(const Head& head, Visit&& visit) const
+    {
+        if (head.bodies[0] < 0) return;
+        visit(head.bodies[0]);
+        if (head.bodies[1] < 0) return;
+        visit(head.bodies[1]);
+        for (int other = head.chain; other >= 0; other = next_[other]) visit(other);
+    }
     // [grid.head]
 
     // [grid.index]
@@ -119,7 +133,7 @@ private:
     std::uint64_t row_mask_;
     int row_shift_;
     std::vector<Head> heads_; // of each cell
-    std::vector<int> next_;   // of each body, in its cell
+    std::vector<int> next_;   // of each body that is in a chain
     std::vector<Cell> cell_of_;
     std::vector<std::vector<int>> statics_; // lists that cells name; the first is empty
     // [grid.members]
@@ -127,7 +141,7 @@ private:
 // [grid.class]
 
 // [grid.make.declared]
-/// A grid fit for bodies spread over `extent`: about one body to a cell, no cell smaller than a body.
+/// A grid fit for bodies spread over `extent`: about half a body to a cell, no cell smaller than a body.
 /// largest_radius  bounding radius of the largest body that moves [m]
 /// bodies          how many there are
 /// movers          how many of them move

@@ -27,6 +27,8 @@ EventEngine::EventEngine(std::vector<EventBody> bodies, const EventEngineOptions
         shapes_.push_back(std::move(body.shape));
     }
     bounces_.resize(rows_.size());
+    waiting_.resize(rows_.size());
+    near_.resize(rows_.size());
     set_up_grid();
     predict_all();
 }
@@ -75,6 +77,7 @@ void EventEngine::go_on_from(const Resume& resume, const std::vector<BodyState>&
 
     // Put the bodies into the cells in which they are by now, and foresee all anew
     queue_.clear();
+    for (Waiting& waiting : waiting_) waiting = {};
     set_up_grid();
     for (std::size_t k = 0; k < states.size(); ++k) {
         if (resume.presence[k] == Presence::flies) continue;
@@ -99,6 +102,7 @@ std::optional<EventFailure> EventEngine::advance(double time, std::int64_t most)
         if (fetches_ahead_) fetch_ahead();
         if (!is_current(event)) {
             ++counts_.stale;
+            if (is_called(event)) await(owner_of(event));
             continue;
         }
         now_ = std::max(now_, event.time);
@@ -129,9 +133,27 @@ std::optional<EventFailure> EventEngine::handle_impact(const Event& event)
 {
     const int a = row_of_[event.a];
     const int b = row_of_[event.b];
+    noticed_ = notices_all_ || rows_[a].kind == Kind::lies || rows_[b].kind == Kind::lies;
+    if (!strike_discs(event, a, b)) {
+        if (auto failure = strike(event, a, b)) return failure;
+    }
+
+    // [events.impact.foresee]
+    predict_after_impact(a, -1);
+    predict_after_impact(b, is_fixed(a) ? -1 : a);
+    if (queue_.size() > sweep_at_) sweep_queue();
+    if (grid_ && counts_.cells > line_up_at_) line_up_again();
+    // [events.impact.foresee]
+    return std::nullopt;
+}
+// [events.impact]
+
+// [events.strike]
+/// Let any two bodies strike each other.
+std::optional<EventFailure> EventEngine::strike(const Event& event, int a, int b)
+{
     bool ended = true;
     std::optional<double> bounces_end;
-    noticed_ = notices_all_ || rows_[a].kind == Kind::lies || rows_[b].kind == Kind::lies;
     {
         const StageTimer timer(options_.seconds, seconds_.impact);
 
@@ -167,9 +189,9 @@ std::optional<EventFailure> EventEngine::handle_impact(const Event& event)
         set_motion(b, result.velocity_b, result.spin_b);
         ended = result.ended;
         if (result.any_push) ++counts_.impacts;
-        log_impact(event);
+        log_impact(event, a, b);
         // [events.impact.push]
-        if (options_.ends_bounces) bounces_end = end_of_bounces(a, b, event.time, touch);
+        if (options_.ends_bounces && falls_) bounces_end = end_of_bounces(a, b, event.time, touch);
     }
     if (!ended) return EventFailure{EventFailure::Kind::unresolved, event.time, event.a, event.b};
     if (bounces_end) return EventFailure{EventFailure::Kind::settled, event.time, event.a, event.b, *bounces_end};
@@ -181,16 +203,9 @@ std::optional<EventFailure> EventEngine::handle_impact(const Event& event)
         return EventFailure{EventFailure::Kind::crowded, event.time, event.a, event.b};
     }
     // [events.impact.crowd_limit]
-
-    // [events.impact.foresee]
-    predict_after_impact(a, -1);
-    predict_after_impact(b, is_fixed(a) ? -1 : a);
-    if (queue_.size() > sweep_at_) sweep_queue();
-    if (grid_ && counts_.cells > line_up_at_) line_up_again();
-    // [events.impact.foresee]
     return std::nullopt;
 }
-// [events.impact]
+// [events.strike]
 
 // [events.move_to]
 /// Bring a body to a moment; tells whether it went anywhere since its last impact.
@@ -239,22 +254,20 @@ void EventEngine::set_motion(int body, const Vec2& velocity, double spin)
     if (row.kind == Kind::lies) row.kind = Kind::away;
     row.velocity = velocity;
     sheets_[body].spin = spin;
-    ++row.stamp;
+    forget(body);
 }
 // [events.set_motion]
 
 // [events.log_impact]
-void EventEngine::log_impact(const Event& event)
+void EventEngine::log_impact(const Event& event, int row_a, int row_b)
 {
     last_impact_ = event;
     log_.add(static_cast<std::uint64_t>(event.a) << 32 | static_cast<std::uint32_t>(event.b));
-    const Row& a = rows_[row_of_[event.a]];
-    const Row& b = rows_[row_of_[event.b]];
-    const Sheet& sheet_a = sheets_[row_of_[event.a]];
-    const Sheet& sheet_b = sheets_[row_of_[event.b]];
-    log_.add(std::array{event.time, a.position.x(), a.position.y(), a.velocity.x(), a.velocity.y(), sheet_a.angle,
-                        sheet_a.spin, b.position.x(), b.position.y(), b.velocity.x(), b.velocity.y(), sheet_b.angle,
-                        sheet_b.spin});
+    const Row& a = rows_[row_a];
+    const Row& b = rows_[row_b];
+    log_.add(std::array{event.time, a.position.x(), a.position.y(), a.velocity.x(), a.velocity.y(), sheets_[row_a].angle,
+                        sheets_[row_a].spin, b.position.x(), b.position.y(), b.velocity.x(), b.velocity.y(),
+                        sheets_[row_b].angle, sheets_[row_b].spin});
 }
 // [events.log_impact]
 

@@ -9,6 +9,7 @@
 #include "broadphase/pair_finder.hpp"
 #include "collide/touching.hpp"
 #include "events/event_queue.hpp"
+#include "events/waiting.hpp"
 #include "math/hash.hpp"
 #include "response/impact.hpp"
 #include "toi/predict.hpp"
@@ -33,7 +34,7 @@ struct EventEngineOptions
     PairFinder pair_finder = PairFinder::grid;
     bool skips_static_pairs = true; ///< static bodies are not compared with each other
     bool skips_far_features = true; ///< turning features wait until bounding circles meet
-    bool skips_search = true;       ///< movers are predicted from their rows
+    bool skips_search = true;       ///< movers are predicted and struck from their rows, and later events of each wait
     bool skips_absent_field = true; ///< where nothing falls, paths are straight
     bool skips_apart_rings = true;  ///< round a centre, rings apart never meet
     bool skips_far_vertices = true; ///< vertices out of reach aren't followed
@@ -205,6 +206,17 @@ private:
         return event.stamp == (event.b < 0 ? stamp : stamp + rows_[row_of_[event.b]].stamp);
     }
     // [events.engine.is_current]
+    // [events.engine.is_called]
+    /// It is the first event of its owner: when it is over or overtaken, the next one's turn has come.
+    [[nodiscard]] bool is_called(const Event& event) const
+    {
+        return event.owner != Event::Owner::nobody && waiting_[owner_of(event)].called == event.time;
+    }
+    [[nodiscard]] int owner_of(const Event& event) const
+    {
+        return row_of_[event.owner == Event::Owner::b ? event.b : event.a];
+    }
+    // [events.engine.is_called]
     // [events.engine.rows]
     // From here on bodies are named by their rows, but in events and failures, which name them by id
     [[nodiscard]] bool is_fixed(int row) const { return rows_[row].kind >= Kind::is_static; }
@@ -235,6 +247,8 @@ private:
     // [events.engine.verbs]
     [[nodiscard]] std::optional<EventFailure> handle(const Event& event);
     [[nodiscard]] std::optional<EventFailure> handle_impact(const Event& event);
+    [[nodiscard]] std::optional<EventFailure> strike(const Event& event, int a, int b);
+    [[nodiscard]] bool strike_discs(const Event& event, int a, int b);
     void handle_look(const Event& event);
     void handle_cell(const Event& event);
 
@@ -244,18 +258,22 @@ private:
     void predict_anew(int body);
     template <typename Wants>
     void predict_partners(int body, const Wants& wants);
+    void predict_near(int body, int partner);
     void predict_pair(int p, int q);
     void predict_movers(int p, int q);
     void predict_general(int p, int q, double from, int windows);
     void push_pair(double time, int p, int q, Event::Kind kind);
     void predict_cell(int body, double now);
+    void await(int body);
+    void call_all();
+    void forget(int body);
 
     double find_points(int a, int b, double time);
     [[nodiscard]] bool is_creeping(int a, int b, double touch) const;
     bool move_to(int body, double time);
     [[nodiscard]] bool has_spun_out(int body) const { return !(std::abs(sheets_[body].angle) <= k_largest_angle); }
     void set_motion(int body, const Vec2& velocity, double spin);
-    void log_impact(const Event& event);
+    void log_impact(const Event& event, int row_a, int row_b);
     [[nodiscard]] double top_speed(int body) const;
     [[nodiscard]] Pose pose(int body) const;
     void sweep_queue();
@@ -269,6 +287,7 @@ private:
     EventEngineOptions options_;
     std::vector<Row> rows_;
     std::vector<Sheet> sheets_;
+    std::vector<Waiting> waiting_;
     std::vector<int> row_of_;         // by id, like the shapes
     std::vector<Shape> shapes_;
     std::vector<int> everywhere_;     // rows of static bodies that no cell can hold
@@ -277,6 +296,7 @@ private:
     Vec2 acceleration_ = Vec2::Zero(); // of all that move [m/s^2]
     bool falls_ = false;              // there is such an acceleration
     bool searches_all_ = false;       // every pair takes the general search
+    bool is_plain_ = false;           // movers are read from their rows, and fly straight
     std::optional<CentralField> central_; // round whose centre all fly that move
     std::optional<Grid> grid_;
     EventQueue queue_;
@@ -293,6 +313,8 @@ private:
     bool notices_all_ = false;
     bool noticed_ = false;
     std::vector<Bounces> bounces_;    // by id
+    std::vector<Event> foreseen_;     // workspace: of one body
+    std::vector<int> near_;           // workspace: rows of those about one body
     std::vector<Touch> touches_;      // workspace of one impact
     std::vector<ImpactPoint> points_; // workspace of one impact
     // [events.engine.parts]

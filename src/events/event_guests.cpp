@@ -30,7 +30,7 @@ void EventEngine::place(int body, Presence presence, const BodyState& state)
     row.velocity = flies ? state.velocity : Vec2(Vec2::Zero());
     row.time = state.time;
     row.kind = kind_of(place, presence);
-    ++row.stamp;
+    forget(place);
     sheet.angle = state.angle;
     sheet.spin = flies ? state.spin : 0.0;
     sheet.crowding = 0;

@@ -87,15 +87,19 @@ void EventEngine::line_up(const std::vector<int>& old_rows)
 {
     std::vector<Row> rows;
     std::vector<Sheet> sheets;
+    std::vector<Waiting> waiting;
     rows.reserve(rows_.size());
     sheets.reserve(rows_.size());
+    waiting.reserve(rows_.size());
     for (const int old : old_rows) {
         row_of_[rows_[old].id] = static_cast<int>(rows.size());
         rows.push_back(rows_[old]);
         sheets.push_back(sheets_[old]);
+        waiting.push_back(waiting_[old]);
     }
     rows_.swap(rows);
     sheets_.swap(sheets);
+    waiting_.swap(waiting);
 
     // By the time bodies have crossed so many cells, neighbours are no longer who they were
     constexpr std::int64_t k_cells_a_body = 16;
@@ -131,7 +135,8 @@ void EventEngine::fetch_ahead()
             if (body < 0) continue;
             const int row = row_of_[body];
             __builtin_prefetch(&rows_[row]);
-            __builtin_prefetch(&sheets_[row]);
+            __builtin_prefetch(&waiting_[row]);
+            if (event->kind == Event::Kind::impact) __builtin_prefetch(&sheets_[row]);
             grid_->fetch_cell_of(row);
         }
     }
@@ -207,7 +212,7 @@ inline void EventEngine::predict_movers(int a, int b)
 
 // [events.predict_pair]
 /// Foresee the impact of two bodies, named in any order, as their flights are now.
-inline void EventEngine::predict_pair(int p, int q)
+void EventEngine::predict_pair(int p, int q)
 {
     ++counts_.predictions;
     if (is_fixed(p) || is_fixed(q) || searches_all_) predict_general(p, q, std::max(rows_[p].time, rows_[q].time), 0);
@@ -221,10 +226,12 @@ void EventEngine::predict_all()
     const StageTimer timer(options_.seconds, seconds_.predict);
     falls_ = acceleration_ != Vec2::Zero() || !options_.skips_absent_field;
     searches_all_ = central_ || !options_.skips_search;
+    is_plain_ = !falls_ && !searches_all_;
     for (int a = 0; a < body_count(); ++a) {
         if (!is_fixed(a)) {
             predict_cell(a, std::max(now_, rows_[a].time));
             predict_partners(a, [&](int other) { return other > a || is_fixed(other); });
+            await(a);
             continue;
         }
         // Two static bodies never meet; with the skip off, look all the same
@@ -233,6 +240,7 @@ void EventEngine::predict_all()
             if (options_.skips_static_pairs) ++counts_.static_pairs_skipped;
             else predict_pair(a, b);
         }
+        call_all();
     }
     sweep_queue();
 }
@@ -244,7 +252,9 @@ void EventEngine::predict_after_impact(int body, int partner)
     if (is_fixed(body)) return;
     const StageTimer timer(options_.seconds, seconds_.predict);
     predict_cell(body, rows_[body].time);
-    predict_partners(body, [&](int other) { return other != partner; });
+    if (grid_ && is_plain_ && rows_[body].kind == Kind::disc) predict_near(body, partner);
+    else predict_partners(body, [&](int other) { return other != partner; });
+    await(body);
 }
 // [events.predict_after_impact]
 
@@ -255,6 +265,7 @@ void EventEngine::predict_anew(int body)
     const StageTimer timer(options_.seconds, seconds_.predict);
     if (!is_fixed(body)) predict_cell(body, now_);
     predict_partners(body, [](int) { return true; });
+    await(body);
 }
 // [events.predict_anew]
 
@@ -287,6 +298,8 @@ void EventEngine::handle_look(const Event& event)
     const StageTimer timer(options_.seconds, seconds_.look);
     ++counts_.looks;
     predict_general(row_of_[event.a], row_of_[event.b], event.time, 1);
+    if (event.owner == Event::Owner::nobody) call_all();
+    else await(owner_of(event));
 }
 // [events.handle_look]
 
@@ -312,6 +325,7 @@ void EventEngine::handle_cell(const Event& event)
         if (std::find(known.begin(), known.end(), other) == known.end()) look(other);
     }
     predict_cell(body, event.time);
+    await(body);
     // [events.handle_cell.new]
 }
 // [events.handle_cell]
@@ -320,8 +334,9 @@ void EventEngine::handle_cell(const Event& event)
 void EventEngine::predict_cell(int body, double now)
 {
     if (!grid_) return;
-    const CellExit exit = next_cell_exit(flyer_of(body), grid_->cell_of(body), grid_->cell_size(), now);
-    if (exit.time != k_never) queue_.push({exit.time, rows_[body].id, -1 - exit.side, rows_[body].stamp, Event::Kind::cell});
+    const Row& row = rows_[body];
+    const CellExit exit = next_cell_exit({{row.position, row.velocity, 0.0, 0.0, row.time}, acceleration_}, grid_->cell_of(body), grid_->cell_size(), now);
+    if (exit.time != k_never) foreseen_.push_back({exit.time, row.id, -1 - exit.side, row.stamp, Event::Kind::cell});
 }
 // [events.predict_cell]
 
@@ -349,24 +364,5 @@ void EventEngine::predict_general(int p, int q, double from, int windows)
     push_pair(prediction.time, a, b, kind);
 }
 // [events.predict_general]
-
-// [events.push_pair]
-/// p, q  in any order
-void EventEngine::push_pair(double time, int p, int q, Event::Kind kind)
-{
-    const Row& row_p = rows_[p];
-    const Row& row_q = rows_[q];
-    const auto [a, b] = std::minmax(row_p.id, row_q.id);
-    queue_.push({time, a, b, row_p.stamp + row_q.stamp, kind});
-}
-// [events.push_pair]
-
-// [events.sweep_queue]
-void EventEngine::sweep_queue()
-{
-    queue_.keep_if([&](const Event& event) { return is_current(event); });
-    sweep_at_ = std::max<std::size_t>(2 * queue_.size(), 1024);
-}
-// [events.sweep_queue]
 
 } // namespace flying

@@ -10,17 +10,19 @@ namespace flying {
 /// Something that will happen, if its bodies are left alone until then.
 struct Event
 {
-    enum class Kind : std::uint32_t {
+    enum class Kind : std::uint8_t {
         cell,   ///< body a leaves its cell
         look,   ///< the pair must be looked at again
         impact, ///< the pair meets
     };
+    enum class Owner : std::uint8_t { nobody, a, b }; ///< whose first event it is
 
     double time = 0.0;       ///< [s]
     int a = -1;              ///< lower id
     int b = -1;              ///< higher id; below 0 for a cell: -1 - its side
     std::uint32_t stamp = 0; ///< how often both had been pushed when this was foreseen
     Kind kind = Kind::impact;
+    Owner owner = Owner::nobody;
 };
 // [queue.event]
 
