@@ -145,7 +145,8 @@ private:
 
     std::string code(const Fragment& fragment)
     {
-        const std::string shown = "<code>" + escape_html(fragment.text) + "</code>";
+        // A long name may go on in the next line behind one of its dashes
+        const std::string shown = "<code>" + replace_all(escape_html(fragment.text), "_", "_<wbr>") + "</code>";
         std::string name = fragment.text;
         if (name.size() > 2 && name.substr(name.size() - 2) == "()") name.resize(name.size() - 2);
         const auto page = manual_.names.find(name);
