@@ -12,18 +12,20 @@ namespace {
 
 // [rest.group.limits]
 /// Newton's steps until the pieces must have been found, and corrections of what rounding leaves.
-constexpr int k_newton_steps = 20;
+constexpr int k_newton_steps = 8;
 /// [worst approach] A point that parts more slowly may still bear.
 constexpr double k_may_bear = 0.25;
 constexpr int k_corrections = 48;
-/// Factorisations that one solve may take, and sweeps that follow where they didn't do.
-constexpr std::int64_t k_budget = 60;
+/// Factorisations after which one solve ends with what it has, and sweeps that follow.
+constexpr std::int64_t k_budget = 24;
 constexpr int k_last_sweeps = 64;
-/// Stiffness of the first descents; softer points leave more to the next.
-constexpr double k_descent_stiffness = 0x1p20;
-constexpr double k_stiffer = 0x1p6;
+/// Stiffness of the first descent; points so soft settle in a few steps, and leave more to the next, which is stiffer. A
+/// descent that doesn't settle is followed by a softer one.
+constexpr double k_descent_stiffness = 0x1p6;
+constexpr double k_stiffer = 2.0;
 constexpr double k_softer = 0x1p-4;
-constexpr double k_stiffest = 0x1p40;
+/// A descent that took no more factorisations than this hardly changed who bears.
+constexpr std::int64_t k_quick = 3;
 // [rest.group.limits]
 
 // [rest.group.rounding]
@@ -42,17 +44,6 @@ constexpr double k_stiffest = 0x1p40;
     return rest_tolerance::k_content * static_cast<double>(members) * greatest_push(points);
 }
 // [rest.group.rounding]
-
-// [rest.group.product]
-/// block += factor p q^T for the change of a body's motion by a push along each of two lines
-void add_product(Block& block, double factor, const double* p, const double* q)
-{
-    for (int i = 0; i < 3; ++i) {
-        const double row = factor * p[i];
-        for (int j = 0; j < 3; ++j) block.at[3 * i + j] += row * q[j];
-    }
-}
-// [rest.group.product]
 
 } // namespace
 
@@ -80,7 +71,7 @@ void GroupSolver::prepare(std::span<const int> members, std::span<const ContactP
     impulse_.resize(2 * points.size());
     mode_.resize(points.size());
     mode_factorised_.resize(points.size());
-    grips_.assign(points.size(), 0);
+    rays_.resize(2 * points.size());
     factorised_ = false;
 }
 // [rest.group.prepare]
@@ -89,6 +80,19 @@ void GroupSolver::prepare(std::span<const int> members, std::span<const ContactP
 void GroupSolver::restore_free(std::span<Mover> movers, std::span<const int> members) const
 {
     for (std::size_t k = 0; k < members.size(); ++k) movers[members[k]] = free_[k];
+}
+
+void GroupSolver::forget_what_suits_worse(std::span<Mover> movers, std::span<const int> members,
+                                          std::span<ContactPoint> points)
+{
+    // Impulses that suit this step worse than none
+    const double warm = worst_complaint(points, movers);
+    kept_.assign(points.begin(), points.end());
+    for (ContactPoint& c : points) c.normal = c.tangent = 0.0;
+    restore_free(movers, members);
+    if (worst_complaint(points, movers) < warm) return;
+    std::copy(kept_.begin(), kept_.end(), points.begin());
+    warm_start(points, movers);
 }
 
 void GroupSolver::settle_for_sweeps(std::span<Mover> movers, std::span<ContactPoint> points)
@@ -159,6 +163,8 @@ bool GroupSolver::solve(std::span<Mover> movers, std::span<const int> members, s
         return true;
     }
 
+    forget_what_suits_worse(movers, members, points);
+
     // Solve for all at once, again and again: each time from the impulses that the last solve found
     prepare(members, points, movers.size());
     bool content = false;
@@ -173,6 +179,7 @@ bool GroupSolver::solve(std::span<Mover> movers, std::span<const int> members, s
         measure_slips(movers, points);
         stiffness_ = rest_tolerance::k_stiffness;
         const bool found = bold && newton(movers, points);
+        bool quick = false;
         if (!found && !swept) {
             // Small groups are swept to rounding in no time, and others nearer to where Newton's method works
             settle_for_sweeps(movers, points);
@@ -187,12 +194,12 @@ bool GroupSolver::solve(std::span<Mover> movers, std::span<const int> members, s
             continue;
         }
         if (!found) {
+            const std::int64_t factorisations = counts_.factorisations;
             stiffness_ = descent_stiffness;
-            factorised_ = false;
             const bool settled = descend(movers, points);
-            descent_stiffness =
-                settled ? std::min(descent_stiffness * k_stiffer, k_stiffest) : descent_stiffness * k_softer;
-            if (!settled) continue;
+            descent_stiffness = settled ? std::min(descent_stiffness * k_stiffer, rest_tolerance::k_stiffness)
+                                        : std::max(descent_stiffness * k_softer, 1.0);
+            quick = settled && counts_.factorisations - factorisations <= k_quick;
         }
         swept = false;
 
@@ -210,7 +217,7 @@ bool GroupSolver::solve(std::span<Mover> movers, std::span<const int> members, s
             best = now;
             kept_.assign(points.begin(), points.end());
         }
-        bold = now < 0x1p-6 * before;
+        bold = now < 0x1p-6 * before || quick;
         before = now;
     }
     if (!content || best != before) {
@@ -260,7 +267,7 @@ bool GroupSolver::newton(std::span<const Mover> movers,
 {
     guess(points);
     for (int step = 0; step < k_newton_steps; ++step) {
-        if (!assemble(movers, points, Cone::whole)) return false;
+        if (!assemble(movers, points)) return false;
         imbalance(points);
         system_.solve(delta_);
 
@@ -315,27 +322,32 @@ bool GroupSolver::try_points(std::span<const ContactPoint> points)
 // [rest.group.trial]
 
 // [rest.group.assemble]
-bool GroupSolver::assemble(std::span<const Mover> movers, std::span<const ContactPoint> points, Cone cone)
+void GroupSolver::assemble_masses(std::span<const Mover> movers)
 {
-    if (cone == Cone::whole && factorised_ && mode_ == mode_factorised_) return true;
     system_.clear();
     for (std::size_t k = 0; k < members_.size(); ++k) {
         Block& block = system_.diagonal(static_cast<int>(k));
         block.at[0] = block.at[4] = 1.0 / movers[members_[k]].inv_mass;
         block.at[8] = 1.0 / movers[members_[k]].inv_moment;
     }
+}
+
+bool GroupSolver::assemble(std::span<const Mover> movers, std::span<const ContactPoint> points)
+{
+    if (factorised_ && mode_ == mode_factorised_) return true;
+    assemble_masses(movers);
 
     // A point that bears is a stiff spring along its normal; one that sticks, along its tangent too; one that slips
     // pushes along its tangent what the spring of the normal says
     for (std::size_t k = 0; k < points.size(); ++k) {
         const ContactPoint& c = points[k];
-        const bool grips = cone == Cone::frozen ? grips_[k] != 0 : mode_[k] == Mode::stuck;
-        if (mode_[k] == Mode::apart && !grips) continue;
+        if (mode_[k] == Mode::apart) continue;
+        const bool grips = mode_[k] == Mode::stuck;
         const Line n = normal_line(c);
         const Line t = tangent_line(c);
-        const double stiffness_n = mode_[k] == Mode::apart ? 0.0 : stiffness_ * c.normal_mass;
+        const double stiffness_n = stiffness_ * c.normal_mass;
         Line left = n;
-        if (cone == Cone::whole && !grips) {
+        if (!grips) {
             const double share = mode_[k] == Mode::slips_backwards ? c.friction : -c.friction;
             add(left.a, share, t.a);
             add(left.b, share, t.b);
@@ -357,9 +369,8 @@ bool GroupSolver::assemble(std::span<const Mover> movers, std::span<const Contac
     }
     ++counts_.factorisations;
     mode_factorised_ = mode_;
-    const bool regular = system_.factorise();
-    factorised_ = regular && cone == Cone::whole;
-    return regular;
+    factorised_ = system_.factorise();
+    return factorised_;
 }
 // [rest.group.assemble]
 

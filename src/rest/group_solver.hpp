@@ -6,6 +6,7 @@
 
 #include "rest/block_system.hpp"
 #include "rest/contact_point.hpp"
+#include "rest/push_lines.hpp"
 #include "rest/sweeps.hpp"
 
 namespace flying {
@@ -67,36 +68,33 @@ private:
     // [rest.group.mode]
 
     void prepare(std::span<const int> members, std::span<const ContactPoint> points, std::size_t movers);
+    void forget_what_suits_worse(std::span<Mover> movers, std::span<const int> members, std::span<ContactPoint> points);
     void settle_for_sweeps(std::span<Mover> movers, std::span<ContactPoint> points);
     void restore_free(std::span<Mover> movers, std::span<const int> members) const;
-    /// What friction may bear: mu times the normal impulse that is sought with it, or that was there before.
-    enum class Cone
+    /// One edge of a point's cone of friction.
+    struct Ray
     {
-        whole,
-        frozen
-    };
-    struct Slips
-    {
-        double normal = 0.0;
-        double tangent = 0.0;
-    };
-    struct FrozenImpulse
-    {
-        double normal = 0.0;
-        double tangent = 0.0;
+        double share = 0.0;     ///< of a push along the tangent, +-mu
+        double impulse = 0.0;   ///< before the trial [N s]
+        double speed = 0.0;     ///< before the trial, less what is asked for [m/s]
+        double stiffness = 0.0; ///< [kg]
+        bool bears = false;
     };
 
     void guess(std::span<const ContactPoint> points);
     void measure_slips(std::span<const Mover> movers, std::span<const ContactPoint> points);
     [[nodiscard]] bool newton(std::span<const Mover> movers, std::span<const ContactPoint> points);
     [[nodiscard]] bool descend(std::span<const Mover> movers, std::span<const ContactPoint> points);
-    [[nodiscard]] Slips slips_after(std::size_t k, const ContactPoint& c, std::span<const double> delta) const;
-    [[nodiscard]] FrozenImpulse frozen_impulse(const ContactPoint& c, const Slips& slips) const;
-    [[nodiscard]] Mode frozen_mode(const ContactPoint& c, const Slips& slips, std::size_t k);
-    void frozen_force(std::span<const Mover> movers, std::span<const ContactPoint> points);
+    void measure_rays(std::span<const ContactPoint> points);
+    [[nodiscard]] Line ray_line(std::size_t ray, const ContactPoint& c) const;
+    [[nodiscard]] double along_ray(const Line& line, const ContactPoint& c, std::span<const double> delta) const;
+    [[nodiscard]] double ray_impulse(std::size_t ray, const ContactPoint& c, std::span<const double> delta) const;
+    void ray_force(std::span<const Mover> movers, std::span<const ContactPoint> points);
+    [[nodiscard]] bool assemble_rays(std::span<const Mover> movers, std::span<const ContactPoint> points);
     [[nodiscard]] double slope(std::span<const Mover> movers, std::span<const ContactPoint> points, double part);
     void push_members(const ContactPoint& c, double normal, double tangent, std::span<double> force) const;
-    [[nodiscard]] bool assemble(std::span<const Mover> movers, std::span<const ContactPoint> points, Cone cone);
+    [[nodiscard]] bool assemble(std::span<const Mover> movers, std::span<const ContactPoint> points);
+    void assemble_masses(std::span<const Mover> movers);
     bool try_points(std::span<const ContactPoint> points);
     void imbalance(std::span<const ContactPoint> points);
 
@@ -112,7 +110,7 @@ private:
     std::vector<Mode> mode_;
     std::vector<Mode> mode_factorised_;
     bool factorised_ = false;
-    std::vector<char> grips_;   // points whose frozen friction holds
+    std::vector<Ray> rays_;     // two of each point
     std::vector<double> step_;  // of the descent
     std::vector<double> trial_; // changes part of the way
     std::vector<double> delta_; // change of the members' velocities

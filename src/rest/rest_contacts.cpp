@@ -31,17 +31,27 @@ constexpr double k_last_moment = 1.0 - 0x1p-30;
 // [rest.time_to_close]
 
 // [rest.known]
-/// The point of the last look that a point continues: that of the same features, or where corners lie on corners and
-/// the features' names change with rounding, the one at the same place. -1 where there is none.
+/// The point of the last look that a point continues: the nearest at the same place, whatever the names of the features,
+/// which change with rounding where corners lie on corners; or else that of the same features. -1 where there is none.
 [[nodiscard]] int known_point(const RestPair& pair, std::uint32_t feature, const Vec2& place, double near)
 {
+    int best = -1;
+    bool best_near = false;
     for (int i = 0; i < pair.count; ++i) {
-        if (pair.feature[i] == feature) return i;
+        const bool is_near = (pair.place[i] - place).squaredNorm() < near * near;
+        if (pair.feature[i] == feature && is_near) return i;
+        if ((pair.feature[i] == feature && !best_near) || is_near) { best = i; best_near = is_near; }
     }
+    return best;
+}
+
+/// A point that bore a load when the step before ended.
+[[nodiscard]] bool bore(const RestPair& pair, std::uint32_t feature)
+{
     for (int i = 0; i < pair.count; ++i) {
-        if ((pair.place[i] - place).squaredNorm() < near * near) return i;
+        if (pair.feature[i] == feature) return pair.normal[i] > 0.0;
     }
-    return -1;
+    return false;
 }
 // [rest.known]
 
@@ -122,6 +132,10 @@ Pose RestEngine::pose_at(int body, double moment) const
 double RestEngine::next_closing(const RestPair& pair, const Manifold& manifold, double moment, Closing& closing) const
 {
     const double left = span_ - moment;
+    const double field =
+        span_ * std::max(bodies_[pair.a].acceleration.norm(), bodies_[pair.b].acceleration.norm());
+    // In a crowd what bore a load goes on to bear, whatever gap rounding or a push out of an overlap has left
+    const bool in_crowd = in_crowd_[pair.a] || in_crowd_[pair.b];
     double wait = std::numeric_limits<double>::infinity();
     for (int k = 0; k < manifold.count; ++k) {
         const Contact& contact = manifold.contacts[k];
@@ -131,13 +145,14 @@ double RestEngine::next_closing(const RestPair& pair, const Manifold& manifold, 
             if (was_open) return 0.0;
             continue;
         }
-        if (moment == 0.0) closing.open[closing.count++] = contact.feature;
         const auto velocity = [&](int index) {
             const BodyState& s = bodies_[index].state;
             const Vec2 r = contact.point - place_at(index, moment);
             return Vec2(s.velocity + moment * pull_[index] + cross(s.spin + moment * turn_pull_[index], r));
         };
         const double u = (velocity(pair.b) - velocity(pair.a)).dot(contact.normal);
+        if (in_crowd && -u <= field && bore(pair, contact.feature)) continue;
+        if (moment == 0.0) closing.open[closing.count++] = contact.feature;
         const double fall = fall_at(pair, contact, moment);
         const double time = time_to_close(contact.separation, u, fall, left);
         if (time <= left) wait = std::min(wait, time);

@@ -170,7 +170,7 @@ RestEngine::Memory RestEngine::memory() const
     Memory memory{time(), {}, {pairs_.pairs().begin(), pairs_.pairs().end()}, max_overlap_};
     for (std::size_t k = 0; k < bodies_.size(); ++k) {
         memory.bodies.push_back({bodies_[k].state, pull_[k], turn_pull_[k], reach_[k],
-                                 asleep_[k] ? sleep_group_[k] : -1, bodies_[k].is_active});
+                                 asleep_[k] ? sleep_group_[k] : -1, bodies_[k].is_active, in_crowd_[k] != 0});
     }
     return memory;
 }
@@ -188,6 +188,7 @@ void RestEngine::go_on_from(const Memory& memory)
         turn_pull_[k] = body.turn_pull;
         reach_[k] = body.reach;
         sleep_group_[k] = body.sleep_group;
+        in_crowd_[k] = body.in_crowd ? 1 : 0;
         asleep_[k] = still_[k] = body.sleep_group >= 0 ? 1 : 0;
         poses_[k] = next_poses_[k] = pose_of(body.state);
         if (bodies_[k].is_static) continue;

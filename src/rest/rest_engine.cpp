@@ -75,6 +75,7 @@ RestEngine::RestEngine(std::vector<RestBody> bodies, const RestOptions& options,
     slot_.assign(count, -1);
     asleep_.assign(count, 0);
     still_.assign(count, 0);
+    in_crowd_.assign(count, 0);
     sleep_group_.assign(count, -1);
 }
 // [rest.engine.setup]

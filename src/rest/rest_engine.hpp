@@ -37,6 +37,7 @@ struct RestCounts
     std::int64_t placed = 0;    ///< groups whose overlap was taken off
     std::int64_t halved = 0;    ///< steps, or parts of steps, that groups made in two halves
     std::int64_t repeated = 0;  ///< steps made anew, because somebody got further than was looked at
+    std::int64_t crowds = 0;    ///< groups whose impacts were all ended at the start of their step
     std::int64_t paid = 0;      ///< groups slowed down, so that they have no more energy than before
 };
 // [rest.counts]
@@ -124,6 +125,7 @@ public:
             double reach = 0.0;
             int sleep_group = -1; ///< -1 where awake
             bool is_active = true;
+            bool in_crowd = false;
         };
         double time = 0.0;
         std::vector<Body> bodies;
@@ -160,6 +162,7 @@ private:
         int point_count = 0;
         int all_points = 0;     ///< with those that this step leaves to the next, which stand after the others
         bool is_exact = true;   ///< solved to rounding, all at once; else swept
+        bool is_crowd_solved = false; ///< impacts at the start of the step; places are found already
         bool is_content = true; ///< the impulses that were found are right to rounding
     };
     /// Groups whose step came out badly, to be made again in two halves.
@@ -212,7 +215,11 @@ private:
     void wake_all_with(int group);
     void gather_groups(std::span<const int> who);
     void solve_group(Group& group);
-    void solve_safely(Group& group);
+    [[nodiscard]] static bool is_crowd(const Group& group);
+    void solve_crowd(Group& group);
+    void recall_load(ContactPoint& point) const;
+    void share_rebound(std::span<const int> members);
+    [[nodiscard]] bool end_approaches(const Group& group);
     [[nodiscard]] bool set_bounds(Group& group);
     void move_as_pushed(const Group& group);
     void set_free(const Group& group, double time);
@@ -287,9 +294,11 @@ private:
     std::vector<int> slot_;
     std::vector<char> asleep_;
     std::vector<char> still_;
+    std::vector<char> in_crowd_; // the body's group was one in the last step
     std::vector<int> sleep_group_;   // of each sleeping body
     std::vector<Mover> part_movers_; // at the start of a part of the step
     bool parted_ = false;
+    std::vector<double> impacts_; // of the points of a crowd [N s]
     std::vector<Mover> place_movers_;
     std::vector<ContactPoint> place_points_;
     GroupSolver solver_;

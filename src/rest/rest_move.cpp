@@ -100,6 +100,7 @@ void RestEngine::move_group(const Group& group)
     // Move
     for (int k = 0; k < group.member_count; ++k) {
         const int member = members_[group.first_member + k];
+        in_crowd_[member] = is_crowd(group) ? 1 : 0;
         BodyState& state = bodies_[member].state;
         const Mover& now = movers_[member];
         const Vec2& way = shift_[member];

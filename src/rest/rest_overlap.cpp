@@ -124,7 +124,7 @@ void RestEngine::put_apart(const Group& group, double overlap)
 bool RestEngine::is_sane(const Group& group) const
 {
     // Great impulses that nearly balance leave small speeds and may leave long ways
-    if (!group.is_content) return false;
+    if (!is_crowd(group) && !group.is_content) return false;
     for (int k = 0; k < group.member_count; ++k) {
         const int member = members_[group.first_member + k];
         const Mover& old = before_[member];
@@ -167,6 +167,12 @@ double RestEngine::first_impact(const Group& group) const
         const RestPair& pair = pairs_.pairs()[c.pair];
         const bool bore = c.left == span_ && (pair.normal[0] > 0.0 || pair.normal[1] > 0.0);
         if (!(c.normal > 0.0) && !bore) continue;
+
+        // A corner that strikes while the other one of its pair bears shares its moment, not its past
+        if (c.left < span_ && pair.count == 2) {
+            const int own = pair.feature[0] == c.feature ? 0 : 1;
+            if (pair.normal[own] == 0.0 && pair.normal[1 - own] > 0.0) all_at_once = false;
+        }
         if (common < 0.0) common = c.left;
         all_at_once = all_at_once && c.left == common;
         if (c.left < span_) first = std::min(first, span_ - c.left);

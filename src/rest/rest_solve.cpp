@@ -12,9 +12,6 @@ namespace {
 /// Points of the largest group whose step is parted where slip ends.
 constexpr int k_most_parted = 12;
 
-/// Sweeps over a group that could not be solved.
-constexpr int k_safe_sweeps = 64;
-
 /// [speeds that the field gives in a step] A tall group that moves no faster stands, or begins to fall.
 constexpr double k_standing = 4.0;
 
@@ -50,6 +47,10 @@ void RestEngine::solve_group(Group& group)
     }
     const bool exact = group.is_exact = is_solved_whole(group);
     const bool any_bounce = set_bounds(group);
+    if (exact && any_bounce && is_crowd(group)) {
+        solve_crowd(group);
+        return;
+    }
     find_impulses(group, span_);
     if (!exact) {
         move_as_pushed(group);
@@ -128,6 +129,7 @@ double RestEngine::field_speed(const Group& group) const
 // [rest.bounds]
 bool RestEngine::set_bounds(Group& group)
 {
+    const double field = field_speed(group);
     bool any_bounce = false;
     for (int k = 0; k < group.point_count; ++k) {
         ContactPoint& c = points_[group.first_point + k];
@@ -149,7 +151,8 @@ bool RestEngine::set_bounds(Group& group)
         const double rebound = -c.restitution * u;
         const bool loaded = 2.0 * rebound * c.normal_mass <= c.normal;
         const bool falls_back = fall < 0.0 && 2.0 * rebound <= -fall * c.left;
-        const bool rests = loaded || falls_back;
+        const bool too_slow = is_crowd(group) && 2.0 * rebound <= field;
+        const bool rests = loaded || falls_back || too_slow;
         c.bound = rests ? 0.0 : rebound + fall * c.left;
         c.impact = c.normal_mass * (rests ? -u : rebound - u);
         any_bounce = any_bounce || !rests;
@@ -198,30 +201,5 @@ void RestEngine::calm(const Group& group)
     }
 }
 // [rest.calm]
-
-// [rest.solve.safely]
-void RestEngine::solve_safely(Group& group)
-{
-    group.point_count = group.all_points;
-    // From nothing, without rebound, by sweeps: none of them does work, whatever it leaves
-    const std::span<ContactPoint> points = std::span(points_).subspan(group.first_point, group.point_count);
-    const std::span<const int> members = std::span(members_).subspan(group.first_member, group.member_count);
-    for (ContactPoint& c : points) {
-        c.normal = c.tangent = 0.0;
-        c.bound = c.left == span_ ? -std::max(c.gap, 0.0) / span_ : 0.0;
-    }
-    set_free(group, span_);
-    GroupSolver::SweepPlan plan;
-    plan.sweeps = k_safe_sweeps;
-    plan.calming_sweeps = 0;
-    solver_.sweep_group(movers_, members, points, plan, place_movers_);
-    for (ContactPoint& c : points) c.impact = c.normal;
-    for (const int member : members) {
-        const Mover& mover = movers_[member];
-        shift_[member] = span_ * Vec2(mover.v_x, mover.v_y);
-        turn_[member] = span_ * mover.spin;
-    }
-}
-// [rest.solve.safely]
 
 } // namespace flying

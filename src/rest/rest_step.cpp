@@ -16,6 +16,7 @@ constexpr double k_outrun = 1.25;
 constexpr double k_most_overlap = 0x1p-4;
 /// Halvings of a step before a group takes what comes out.
 constexpr int k_most_halvings = 7;
+constexpr int k_most_halvings_of_crowd = 1;
 // [rest.step.limits]
 
 } // namespace
@@ -122,15 +123,16 @@ void RestEngine::finish_groups(int depth, std::span<const int> pairs)
     again.parts.clear();
     again.members.clear();
     for (Group& group : groups_) {
-        find_places(group);
+        if (!group.is_crowd_solved) find_places(group);
         if (is_exact(group) && group.point_count > 0) {
             double overlap = look_at_end(group);
-            if (depth < k_most_halvings && group.member_count <= options_.most_solved && !is_fair(group, overlap)) {
+            const int most = is_crowd(group) ? k_most_halvings_of_crowd : k_most_halvings;
+            if (depth < most && group.member_count <= options_.most_solved && !is_fair(group, overlap)) {
                 note_again(group, again);
                 continue;
             }
             if (!is_sane(group) || overlap > k_most_overlap) {
-                solve_safely(group);
+                solve_crowd(group);
                 overlap = look_at_end(group);
             }
             put_apart(group, overlap);

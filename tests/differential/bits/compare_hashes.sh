@@ -30,10 +30,10 @@ generated=(
     "stack --seed 23 --count 12 --mass-ratio 20 --until 10 | --engine rest"
     "pyramid --seed 20 --until 5"
     "pyramid --seed 24 --count 6 --until 5 | --engine rest --step 0.005"
-    "pile --seed 21 --count 12 --until 3"
-    "pile --seed 25 --shape polygon --count 6 --until 1 | --engine rest"
-    "pile --seed 26 --shape disc --count 10 --until 3"
-    "gas --seed 27 --shape polygon --count 5 --gravity 0 -9.81 --restitution 0.5 --friction 0.4 --until 2"
+    "pile --seed 21 --until 5"
+    "pile --seed 25 --shape polygon --count 60 --until 8 | --engine rest"
+    "pile --seed 26 --shape disc --count 80 --until 8"
+    "gas --seed 27 --shape polygon --count 30 --gravity 0 -9.81 --restitution 0.5 --friction 0.4 --until 10"
 )
 
 (($# >= 2)) || {
