@@ -6,11 +6,24 @@ set -euo pipefail
 export LC_ALL=C.UTF-8
 
 here=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")" && pwd)
+if [[ ${1:-} == --help ]]; then
+    cat <<'TEXT'
+./course bench [options]    measure this engine beside Chipmunk and Box2D; results go to out/bench
+
+  --all              the long set: every scene over its full time, all sizes, the parts one by one
+  --scene NAME...    only scenes of these names
+  --part NAME...     only these parts: scenes, precision, growth
+  --repeats N        of each run; the median counts (5)
+  --hertz F          steps a second of the peers (60)
+  --most S           seconds of computing after which a peer's run is given up (30)
+  --until T          simulated seconds instead of each scene's own
+TEXT
+    exit 0
+fi
 programs=$(cd "$1" && pwd)
 shift
 for option in "$@"; do
     case $option in
-    --help | -h) exec "$programs/flying_bench" --help ;;
     --out | --out=*) echo "bench.sh: results go to out/bench; call flying_bench itself to put them elsewhere" >&2; exit 2 ;;
     esac
 done

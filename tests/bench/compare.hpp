@@ -22,6 +22,7 @@ struct Showing
     std::optional<double> path_error; ///< median distance from the exact places after 1 s [m]
     long collisions = 0;              ///< where the engine counts them
     std::string failure;              ///< why it could not go on; empty where it could
+    std::optional<double> stopped_at; ///< where a peer's run was given up: the moment it had come to [s]
 };
 
 struct Comparison
@@ -37,9 +38,10 @@ struct Comparison
 };
 
 /// Run one scene in all engines in turn, again and again.
-/// step  the peers' steps a second [1/s]
-/// tell  is told what is going on
-[[nodiscard]] Comparison compare(const BenchCase& bench_case, double until, int repeats, double hertz,
+/// hertz  the peers' steps a second [1/s]
+/// most   a peer's run is given up after the step that takes it past so much computing [s]
+/// tell   is told what is going on
+[[nodiscard]] Comparison compare(const BenchCase& bench_case, double until, int repeats, double hertz, double most,
                                  const std::function<void(const std::string&)>& tell);
 
 /// Time and error of one engine at one step.

@@ -33,6 +33,7 @@ int main(int argc, char** argv)
     std::set<std::string> only;
     int repeats = 5;
     double hertz = 60.0;
+    double most = 30.0;
     std::optional<double> until;
     std::set<std::string> parts;
     std::string out = "out/bench";
@@ -42,6 +43,7 @@ int main(int argc, char** argv)
     app.add_option("--part", parts, "Only these parts: scenes, precision, growth");
     app.add_option("--repeats", repeats, "Of each run; the median counts")->check(CLI::Range(1, 1000));
     app.add_option("--hertz", hertz, "Steps a second of the peers")->check(CLI::Range(1.0, 1e6));
+    app.add_option("--most", most, "Seconds of computing after which a peer's run is given up")->check(CLI::PositiveNumber);
     app.add_option("--until", until, "Simulated seconds instead of each scene's own")->check(CLI::PositiveNumber);
     app.add_option("--out", out, "Folder for bench.json, bench.txt and the data of the plots");
     CLI11_PARSE(app, argc, argv);
@@ -55,7 +57,7 @@ int main(int argc, char** argv)
         for (const BenchCase& bench_case : bench_cases()) {
             const double length = until.value_or(all || !only.empty() ? bench_case.until : bench_case.short_until);
             if (only.empty() ? length <= 0.0 : !only.contains(bench_case.name)) continue;
-            results.scenes.push_back(compare(bench_case, length, repeats, hertz, tell));
+            results.scenes.push_back(compare(bench_case, length, repeats, hertz, most, tell));
             write_results(results, out);
         }
     }

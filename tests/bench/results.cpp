@@ -26,9 +26,13 @@ std::string label(const EngineChoice& engine)
 
 std::string row(const Comparison& comparison, const Showing& showing)
 {
+    if (showing.stopped_at) {
+        return fmt::format("{:<20} {:>15} stopped after {:.0f} s, at {:.2f} s of {:g}\n", comparison.name,
+                           label(showing.engine), showing.seconds.back(), *showing.stopped_at, comparison.until);
+    }
     const double seconds = median(showing.seconds);
     const Showing* chipmunk = chipmunk_of(comparison);
-    const std::string ratio = chipmunk ? fmt::format("{:.3f}", seconds / median(chipmunk->seconds)) : "";
+    const std::string ratio = chipmunk && !chipmunk->stopped_at ? fmt::format("{:.3f}", seconds / median(chipmunk->seconds)) : "";
     const std::string error = showing.path_error ? fmt::format("{:.1e}", *showing.path_error) : "";
     const std::string rate =
         showing.collisions > 0 ? fmt::format("{:.3g}", static_cast<double>(showing.collisions) / seconds) : "";
@@ -53,7 +57,8 @@ json json_of(const Comparison& comparison)
                        {"wall_seconds", median(showing.wall_seconds)}, {"wall_seconds_each", showing.wall_seconds},
                        {"setup_seconds", showing.setup_seconds},       {"energy_drift", showing.drift},
                        {"deepest_overlap_m", showing.overlap}};
-        if (chipmunk) engine["ratio_to_chipmunk"] = median(showing.seconds) / median(chipmunk->seconds);
+        if (showing.stopped_at) engine["stopped_at"] = *showing.stopped_at;
+        else if (chipmunk && !chipmunk->stopped_at) engine["ratio_to_chipmunk"] = median(showing.seconds) / median(chipmunk->seconds);
         if (showing.path_error) engine["path_error_m"] = *showing.path_error;
         if (showing.collisions > 0) engine["collisions"] = showing.collisions;
         if (!showing.failure.empty()) engine["failure"] = showing.failure;
