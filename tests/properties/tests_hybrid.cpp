@@ -119,33 +119,61 @@ TEST_CASE("boxes in cells are found by all that share a point with them, whateve
     }
 }
 
-TEST_CASE("over random scenes that come to rest, energy never rises and all of it is accounted for")
+namespace {
+
+/// Follows one scene for its four seconds.
+void follow(std::uint64_t seed)
 {
-    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
-        const Scene scene = random_scene(seed);
-        World world = world_of(scene);
-        Report before = world.report();
-        const double scale = energy_scale(scene, before);
-        INFO("seed " << seed);
-        for (int k = 1; k <= 40; ++k) {
-            const auto failure = world.advance(k / 10.0);
-            INFO((failure ? failure->message : std::string()));
-            REQUIRE_FALSE(failure.has_value());
-            const Report now = world.report();
-            INFO("t " << now.time);
-            CHECK(now.energy.total() <= before.energy.total() + 1e-12 * scale);
-            const double accounted = now.ledger.impacts + now.ledger.steps + now.ledger.handovers;
-            CHECK(std::abs(now.energy.total() - now.initial_total - accounted) <= 1e-11 * scale);
-            before = now;
-        }
-        CHECK(deepest_overlap(world) <= 0.25 * radius_of_smallest(world));
+    const Scene scene = random_scene(seed);
+    World world = world_of(scene);
+    Report before = world.report();
+    const double scale = energy_scale(scene, before);
+    const double size = radius_of_smallest(world);
+    INFO("seed " << seed);
+    for (int k = 1; k <= 40; ++k) {
+        const auto failure = world.advance(k / 10.0);
+        INFO((failure ? failure->message : std::string()));
+        REQUIRE_FALSE(failure.has_value());
+        const Report now = world.report();
+        INFO("t " << now.time);
+        CHECK(now.energy.total() <= before.energy.total() + 1e-12 * scale);
+        const double accounted = now.ledger.impacts + now.ledger.steps + now.ledger.handovers;
+        CHECK(std::abs(now.energy.total() - now.initial_total - accounted) <= 1e-11 * scale);
+        before = now;
     }
+
+    // A step may leave a sixteenth of a size, where many strike many at once, and the next ones take it off
+    CHECK(before.max_overlap <= 0.125 * size);
+    double overlap = deepest_overlap(world);
+    for (int step = 1; step <= 6 && overlap > 0.01 * size; ++step) {
+        REQUIRE_FALSE(world.advance(4.0 + step / 60.0).has_value());
+        overlap = deepest_overlap(world);
+    }
+    CHECK(overlap <= 0.01 * size);
+}
+
+} // namespace
+
+// Two hundred scenes, parted so that they can be tried side by side
+TEST_CASE("over random scenes that come to rest, energy never rises, all of it is accounted for, and overlap goes")
+{
+    for (std::uint64_t seed = 1; seed <= 70; ++seed) follow(seed);
+}
+
+TEST_CASE("over as many more, too, energy never rises, all of it is accounted for, and overlap goes")
+{
+    for (std::uint64_t seed = 71; seed <= 130; ++seed) follow(seed);
+}
+
+TEST_CASE("and over as many again, energy never rises, all of it is accounted for, and overlap goes")
+{
+    for (std::uint64_t seed = 131; seed <= 200; ++seed) follow(seed);
 }
 
 TEST_CASE("with hand-overs, too, what happens doesn't depend on when somebody asks")
 {
     int handed_over = 0;
-    for (std::uint64_t seed = 300; seed < 306; ++seed) {
+    for (std::uint64_t seed = 300; seed < 330; ++seed) {
         const Scene scene = random_scene(seed);
         World once = world_of(scene);
         REQUIRE_FALSE(once.advance(scene.until).has_value());
@@ -165,7 +193,7 @@ TEST_CASE("with hand-overs, too, what happens doesn't depend on when somebody as
             CHECK(report.collisions == expected.collisions);
         }
     }
-    CHECK(handed_over >= 3);
+    CHECK(handed_over >= 15);
 }
 
 TEST_CASE("with hand-overs, too, a run that is stopped, saved and resumed has the bits of one that isn't")
@@ -173,7 +201,7 @@ TEST_CASE("with hand-overs, too, a run that is stopped, saved and resumed has th
     for (const EngineChoice engine : {EngineChoice::automatic, EngineChoice::rest}) {
         WorldOptions options;
         options.engine = engine;
-        for (std::uint64_t seed = 400; seed < 405; ++seed) {
+        for (std::uint64_t seed = 400; seed < 425; ++seed) {
             const Scene scene = random_scene(seed);
             Expected<World> whole = World::make(scene, options);
             REQUIRE(whole.has_value());
@@ -200,7 +228,7 @@ TEST_CASE("with hand-overs, too, a run that is stopped, saved and resumed has th
 
 TEST_CASE("a run by steps of so many events gets where one goes that isn't stopped")
 {
-    for (std::uint64_t seed = 500; seed < 502; ++seed) {
+    for (std::uint64_t seed = 500; seed < 520; ++seed) {
         const Scene scene = random_scene(seed);
         World once = world_of(scene);
         REQUIRE_FALSE(once.advance(scene.until).has_value());

