@@ -78,6 +78,12 @@ private:
 // [leaning.find]
 std::vector<int> find_leaning(const EventEngine& engine, const Vec2& gravity)
 {
+    // Where everything moves there is nothing to lean on
+    bool any_static = false;
+    for (int k = 0; k < engine.body_count(); ++k) any_static = any_static || engine.is_static(k);
+    if (!any_static) return {};
+
+    // Sort all into cells, but for the walls
     Starts starts(engine, gravity);
     std::vector<int> walls;
     std::vector<BoxCells::Entry> boxes;

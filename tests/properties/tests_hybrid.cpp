@@ -170,6 +170,45 @@ TEST_CASE("and over as many again, energy never rises, all of it is accounted fo
     for (std::uint64_t seed = 131; seed <= 200; ++seed) follow(seed);
 }
 
+TEST_CASE("a gas at e = 0.1, and one of polygons at e = 0, collapse again and again, and go on to their end")
+{
+    // Discs that meet hardly part, so that impacts come within no time, also where nothing presses them together
+    GenerateOptions options;
+    options.count = 150;
+    options.seed = 5;
+    options.packing = 0.3;
+    options.rms_speed = 1.0;
+    options.friction = 0.0;
+    options.restitution = 0.1;
+    const Expected<Scene> discs = generate("gas", options);
+    options.count = 30;
+    options.packing = 0.2;
+    options.friction = 0.3;
+    options.restitution = 0.0;
+    options.shape = "polygon";
+    const Expected<Scene> polygons = generate("gas", options);
+    REQUIRE(discs.has_value());
+    REQUIRE(polygons.has_value());
+    for (const Scene& scene : {discs.value(), polygons.value()}) {
+        World world = world_of(scene);
+        const double size = radius_of_smallest(world);
+        Report before = world.report();
+        const double start = before.energy.total();
+        for (int k = 1; k <= 50; ++k) {
+            const auto failure = world.advance(k);
+            INFO((failure ? failure->message : std::string()));
+            REQUIRE_FALSE(failure.has_value());
+            const Report now = world.report();
+            CHECK(now.energy.total() <= before.energy.total() + 1e-12 * start);
+            before = now;
+        }
+        const double accounted = before.ledger.impacts + before.ledger.steps + before.ledger.handovers;
+        CHECK(std::abs(before.energy.total() - start - accounted) <= 1e-11 * start);
+        CHECK(before.handovers.size() >= 10);
+        CHECK(before.max_overlap <= 1e-9 * size);
+    }
+}
+
 TEST_CASE("with hand-overs, too, what happens doesn't depend on when somebody asks")
 {
     int handed_over = 0;
