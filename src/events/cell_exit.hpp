@@ -32,30 +32,38 @@ struct CellExit
 }
 // [events.cell_exit.result]
 
+// [events.cell_exit.straight]
+/// On a straight path only the two borders ahead count.
+/// x, v  position and velocity at `time`
+[[nodiscard]] inline CellExit straight_exit(const Vec2& x, const Vec2& v, double time, const Cell& cell,
+                                            double cell_size, double now)
+{
+    const int right = v.x() > 0.0 ? 1 : 0;
+    const int up = v.y() > 0.0 ? 1 : 0;
+    const double room_x = (static_cast<double>(cell.column) + right) * cell_size - x.x();
+    const double room_y = (static_cast<double>(cell.row) + up) * cell_size - x.y();
+    const double time_x = v.x() != 0.0 ? time + room_x / v.x() : k_never;
+    const double time_y = v.y() != 0.0 ? time + room_y / v.y() : k_never;
+    if (time_x <= time_y) return {std::max(time_x, now), 1 - right};
+    return {std::max(time_y, now), 3 - up};
+}
+// [events.cell_exit.straight]
+
 // [events.cell_exit]
 /// First time, not before `now`, at which a flyer crosses a border of its cell outwards. Only the direction of crossing
 /// counts, so that a body that stands on the border by rounding is not sent back and forth.
 [[nodiscard]] inline CellExit next_cell_exit(const Flyer& flyer, const Cell& cell, double cell_size, double now)
 {
     CellExit exit;
-    // [events.cell_exit.straight]
-    // On a straight path only the two borders ahead count
+    const Vec2& a = flyer.acceleration;
+    if (a.x() == 0.0 && a.y() == 0.0) {
+        return straight_exit(flyer.state.position, flyer.state.velocity, flyer.state.time, cell, cell_size, now);
+    }
+
     const auto column = static_cast<double>(cell.column);
     const auto row = static_cast<double>(cell.row);
     const Vec2& x = flyer.state.position;
     const Vec2& v = flyer.state.velocity;
-    const Vec2& a = flyer.acceleration;
-    if (a.x() == 0.0 && a.y() == 0.0) {
-        const int right = v.x() > 0.0 ? 1 : 0;
-        const int up = v.y() > 0.0 ? 1 : 0;
-        const double room_x = (column + right) * cell_size - x.x();
-        const double room_y = (row + up) * cell_size - x.y();
-        const double time_x = v.x() != 0.0 ? flyer.state.time + room_x / v.x() : k_never;
-        const double time_y = v.y() != 0.0 ? flyer.state.time + room_y / v.y() : k_never;
-        if (time_x <= time_y) return {std::max(time_x, now), 1 - right};
-        return {std::max(time_y, now), 3 - up};
-    }
-    // [events.cell_exit.straight]
     // [events.cell_exit.crossing]
     const auto consider = [&](double room, double speed, double acceleration, int side) {
         // `room` is the distance to the border; it falls through zero when the body crosses

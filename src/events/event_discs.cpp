@@ -88,13 +88,16 @@ bool EventEngine::strike_discs(const Event& event, int a, int b)
 /// its own, so that only the others are brought to its moment.
 void EventEngine::predict_near(int body, int partner)
 {
-    int count = 0;
+    int* const near = near_.data();
+    int* end = near;
     const Cell& cell = grid_->cell_of(body);
-    grid_->for_each_near(cell, [&](int other) { near_[count++] = other; });
-    const Row row = rows_[body];
-    for (int k = 0; k < count; ++k) {
-        const int q = near_[k];
-        const Row& other = rows_[q];
+    grid_->for_each_near(cell, [&](int other) { *end++ = other; });
+    const auto count = static_cast<int>(end - near);
+    const Row* const rows = rows_.data();
+    const Row row = rows[body];
+    for (const int* place = near; place != end; ++place) {
+        const int q = *place;
+        const Row& other = rows[q];
         if (q == body || q == partner) continue;
         if (other.kind != Kind::disc || !(other.time <= row.time)) {
             predict_pair(body, q);

@@ -95,9 +95,10 @@ void EventEngine::go_on_from(const Resume& resume, const std::vector<BodyState>&
 std::optional<EventFailure> EventEngine::advance(double time, std::int64_t most)
 {
     noticed_ = false;
-    for (std::int64_t handled = 0; !queue_.empty() && queue_.next().time <= time;) {
-        if (handled == most) return std::nullopt;
+    for (std::int64_t handled = 0; !queue_.empty();) {
         const Event event = queue_.next();
+        if (!(event.time <= time)) break;
+        if (handled == most) return std::nullopt;
         queue_.pop();
         if (fetches_ahead_) fetch_ahead();
         if (!is_current(event)) {

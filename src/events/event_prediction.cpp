@@ -335,7 +335,9 @@ void EventEngine::predict_cell(int body, double now)
 {
     if (!grid_) return;
     const Row& row = rows_[body];
-    const CellExit exit = next_cell_exit({{row.position, row.velocity, 0.0, 0.0, row.time}, acceleration_}, grid_->cell_of(body), grid_->cell_size(), now);
+    const Cell& cell = grid_->cell_of(body);
+    const CellExit exit = falls_ ? next_cell_exit(flyer_of(body), cell, grid_->cell_size(), now)
+                                 : straight_exit(row.position, row.velocity, row.time, cell, grid_->cell_size(), now);
     if (exit.time != k_never) foreseen_.push_back({exit.time, row.id, -1 - exit.side, row.stamp, Event::Kind::cell});
 }
 // [events.predict_cell]

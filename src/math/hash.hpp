@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 namespace flying {
 
@@ -28,7 +29,10 @@ public:
     void add(const std::array<double, N>& numbers)
     {
         std::uint64_t sum = 0;
-        for (std::size_t k = 0; k < N; ++k) sum += mix(std::bit_cast<std::uint64_t>(numbers[k] + 0.0) + (2 * k + 1) * k_odd);
+        const auto add_up = [&]<std::size_t... k>(std::index_sequence<k...>) {
+            ((sum += mix(std::bit_cast<std::uint64_t>(numbers[k] + 0.0) + (2 * k + 1) * k_odd)), ...);
+        };
+        add_up(std::make_index_sequence<N>{});
         add(sum);
     }
 

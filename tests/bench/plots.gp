@@ -16,6 +16,7 @@ do for [kind in "svg png"] {
     set output "bodies.".kind
     set title "Speed against the number of bodies, packing 0.3\n{/*0.8 ".machine.", one core}"
     set xlabel "bodies"
+    set format x "10^{%L}"
     set ylabel "collisions a second"
     set key top right
     set yrange [1e4:1e7]
@@ -28,6 +29,7 @@ do for [kind in "svg png"] {
     set output "vertices.".kind
     set title "Speed against the number of vertices, 200 regular polygons, packing 0.2\n{/*0.8 ".machine.", one core}"
     set xlabel "vertices of each polygon"
+    set format x "%g"
     set yrange [*:*]
     set xrange [2:120]
     plot "vertices.dat" using 1:2 with points pt 5 lc rgb "#d62728" title "regular polygons", \
