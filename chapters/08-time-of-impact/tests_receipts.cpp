@@ -338,7 +338,8 @@ TEST_CASE("a disc that falls straight in strikes the disc at the centre at the t
 // [toi.tests.radial]
 
 // [toi.tests.wrong_steps]
-TEST_CASE("a disc that is looked at step by step passes a thin wall as often as the steps are too long")
+TEST_CASE("a disc that is looked at step by step passes a thin wall "
+          "as often as the steps are too long")
 {
     const double step = 1.0 / 60.0;
     const double seen_from = k_wall_thickness + 2 * k_disc_radius;
@@ -346,15 +347,19 @@ TEST_CASE("a disc that is looked at step by step passes a thin wall as often as 
     for (const double V : {8.0, 10.0, 60.0, 300.0}) {
         int seen = 0;
         constexpr int k_throws = 2000;
+        // [toi.tests.wrong_steps.throws]
         for (int k = 0; k < k_throws; ++k) {
             const Flyer flyer = thrown(-1.0 - V * step * k / k_throws, V);
             seen += first_overlap(flyer, step, 2.0 / V + 3 * step) < k_never ? 1 : 0;
-            const Prediction answer = predict(Disc{k_disc_radius}, flyer, thin_wall(), {}, 0.0, {.windows = 1000});
+            const Prediction answer = predict(Disc{k_disc_radius}, flyer, thin_wall(), {}, 0.0,
+                                              {.windows = 1000});
             CHECK(answer.kind == Prediction::Kind::impact);
         }
+        // [toi.tests.wrong_steps.throws]
         const double share = static_cast<double>(seen) / k_throws;
-        CHECK_EQUATION("toi.seen", share, seen_from / (V * step), 1e-2, {"w", k_wall_thickness},
-                       {"R", k_disc_radius}, {"V", V}, {"\\Delta", step});
+        CHECK_EQUATION("toi.seen", share, seen_from / (V * step), 1e-2,
+                       {"w", k_wall_thickness}, {"R", k_disc_radius}, {"V", V},
+                       {"\\Delta", step});
         CHECK_TWIN("toi.seen", share, k_wall_thickness / (V * step), 1e-2);
         CHECK(seen < k_throws); // the wall is passed: this finds it
     }
@@ -389,8 +394,9 @@ TEST_CASE("the safe step as school has it passes roots, or does not move at all"
         const double f = std::pow(10.0, random.uniform(-15.0, -3.0));
         const double bend = std::pow(10.0, random.uniform(-6.0, 0.0));
 
-        // The worst function that the bound allows is the parabola; its root in a hundred digits' stead by long double
-        const double root = static_cast<double>(2.0L * f / (1.0L + std::sqrt(1.0L + 2.0L * bend * f)));
+        // The worst that the bound allows is the parabola; here is its root by long double
+        const double root =
+            static_cast<double>(2.0L * f / (1.0L + std::sqrt(1.0L + 2.0L * bend * f)));
         CHECK(safe_step(f, -1.0, bend) <= root * (1.0 + 4e-16));
         const double wrong = school_step(f, -1.0, bend);
         passed += wrong > root * (1.0 + 1e-9) ? 1 : 0;

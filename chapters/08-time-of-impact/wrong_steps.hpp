@@ -27,8 +27,8 @@ inline Flyer thrown(double x, double speed)
 }
 
 // [toi.wrong.steps]
-/// WRONG, and it looks right: moves the disc step by step, and looks after each whether it is
-/// in the wall. When it first is, or never.  flyer  the disc; step, until  [s]
+/// WRONG, and it looks right: moves the disc step by step, and looks after each whether it
+/// is in the wall. When it first is, or never.  flyer  the disc; step, until  [s]
 inline double first_overlap(const Flyer& flyer, double step, double until)
 {
     const Shape disc = Disc{k_disc_radius};

@@ -161,11 +161,13 @@ inline bool PlainEngine::step()
     if (first == k_never) return false;
     time_ = std::max(time_, first);
     strike(first_a, first_b, first);
+    // [skipping-work.plain.log]
     for (const int body : {first_a, first_b}) {
         const BodyState& s = bodies_[body].flyer.state;
         log_.add(std::array{first, s.position.x(), s.position.y(), s.velocity.x(),
                             s.velocity.y(), s.angle, s.spin});
     }
+    // [skipping-work.plain.log]
     return true;
 }
 // [skipping-work.plain.step]

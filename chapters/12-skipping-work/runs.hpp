@@ -10,14 +10,16 @@
 /// Runs of the course's scenes with some work left out, and what they counted.
 namespace flying {
 
-// [skipping-work.run]
+// [skipping-work.kept]
 /// A run, and what a plan must not change.
 struct Run
 {
     Report report;
     std::vector<std::uint64_t> hashes; ///< of the log, after every impact
 };
+// [skipping-work.kept]
 
+// [skipping-work.run]
 /// without  skips that are turned off; until  [s]
 inline Run run(const Scene& scene, double until,
                const std::vector<std::string>& without = {})

@@ -180,11 +180,13 @@ TEST_CASE("a stack that sleeps has the bits of one that is kept awake")
             CHECK(one.state(k).angle == two.state(k).angle);
         }
     }
+    // [skipping-work.tests.sleep.counts]
     CHECK(one.counts().asleep > 0);
     CHECK(two.counts().asleep == 0);
     RECORD_VALUE("skipping-work.asleep", one.counts().asleep);
     RECORD_VALUE("skipping-work.groups", one.counts().groups);
     RECORD_VALUE("skipping-work.groups_awake", two.counts().groups);
+    // [skipping-work.tests.sleep.counts]
 }
 // [skipping-work.tests.sleep]
 
@@ -199,6 +201,7 @@ TEST_CASE("a bound that is a hundredth too small is found by the hash of the fir
         PlainEngine spoilt(hexagons(seed), Bound::spoilt);
         const double before = none.energy();
         bool differs = false;
+        // [skipping-work.tests.spoilt.steps]
         for (int k = 0; k < 200; ++k) {
             REQUIRE(none.step());
             REQUIRE(right.step());
@@ -206,6 +209,7 @@ TEST_CASE("a bound that is a hundredth too small is found by the hash of the fir
             CHECK(right.hash() == none.hash());
             differs = differs || spoilt.hash() != none.hash();
         }
+        // [skipping-work.tests.spoilt.steps]
         found += differs ? 1 : 0;
         CHECK(std::abs(spoilt.energy() - before) < 1e-12 * before);
         CHECK(none.deepest() < 1e-12);

@@ -20,13 +20,14 @@ Cell Grid::cell_at(const Vec2& point) const
 {
     constexpr double k_farthest = 0x1p50;
     const auto number = [&](double x) {
-        return static_cast<std::int64_t>(std::clamp(std::floor(x / cell_size_), -k_farthest, k_farthest));
+        return static_cast<std::int64_t>(
+            std::clamp(std::floor(x / cell_size_), -k_farthest, k_farthest));
     };
     return {number(point.x()), number(point.y())};
 }
 // [grid.cell_at]
 
-// [grid.move]
+// [grid.insert]
 void Grid::insert(int body, const Cell& cell)
 {
     Head& head = heads_[index(cell)];
@@ -39,7 +40,9 @@ void Grid::insert(int body, const Cell& cell)
     next_[body] = head.chain;
     head.chain = body;
 }
+// [grid.insert]
 
+// [grid.move]
 void Grid::move(int body, const Cell& to)
 {
     // Find who names the body: its cell, or another in the chain
@@ -52,7 +55,9 @@ void Grid::move(int body, const Cell& to)
         *place = next_[body];
     } else {
         // Leave no place empty before one that is taken
-        int& last = head.chain >= 0 ? head.chain : head.bodies[1] >= 0 ? head.bodies[1] : head.bodies[0];
+        int& last = head.chain >= 0       ? head.chain
+                    : head.bodies[1] >= 0 ? head.bodies[1]
+                                          : head.bodies[0];
         *place = last;
         last = &last == &head.chain ? next_[last] : -1;
     }
@@ -93,16 +98,20 @@ void Grid::insert_static(int body, const Aabb& box, double margin)
     const Cell high = cell_at(box.max + reach);
 
     // A box wider than the torus reaches every column once
-    const std::int64_t last_column = std::min(high.column, low.column + static_cast<std::int64_t>(column_mask_));
-    const std::int64_t last_row = std::min(high.row, low.row + static_cast<std::int64_t>(row_mask_));
+    const std::int64_t last_column =
+        std::min(high.column, low.column + static_cast<std::int64_t>(column_mask_));
+    const std::int64_t last_row =
+        std::min(high.row, low.row + static_cast<std::int64_t>(row_mask_));
     for (std::int64_t row = low.row; row <= last_row; ++row) {
         for (std::int64_t column = low.column; column <= last_column; ++column) {
+            // [grid.statics.name]
             int& statics = heads_[index({column, row})].statics;
             if (statics == 0) {
                 statics = static_cast<int>(statics_.size());
                 statics_.emplace_back();
             }
             statics_[statics].push_back(body);
+            // [grid.statics.name]
         }
     }
 }
@@ -111,10 +120,12 @@ void Grid::insert_static(int body, const Aabb& box, double margin)
 // [grid.make]
 Grid make_grid(const Aabb& extent, double largest_radius, int bodies, int movers)
 {
-    constexpr double k_clear = 2.125;    // [radii] a diameter, and room for the rounding of borders
+    // A diameter, and room for the rounding of borders, in radii
+    constexpr double k_clear = 2.125;
     constexpr double k_bodies_a_cell = 0.5;
     const Vec2 size = extent.max - extent.min;
-    const double share = std::sqrt(k_bodies_a_cell * (size.x() * size.y()) / std::max(movers, 1));
+    const double share =
+        std::sqrt(k_bodies_a_cell * (size.x() * size.y()) / std::max(movers, 1));
     const double cell_size = std::max(k_clear * largest_radius, share);
 
     // [grid.make.count]

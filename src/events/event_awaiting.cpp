@@ -19,17 +19,20 @@ void EventEngine::push_pair(double time, int p, int q, Event::Kind kind)
 // [events.push_pair]
 
 // [events.await]
-/// Put what was foreseen of a body where it belongs: the first of its events into the queue, the others beside the body.
+/// Put what was foreseen of a body where it belongs: the first of its events into the
+/// queue, the others beside the body.
 void EventEngine::await(int body)
 {
     const int id = rows_[body].id;
     Waiting& waiting = waiting_[body];
+    // [events.await.waited]
     while (waiting.count > 0) {
         const Event event = waiting.take(waiting.count - 1, id);
         if (is_current(event)) foreseen_.push_back(event);
         else ++counts_.stale;
     }
     waiting.called = k_never;
+    // [events.await.waited]
     if (!options_.skips_search) call_all(); // with the skip off, all go into the queue
     if (foreseen_.empty()) return;
 
@@ -38,6 +41,7 @@ void EventEngine::await(int body)
     for (std::size_t k = 1; k < foreseen_.size(); ++k) {
         if (happens_before(foreseen_[k], foreseen_[first])) first = k;
     }
+    // [events.await.others]
     for (std::size_t k = 0; k < foreseen_.size(); ++k) {
         Event& event = foreseen_[k];
         event.owner = event.a == id ? Event::Owner::a : Event::Owner::b;
@@ -45,6 +49,7 @@ void EventEngine::await(int body)
         event.owner = Event::Owner::nobody; // there is no more room beside the body
         queue_.push(event);
     }
+    // [events.await.others]
     waiting.called = foreseen_[first].time;
     queue_.push(foreseen_[first]);
     foreseen_.clear();

@@ -101,11 +101,13 @@ std::optional<EventFailure> EventEngine::advance(double time, std::int64_t most)
         if (handled == most) return std::nullopt;
         queue_.pop();
         if (fetches_ahead_) fetch_ahead();
+        // [events.advance.stale]
         if (!is_current(event)) {
             ++counts_.stale;
             if (is_called(event)) await(owner_of(event));
             continue;
         }
+        // [events.advance.stale]
         now_ = std::max(now_, event.time);
         ++counts_.events;
         ++handled;

@@ -190,6 +190,7 @@ inline void EventEngine::predict_movers(int a, int b)
     if (row_a.kind == Kind::disc && row_b.kind == Kind::disc) {
         time = start + time_to_meet(offset, rate, reach);
     } else if (options_.skips_far_features) {
+        // [events.predict_movers.circles]
         const Passage passage = passage_through_circle(offset, rate, bounding_reach(reach));
         if (!(passage.leave > 0.0)) {
             ++counts_.far_features_skipped;
@@ -201,6 +202,7 @@ inline void EventEngine::predict_movers(int a, int b)
         }
         time = start + passage.enter;
         kind = Event::Kind::look;
+        // [events.predict_movers.circles]
     } else {
         predict_general(a, b, start, 1);
         return;

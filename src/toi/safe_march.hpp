@@ -53,8 +53,8 @@ struct MarchBounds
 // [toi.touches]
 
 // [toi.strikes]
-/// The vertex touches the edge and approaches: faster than rounding, or at all where it lies
-/// so deep that to wait would let it sink.
+/// The vertex touches the edge and approaches: faster than rounding, or at all where it
+/// lies so deep that to wait would let it sink.
 [[nodiscard]] inline bool strikes(const EdgeReading& now, const MarchBounds& bounds)
 {
     const bool is_deep = now.gap < -0.5 * bounds.tolerance.touch;
@@ -127,6 +127,7 @@ template <typename Read>
     EdgeReading now = first;
     double time = from;
     for (int k = 0; k < k_most_steps; ++k) {
+        // [toi.march.step]
         if (!(time < until)) return {};
         if (k > 0) now = read(time);
         const double step = certain_step(now, bounds);
@@ -139,6 +140,7 @@ template <typename Read>
 
         time = std::max(next, next_after(time));
         // [toi.march.root]
+        // [toi.march.step]
     }
     return {MarchEnd::Kind::tired, time};
 }

@@ -168,8 +168,8 @@ void scan_vertices(const Side& p, const Side& q, const Relative& relative, doubl
 // [toi.vertices-on-edges]
 
 // [toi.distance]
-/// March of the distance between a point and a centre, less a radius. Distance bends upwards
-/// by itself, so that the acceleration alone bounds how fast it can fall.
+/// March of the distance between a point and a centre, less a radius. Distance bends
+/// upwards by itself, so that the acceleration alone bounds how fast it can fall.
 template <typename Offset>
 [[nodiscard]] MarchEnd march_distance(const Offset& offset_and_rate, double radius,
                                       double acceleration, const Window& window,

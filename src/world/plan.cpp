@@ -187,13 +187,15 @@ struct Census
 
 } // namespace
 
-// [plan.make]
+// [plan.skip_names]
 std::vector<std::string> skip_names()
 {
     return {k_grid,  k_cells, k_static_pairs, k_search,
             k_field, k_rings, k_far_features, k_far_vertices};
 }
+// [plan.skip_names]
 
+// [plan.make]
 Plan make_plan(const Scene& scene, const std::vector<std::string>& without)
 {
     const Census census = take_census(scene);
