@@ -109,7 +109,12 @@ void RestEngine::part_where_slip_ends(Group& group)
             find_impulses(group, time);
             if (!any_slip_ended(group, still)) break;
         }
-        if (halvings == k_part_halvings) break;
+        if (halvings == k_part_halvings) {
+            // It ends at once
+            scale_impulses(group, left / time);
+            find_impulses(group, left);
+            break;
+        }
         double end = left;
         for (int k = 0; k < group.point_count; ++k) {
             const ContactPoint& c = points_[group.first_point + k];
