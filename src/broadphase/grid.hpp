@@ -79,7 +79,8 @@ public:
         const std::size_t right = index({cell.column + 1, 0});
         for (std::int64_t row = cell.row - 1; row <= cell.row + 1; ++row) {
             const Head* const line = &heads_[index({0, row})];
-            for (const std::size_t column : {left, middle, right}) for_each_of(line[column], visit);
+            for (const std::size_t column : {left, middle, right})
+                for_each_of(line[column], visit);
         }
     }
     // [grid.visit]

@@ -18,7 +18,8 @@ struct Aabb
 /// The two boxes share a point.
 [[nodiscard]] inline bool overlap(const Aabb& a, const Aabb& b)
 {
-    return a.min.x() <= b.max.x() && b.min.x() <= a.max.x() && a.min.y() <= b.max.y() && b.min.y() <= a.max.y();
+    return a.min.x() <= b.max.x() && b.min.x() <= a.max.x() &&
+           a.min.y() <= b.max.y() && b.min.y() <= a.max.y();
 }
 // [geometry.aabb.overlap]
 
