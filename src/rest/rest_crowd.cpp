@@ -13,6 +13,8 @@ constexpr int k_most_in_turn = 12;
 /// Rounds of impacts in one step, where those that end one approach bring another; sweeps of each.
 constexpr int k_impact_rounds = 4;
 constexpr int k_impact_sweeps = 32;
+/// Greatest part of the rebound of each point by itself that the rebound of all may be.
+constexpr double k_most_share = 2.0;
 /// [rounding of speeds] Slower approaches are left to the load.
 constexpr double k_approach = 1024.0;
 // [rest.crowd.limits]
@@ -131,6 +133,7 @@ void RestEngine::share_rebound(std::span<const int> members)
     double room = 0.0;
     double mixed = 0.0;
     double thrown = 0.0;
+    double spent = 0.0;
     for (const int member : members) {
         const Mover& old = part_movers_[member];
         const Mover& now = movers_[member];
@@ -143,13 +146,17 @@ void RestEngine::share_rebound(std::span<const int> members)
             (ended.v_x * ended.v_x + ended.v_y * ended.v_y) / old.inv_mass + ended.spin * ended.spin / old.inv_moment;
         room += 0.5 * (before - after);
         mixed += (ended.v_x * d_x + ended.v_y * d_y) / old.inv_mass + ended.spin * d_spin / old.inv_moment;
+        const double e_x = ended.v_x - old.v_x;
+        const double e_y = ended.v_y - old.v_y;
+        const double e_spin = ended.spin - old.spin;
+        spent += 0.5 * ((e_x * e_x + e_y * e_y) / old.inv_mass + e_spin * e_spin / old.inv_moment);
         thrown += 0.5 * ((d_x * d_x + d_y * d_y) / old.inv_mass + d_spin * d_spin / old.inv_moment);
     }
-    double share = 1.0;
-    if (thrown + mixed > room) {
-        const double root = std::sqrt(std::max(mixed * mixed + 4.0 * thrown * room, 0.0));
-        share = room > 0.0 ? std::clamp(2.0 * room / (mixed + root), 0.0, 1.0) : 0.0;
-    }
+    // What it takes to hold off those that only come near is given back
+    const double held_off = mixed < 0.0 ? std::max(room - spent, 0.0) : 0.0;
+    const double wanted = std::min(room, thrown + std::max(mixed, 0.0) + held_off);
+    const double root = std::sqrt(mixed * mixed + 4.0 * thrown * std::max(wanted, 0.0));
+    const double share = wanted > 0.0 && thrown > 0.0 ? std::min((root - mixed) / (2.0 * thrown), k_most_share) : 0.0;
     for (const int member : members) {
         Mover& now = movers_[member];
         const Mover& ended = place_movers_[member];
