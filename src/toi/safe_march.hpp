@@ -102,6 +102,22 @@ struct MarchBounds
 }
 // [toi.certain-step]
 
+// [toi.fell-through]
+/// The vertex was above the edge and now lies too deep to touch it. A certain step doesn't lead
+/// there, so only rounding can, where it is coarser than the tolerance: near a centre that a
+/// body has passed closely.
+[[nodiscard]] inline bool fell_through(const EdgeReading& before, const EdgeReading& now,
+                                       const MarchBounds& bounds)
+{
+    if (now.gap >= -bounds.depth || before.gap <= 0.0 || now.gap_rate >= 0.0) return false;
+    const double slack = bounds.tolerance.touch;
+    const auto is_over = [&](double along) {
+        return along >= -slack && along <= bounds.length + slack;
+    };
+    return is_over(before.along) && is_over(now.along);
+}
+// [toi.fell-through]
+
 // [toi.march.end]
 /// Where a march ended.
 struct MarchEnd
@@ -129,7 +145,11 @@ template <typename Read>
     for (int k = 0; k < k_most_steps; ++k) {
         // [toi.march.step]
         if (!(time < until)) return {};
-        if (k > 0) now = read(time);
+        if (k > 0) {
+            const EdgeReading before = now;
+            now = read(time);
+            if (fell_through(before, now, bounds)) return {MarchEnd::Kind::strike, time};
+        }
         const double step = certain_step(now, bounds);
         const double next = time + step;
 

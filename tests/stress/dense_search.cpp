@@ -197,6 +197,22 @@ bool edges_cross(const Vec2& p, const Vec2& p_way, const Vec2& q, const Vec2& q_
     return s >= 0.0 && s <= 1.0 && t >= 0.0 && t <= 1.0;
 }
 
+/// How far a body's places at neighbouring doubles are off the flight between them: past a close turn round the centre
+/// more than any count of roundings tells (pair 201319863).  [m]
+double scatter_at(const Outline& outline, const Flyer& flyer, double time)
+{
+    const Vec2 place = place_of(outline, flyer, time).position;
+    const Vec2 velocity = velocity_of(flyer, time);
+    double greatest = 0.0;
+    double next = time;
+    for (int k = 0; k < 32; ++k) {
+        next = std::nextafter(next, k_infinity);
+        const Vec2 flown = place + (next - time) * velocity;
+        greatest = std::max(greatest, (place_of(outline, flyer, next).position - flown).norm());
+    }
+    return greatest;
+}
+
 } // namespace
 
 Outline disc_outline(double radius)
@@ -258,11 +274,14 @@ double rounding_at(const FlyingPair& pair, double time)
     const bool is_wall = pair.b.kind == Outline::Kind::wall;
     const Place place_a = place_of(pair.a, pair.flyer_a, time);
     double reach = place_a.position.norm() + pair.a.radius;
+    double scatter = 0.0;
     if (const CentralField* central = pair.flyer_a.central) {
         // A flight round a centre rounds many times over: 70 roundings of its distance were seen (pair 3068737)
         constexpr double k_round_centre = 8.0;
         reach += pair.flyer_a.state.position.norm() + 2.0 * central->centre.norm();
         reach += k_round_centre * (place_a.position - central->centre).norm();
+        scatter = scatter_at(pair.a, pair.flyer_a, time);
+        if (!is_wall && pair.flyer_b.central) scatter += scatter_at(pair.b, pair.flyer_b, time);
     }
     if (!is_wall) reach = std::max(reach, place_of(pair.b, pair.flyer_b, time).position.norm() + pair.b.radius);
 
@@ -273,7 +292,7 @@ double rounding_at(const FlyingPair& pair, double time)
         travel += (speed + tip_speed(*outline, *flyer)) * (std::abs(time) + std::abs(flyer->state.time));
         if (outline->kind == Outline::Kind::rings) reach += outline->radius * std::abs(flyer->state.angle);
     }
-    return k_epsilon * (16.0 * reach + 8.0 * travel);
+    return k_epsilon * (16.0 * reach + 8.0 * travel) + 2.0 * scatter;
 }
 
 DenseAnswer search_densely(const FlyingPair& pair, double from, double until, const DenseOptions& options)

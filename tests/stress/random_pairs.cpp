@@ -289,6 +289,7 @@ Verdict judge(const RandomPair& pair, const Prediction& answer)
     verdict.samples = dense.samples;
     if (dense.gave_up) {
         verdict.why = "the dense search took too many samples";
+        verdict.undecided = true;
         return verdict;
     }
     if (dense.overlaps) {

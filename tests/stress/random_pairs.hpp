@@ -32,6 +32,7 @@ struct RandomPair
 struct Verdict
 {
     bool right = false;
+    bool undecided = false;  ///< the dense search came to no end
     bool impact = false;     ///< foreseen by the engine before the horizon
     double gap = 0.0;        ///< at the impact [sizes of the smaller]
     long samples = 0;

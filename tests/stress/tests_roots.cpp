@@ -35,6 +35,15 @@ TEST_CASE("corners that go by a tip far from the origin, nearer than a vertex ma
     }
 }
 
+TEST_CASE("a body that has passed a centre closely, and is placed with more noise than its tolerance, doesn't fall through an edge")
+{
+    const RandomPair pair = random_pair(201'319'863);
+    const Verdict verdict = judge(pair, foresee(pair));
+    INFO(verdict.why);
+    CHECK(verdict.impact);
+    CHECK(verdict.right);
+}
+
 TEST_CASE("roots stay where they are, to rounding, when all times are a million seconds later")
 {
     for (std::uint64_t seed = 1; seed <= 20'000; ++seed) {
