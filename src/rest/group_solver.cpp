@@ -233,6 +233,7 @@ bool GroupSolver::solve(std::span<Mover> movers, std::span<const int> members, s
 // [rest.group.solve]
 
 // [rest.group.newton]
+// [rest.group.slips]
 void GroupSolver::measure_slips(std::span<const Mover> movers,
                                 std::span<const ContactPoint> points)
 {
@@ -244,6 +245,7 @@ void GroupSolver::measure_slips(std::span<const Mover> movers,
         slip_[2 * k + 1] = tangent_speed(c, movers[c.a], movers[c.b]);
     }
 }
+// [rest.group.slips]
 
 // [rest.group.guess]
 void GroupSolver::guess(std::span<const ContactPoint> points)

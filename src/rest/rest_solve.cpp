@@ -181,18 +181,20 @@ bool RestEngine::set_bounds(Group& group)
 void RestEngine::calm(const Group& group)
 {
     // Below what the field gives in a step by many orders, motion is the solve's rounding
+    // [rest.calm.still]
     double greatest = 0.0;
     for (int k = 0; k < group.point_count; ++k) {
         const ContactPoint& c = points_[group.first_point + k];
         greatest = std::max(greatest, c.normal / c.normal_mass);
     }
-    const double still = rest_tolerance::k_still * field_speed(group) +
-                         rest_tolerance::k_stagnant * rest_tolerance::k_content * group.member_count * greatest;
+    const double rounding = rest_tolerance::k_stagnant * rest_tolerance::k_content * group.member_count * greatest;
+    const double still = rest_tolerance::k_still * field_speed(group) + rounding;
+    // [rest.calm.still]
     for (int k = 0; k < group.member_count; ++k) {
         const int member = members_[group.first_member + k];
         const Mover& mover = movers_[member];
-        const double speed =
-            std::max({std::abs(mover.v_x), std::abs(mover.v_y), std::abs(mover.spin) * radius_[member]});
+        const double turn = std::abs(mover.spin) * radius_[member];
+        const double speed = std::max({std::abs(mover.v_x), std::abs(mover.v_y), turn});
         if (!(speed <= still)) return;
     }
     for (int k = 0; k < group.member_count; ++k) {

@@ -25,12 +25,15 @@ constexpr int k_most_halvings_of_crowd = 1;
 void RestEngine::step()
 {
     Stopwatch watch(options_.seconds);
+    // [rest.step.begin]
     span_ = options_.step;
     std::fill(outrun_.begin(), outrun_.end(), 0.0);
     list_awake();
     saved_.resize(bodies_.size());
     for (const int k : awake_) saved_[k] = bodies_[k].state;
+    // [rest.step.begin]
     for (int tries = 1;; ++tries) {
+        // [rest.step.find]
         measure_reach(awake_);
         if (pairs_.update(bodies_, shapes_, radius_, reach_)) ++counts_.looks;
         watch.stop(seconds_.pairs);
@@ -38,6 +41,7 @@ void RestEngine::step()
         do collide();
         while (wake_touched());
         watch.stop(seconds_.collide);
+        // [rest.step.find]
 
         gather_groups(awake_);
         for (Group& group : groups_) solve_group(group);
@@ -46,6 +50,7 @@ void RestEngine::step()
         // Look again where somebody may meet others than those that were looked at
         const bool is_last = tries == k_most_tries;
         if (!is_last && any_outran()) continue;
+        // [rest.step.end]
         for (const int k : awake_) whole_reach_[k] = reach_[k];
         finish_groups(0, {});
         has_outrun_ = false;
@@ -54,6 +59,7 @@ void RestEngine::step()
         if (is_last || !has_outrun_) break;
         for (const int k : awake_) bodies_[k].state = saved_[k];
         ++counts_.repeated;
+        // [rest.step.end]
     }
     ++steps_;
     ++counts_.steps;
