@@ -49,6 +49,7 @@ void RestEngine::solve_crowd(Group& group)
     for (int round = 0; round < k_impact_rounds; ++round) {
         if (!end_approaches(group)) break;
     }
+    end_all(group);
 
     // Then the load, from the velocities that they leave, and from what bore before
     for (const int member : members) part_movers_[member] = movers_[member];
@@ -89,14 +90,14 @@ void RestEngine::recall_load(ContactPoint& c) const
 }
 // [rest.crowd]
 
-// [rest.crowd.impacts]
-bool RestEngine::end_approaches(const Group& group)
+// [rest.crowd.bounds]
+/// Bounds that end what closes within the step. True where an approach is left that is more than rounding.
+bool RestEngine::bound_approaches(const Group& group)
 {
-    const std::span<ContactPoint> points = std::span(points_).subspan(group.first_point, group.point_count);
-    const std::span<const int> members = std::span(members_).subspan(group.first_member, group.member_count);
     const double still = k_approach * rest_tolerance::k_content * top_speed(group);
     bool any = false;
-    for (ContactPoint& c : points) {
+    for (int k = 0; k < group.point_count; ++k) {
+        ContactPoint& c = points_[group.first_point + k];
         const double u = normal_speed(c, movers_[c.a], movers_[c.b]);
         const double gap = std::max(c.gap, 0.0);
         const bool closes = gap + span_ * u < 0.0;
@@ -104,7 +105,26 @@ bool RestEngine::end_approaches(const Group& group)
         c.normal = c.tangent = 0.0;
         any = any || (closes && u < -still);
     }
-    if (!any) return false;
+    return any;
+}
+
+/// End, without rebound, what the rounds have left: heavy bodies behind light ones take more sweeps than they have.
+void RestEngine::end_all(Group& group)
+{
+    if (!group.is_exact || !bound_approaches(group)) return;
+    const std::span<ContactPoint> points = std::span(points_).subspan(group.first_point, group.point_count);
+    const std::span<const int> members = std::span(members_).subspan(group.first_member, group.member_count);
+    solver_.solve(movers_, members, points, rest_tolerance::k_content * top_speed(group));
+    for (std::size_t k = 0; k < points.size(); ++k) impacts_[k] += points[k].normal;
+}
+// [rest.crowd.bounds]
+
+// [rest.crowd.impacts]
+bool RestEngine::end_approaches(const Group& group)
+{
+    const std::span<ContactPoint> points = std::span(points_).subspan(group.first_point, group.point_count);
+    const std::span<const int> members = std::span(members_).subspan(group.first_member, group.member_count);
+    if (!bound_approaches(group)) return false;
 
     // End what closes within the step. Standing still meets these conditions, so that they never contradict each other
     for (const int member : members) part_movers_[member] = movers_[member];

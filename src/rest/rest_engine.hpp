@@ -219,6 +219,8 @@ private:
     void solve_crowd(Group& group);
     void recall_load(ContactPoint& point) const;
     void share_rebound(std::span<const int> members);
+    [[nodiscard]] bool bound_approaches(const Group& group);
+    void end_all(Group& group);
     [[nodiscard]] bool end_approaches(const Group& group);
     [[nodiscard]] bool set_bounds(Group& group);
     void move_as_pushed(const Group& group);
