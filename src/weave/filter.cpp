@@ -21,7 +21,20 @@ bool is_entry(std::string_view text, std::size_t& name_end)
     return true;
 }
 
+/// A line that only marks where a region begins or ends.
+bool is_marker(std::string_view code)
+{
+    return code.substr(0, 4) == "// [" && code.back() == ']';
+}
+
 } // namespace
+
+std::string without_markers(const std::string& source)
+{
+    std::string out;
+    for (const std::string& line : split_lines(source)) out += (is_marker(trim(line)) ? "" : line) + "\n";
+    return out;
+}
 
 std::string filter_source(const std::string& source)
 {
@@ -29,7 +42,7 @@ std::string filter_source(const std::string& source)
     bool in_list = false;
     for (const std::string& line : split_lines(source)) {
         const std::string_view code = trim(line);
-        const bool marker = code.substr(0, 4) == "// [" && code.back() == ']';
+        const bool marker = is_marker(code);
         if (code.substr(0, 4) != "/// " || marker) {
             in_list = false;
             out += (marker ? "" : line) + "\n";

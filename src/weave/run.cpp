@@ -1,5 +1,6 @@
 #include "weave/run.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
@@ -64,6 +65,26 @@ bool write_header(const Folders& folders, const Tools& tools, Problems& problems
     return write_file(header, replace_all(*text, "</head>", *ours + "</head>"));
 }
 
+/// Patterns of the sources whose comments read otherwise for Doxygen, each with the filter to start for it: to start it
+/// for all of them takes longer than all the rest.
+std::string filter_patterns(const Folders& folders, const std::string& weave)
+{
+    std::error_code error;
+    std::string patterns;
+    for (const char* top : {"src", "chapters"}) {
+        std::vector<std::string> found;
+        for (const auto& entry : fs::recursive_directory_iterator(folders.project / top, error)) {
+            const std::string extension = entry.path().extension().string();
+            if (extension != ".hpp" && extension != ".cpp") continue;
+            const std::string source = read_file(entry.path()).value_or("");
+            if (filter_source(source) != without_markers(source)) found.push_back(entry.path().string());
+        }
+        std::sort(found.begin(), found.end());
+        for (const std::string& file : found) patterns += fmt::format(" \"{}={} filter\"", file, weave);
+    }
+    return patterns;
+}
+
 bool run_doxygen(const Folders& folders, const Tools& tools, const Woven& woven, const fs::path& html,
                  Problems& problems)
 {
@@ -78,7 +99,8 @@ bool run_doxygen(const Folders& folders, const Tools& tools, const Woven& woven,
     settings = replace_all(settings, "@PROJECT@", folders.project.string());
     settings = replace_all(settings, "@BUILD@", folders.build.string());
     settings = replace_all(settings, "@HTML@", html.filename().string());
-    settings = replace_all(settings, "@WEAVE@", fs::read_symlink("/proc/self/exe", error).string());
+    const std::string weave = fs::read_symlink("/proc/self/exe", error).string();
+    settings = replace_all(settings, "@FILTERS@", filter_patterns(folders, weave));
     settings = replace_all(settings, "@TITLE@", woven.material.book.title);
     if (!write_file(folders.build / "Doxyfile", settings) || !write_header(folders, tools, problems)) return false;
 
