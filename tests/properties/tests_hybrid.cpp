@@ -96,7 +96,8 @@ TEST_CASE("boxes in cells are found by all that share a point with them, whateve
         const auto any_box = [&] {
             const double x = random.uniform(-10.0, 10.0);
             const double y = round % 3 == 0 ? 0.0 : random.uniform(-1.0, 30.0);
-            const double width = 0.25 * random.below(5) + (random.below(20) == 0 ? 15.0 : 0.1);
+            const double least = random.below(20) == 0 ? 15.0 : 0.1;
+            const double width = 0.25 * random.below(5) + least;
             const double height = 0.25 * random.below(5);
             return Aabb{Vec2(x, y), Vec2(x + width, y + height)};
         };

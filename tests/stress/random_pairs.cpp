@@ -24,6 +24,14 @@ double log_uniform(Random& random, double low, double high)
     return std::exp(random.uniform(std::log(low), std::log(high)));
 }
 
+/// Any way, and a length between two. (Draws are statements of their own here: in one expression compilers choose their
+/// order, and a seed would mean another pair to each.)
+Vec2 random_vector(Random& random, double least, double greatest)
+{
+    const Vec2 way = direction(random.uniform(0.0, 6.3));
+    return log_uniform(random, least, greatest) * way;
+}
+
 std::vector<Vec2> star_ring(Random& random, int corners, double least, double greatest)
 {
     // No gap of half a turn between neighbours, or the origin would lie outside and the ring might turn the wrong way
@@ -164,8 +172,7 @@ RandomPair random_pair(std::uint64_t seed)
         flying = {};
         flying.a = outline_of(rings_a, size_a);
         pair.shape_a = shape_of(rings_a, size_a);
-        const Vec2 home = random.below(10) == 0 ? Vec2(log_uniform(random, 1.0, 1e6) * direction(random.uniform(0.0, 6.3)))
-                                                : Vec2(Vec2::Zero());
+        const Vec2 home = random.below(10) == 0 ? random_vector(random, 1.0, 1e6) : Vec2(Vec2::Zero());
         const double start_b = random.below(2) == 0 ? 0.0 : random.uniform(0.0, 0.1);
         flying.flyer_a.state.time = random.below(2) == 0 ? 0.0 : random.uniform(0.0, 0.1);
         flying.flyer_b.state.time = start_b;
@@ -202,7 +209,8 @@ RandomPair random_pair(std::uint64_t seed)
             Vec2 relative = speed * direction(turn);
             if (is_central) {
                 const double pull = speed * speed * reach * log_uniform(random, 0.3, 3.0);
-                const Vec2 centre = home + reach * random.uniform(1.5, 4.0) * direction(random.uniform(0.0, 6.3));
+                const Vec2 to_centre = direction(random.uniform(0.0, 6.3));
+                const Vec2 centre = home + reach * random.uniform(1.5, 4.0) * to_centre;
                 pair.field = std::make_unique<CentralField>(CentralField{centre, pull, 0.0});
                 flying.flyer_a.central = pair.field.get();
                 flying.flyer_a.state.velocity = relative;
@@ -211,11 +219,13 @@ RandomPair random_pair(std::uint64_t seed)
                     flying.flyer_b.state.velocity = speed * direction(random.uniform(0.0, 6.3));
                 }
             } else if (falls) {
-                const Vec2 g = speed * speed / reach * log_uniform(random, 0.1, 3.0) * direction(random.uniform(0.0, 6.3));
+                const Vec2 down = direction(random.uniform(0.0, 6.3));
+                const Vec2 g = speed * speed / reach * log_uniform(random, 0.1, 3.0) * down;
                 flying.flyer_a.acceleration = g;
                 flying.flyer_a.state.velocity = relative;
             } else {
-                const Vec2 common = speed * random.uniform(0.0, 2.0) * direction(random.uniform(0.0, 6.3));
+                const Vec2 way = direction(random.uniform(0.0, 6.3));
+                const Vec2 common = speed * random.uniform(0.0, 2.0) * way;
                 flying.flyer_a.state.velocity = relative + common;
                 flying.flyer_b.state.velocity = common;
                 if (random.below(4) == 0) {
@@ -239,7 +249,8 @@ RandomPair random_pair(std::uint64_t seed)
         // Apart by more than rounding to begin with
         if (!(gap_at(flying, pair.start) > 1e-6 * smaller_of(flying)) || overlap_at(flying, pair.start)) continue;
         if (pair.is_grazing) {
-            const double graze = log_uniform(random, 1e-11, 1e-3) * smaller_of(flying) * (random.below(2) == 0 ? 1.0 : -1.0);
+            const double depth = log_uniform(random, 1e-11, 1e-3) * smaller_of(flying);
+            const double graze = random.below(2) == 0 ? depth : -depth;
             const FlyingPair before = flying;
             pair.is_grazing = make_graze(flying, pair.start, pair.horizon, graze);
             if (!pair.is_grazing || !(gap_at(flying, pair.start) > 1e-6 * smaller_of(flying))) flying = before;

@@ -93,7 +93,10 @@ Scene lattice_scene(Random& random, SceneKind kind)
     if (random.below(5) != 0) scene.world.box = BoxDef{corner, corner + Vec2::Constant(side * pitch)};
     const int field = random.below(4);
     if (field == 0) scene.world.field = UniformField{speed * speed * direction(random.uniform(0.0, 6.3))};
-    if (field == 1) scene.world.field = UniformField{log_uniform(random, 1e-4, 0.3) * direction(random.uniform(0.0, 6.3))};
+    if (field == 1) {
+        const Vec2 down = direction(random.uniform(0.0, 6.3));
+        scene.world.field = UniformField{log_uniform(random, 1e-4, 0.3) * down};
+    }
     scene.until = random.uniform(1.0, 4.0) * pitch / speed;
     return scene;
 }
