@@ -67,41 +67,6 @@ void RestEngine::set_time(double time)
 }
 // [rest.step_by]
 
-// [rest.islands]
-void RestEngine::find_islands(std::vector<int>& island)
-{
-    span_ = options_.step;
-    std::fill(outrun_.begin(), outrun_.end(), 0.0);
-    list_awake();
-    measure_reach(awake_);
-    if (pairs_.update(bodies_, shapes_, radius_, reach_)) ++counts_.looks;
-
-    // Join bodies whose boxes come together within a step; the list knows more pairs, but which depends on when it was made
-    island.assign(bodies_.size(), -1);
-    std::vector<Aabb> boxes(bodies_.size());
-    for (int k = 0; k < static_cast<int>(bodies_.size()); ++k) {
-        const RestBody& body = bodies_[k];
-        if (body.is_static || !body.is_active) continue;
-        island[k] = k;
-        const Aabb box = bounding_box(body.shape, pose_of(body.state));
-        boxes[k] = {box.min - Vec2(reach_[k], reach_[k]), box.max + Vec2(reach_[k], reach_[k])};
-    }
-    const auto root = [&](int k) {
-        while (island[k] != k) k = island[k] = island[island[k]];
-        return k;
-    };
-    for (const RestPair& pair : pairs_.pairs()) {
-        if (island[pair.a] < 0 || island[pair.b] < 0 || !overlap(boxes[pair.a], boxes[pair.b])) continue;
-        const int one = root(pair.a);
-        const int two = root(pair.b);
-        island[std::max(one, two)] = std::min(one, two);
-    }
-    for (int k = 0; k < static_cast<int>(island.size()); ++k) {
-        if (island[k] >= 0) island[k] = root(k);
-    }
-}
-// [rest.islands]
-
 // [rest.clear]
 void RestEngine::find_clear(double within, std::vector<char>& clear) const
 {

@@ -108,9 +108,6 @@ public:
     /// Take a body out, or put it back where its state says.
     void set_active(int body, bool active);
 
-    /// For each body that is here, a number that it shares with those that the next steps may connect it to, by
-    /// whatever chain: that of the lowest among them. -1 for static bodies and those not active. Looks for pairs.
-    void find_islands(std::vector<int>& island);
     /// Marks each awake body that bears no load, and that nothing will touch for so long if all goes on as it does. [s]
     void find_clear(double within, std::vector<char>& clear) const;
 
