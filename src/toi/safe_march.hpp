@@ -32,13 +32,20 @@ struct MarchBounds
 };
 // [toi.march.bounds]
 
+// [toi.over]
+/// The vertex is between the edge's ends, or past one by no more than the slack.  [m]
+[[nodiscard]] inline bool is_over(const EdgeReading& now, const MarchBounds& bounds, double slack)
+{
+    return now.along >= -slack && now.along <= bounds.length + slack;
+}
+// [toi.over]
+
 // [toi.lowest]
 /// Depth to which the vertex counts as touching. Past an end, what lies deeper than the
 /// tolerance has gone past the corner, outside or over the next edge.
 [[nodiscard]] inline double lowest_touch(const EdgeReading& now, const MarchBounds& bounds)
 {
-    const bool is_over = now.along >= -bounds.ends && now.along <= bounds.length + bounds.ends;
-    return is_over ? bounds.depth : bounds.tolerance.touch;
+    return is_over(now, bounds, bounds.ends) ? bounds.depth : bounds.tolerance.touch;
 }
 // [toi.lowest]
 
@@ -47,7 +54,7 @@ struct MarchBounds
 [[nodiscard]] inline bool touches(const EdgeReading& now, const MarchBounds& bounds)
 {
     const double slack = bounds.tolerance.touch;
-    if (now.gap > slack || now.along < -slack || now.along > bounds.length + slack) return false;
+    if (now.gap > slack || !is_over(now, bounds, slack)) return false;
     return now.gap >= -slack || now.gap >= -lowest_touch(now, bounds);
 }
 // [toi.touches]
@@ -111,10 +118,7 @@ struct MarchBounds
 {
     if (now.gap >= -bounds.depth || before.gap <= 0.0 || now.gap_rate >= 0.0) return false;
     const double slack = bounds.tolerance.touch;
-    const auto is_over = [&](double along) {
-        return along >= -slack && along <= bounds.length + slack;
-    };
-    return is_over(before.along) && is_over(now.along);
+    return is_over(before, bounds, slack) && is_over(now, bounds, slack);
 }
 // [toi.fell-through]
 
