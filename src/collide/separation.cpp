@@ -143,7 +143,7 @@ double between_polygons(const Polygon& a, const Pose& world_from_a, const Polygo
     const Axis axis = greatest_separation(a, b, a_from_b);
     const double along_axis = axis.separation;
     const double extent = a_from_b.position.norm() + a.radius() + b.radius();
-    const double rounding = tolerance::k_coordinate_roundings * tolerance::k_epsilon * extent;
+    const double rounding = tolerance::coordinate_rounding(extent);
     if (along_axis < -rounding) return along_axis;
 
     // Apart, the shortest way starts or ends at a vertex

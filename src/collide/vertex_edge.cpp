@@ -319,7 +319,7 @@ Pair in_frame_of_a(const Polygon& a, const Polygon& b, const Pose& a_from_b)
 
     const double distance = a_from_b.position.norm();
     pair.push = distance > 0.0 ? a_from_b.position : Vec2(1.0, 0.0);
-    pair.rounding = tolerance::k_coordinate_roundings * tolerance::k_epsilon * (distance + a.radius() + b.radius());
+    pair.rounding = tolerance::coordinate_rounding(distance + a.radius() + b.radius());
     return pair;
 }
 // [collide.vertex_edge.frame]

@@ -18,6 +18,9 @@ inline constexpr double k_touch = 1e-13;
 /// position and a turned vertex, and the distance takes a difference and a product more.
 inline constexpr double k_coordinate_roundings = 8.0;
 
+/// That rounding, for coordinates that reach so far.  [their unit]
+[[nodiscard]] constexpr double coordinate_rounding(double reach) { return k_coordinate_roundings * k_epsilon * reach; }
+
 /// [body sizes] Starting overlap that rounding explains, beside the rounding of the coordinates: the same as touching,
 /// so that what is let in at the start is seen as contact by the first prediction.
 inline constexpr double k_start_overlap = k_touch;

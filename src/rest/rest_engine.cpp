@@ -92,7 +92,7 @@ void RestEngine::expect_flight(int body)
 void RestEngine::advance(double time)
 {
     // A step whose end is `time` but for rounding still fits
-    const double last = time + 0.5 * tolerance::k_coordinate_roundings * tolerance::k_epsilon * std::abs(time);
+    const double last = time + 0.5 * tolerance::coordinate_rounding(std::abs(time));
     while (start_ + static_cast<double>(steps_ + 1) * options_.step <= last) step();
 }
 // [rest.engine.advance]
@@ -120,7 +120,7 @@ double RestEngine::touch_gap(int a, int b) const
     const double coordinates =
         bodies_[a].state.position.cwiseAbs().maxCoeff() + bodies_[b].state.position.cwiseAbs().maxCoeff();
     return rest_tolerance::k_touch * std::min(radius_[a], radius_[b]) +
-           tolerance::k_coordinate_roundings * tolerance::k_epsilon * coordinates;
+           tolerance::coordinate_rounding(coordinates);
 }
 // [rest.engine.touch_gap]
 

@@ -137,7 +137,7 @@ void scan_vertices(const Side& p, const Side& q, const Relative& relative, doubl
         bounds.bend = bend_of_point(acceleration, window.speed, distance, arm, spin_p, spin_q);
         bounds.depth = k_depth * window.tolerance.touch;
         bounds.tolerance = window.tolerance;
-        bounds.ends = tolerance::k_coordinate_roundings * tolerance::k_epsilon * (q.shape.radius() + arm);
+        bounds.ends = tolerance::coordinate_rounding(q.shape.radius() + arm);
         if (window.skips_far_vertices && q.shape.is_convex() &&
             time_in_front(seen, q.shape, bounds) >= horizon(strike, window) - window.from)
             continue;
@@ -216,7 +216,7 @@ Strike first_strike(const Disc& a, const Polygon& b, const Turning& turning_b, c
     bounds.bend = bend_of_point(acceleration, window.speed, distance, 0.0, 0.0, spin);
     bounds.depth = k_depth * window.tolerance.touch;
     bounds.tolerance = window.tolerance;
-    bounds.ends = tolerance::k_coordinate_roundings * tolerance::k_epsilon * (b.radius() + a.radius);
+    bounds.ends = tolerance::coordinate_rounding(b.radius() + a.radius);
 
     const Seen seen = seen_from(turning_b.at(window.from), spin, relative.offset_at(window.from),
                                 relative.rate_at(window.from));

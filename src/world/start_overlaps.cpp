@@ -14,7 +14,7 @@ namespace flying {
 
 double start_overlap_allowed(double size, double reach)
 {
-    return tolerance::k_start_overlap * size + tolerance::k_coordinate_roundings * tolerance::k_epsilon * reach;
+    return tolerance::k_start_overlap * size + tolerance::coordinate_rounding(reach);
 }
 
 namespace {
