@@ -1,4 +1,5 @@
 #include <string>
+#include <vector>
 
 #include "weave/run.hpp"
 #include "weave/text.hpp"
@@ -29,18 +30,18 @@ bool is_marker(std::string_view code)
 
 } // namespace
 
-std::string without_markers(const std::string& source)
+std::string without_markers(const std::vector<std::string>& lines)
 {
     std::string out;
-    for (const std::string& line : split_lines(source)) out += (is_marker(trim(line)) ? "" : line) + "\n";
+    for (const std::string& line : lines) out += (is_marker(trim(line)) ? "" : line) + "\n";
     return out;
 }
 
-std::string filter_source(const std::string& source)
+std::string filter_source(const std::vector<std::string>& lines)
 {
     std::string out;
     bool in_list = false;
-    for (const std::string& line : split_lines(source)) {
+    for (const std::string& line : lines) {
         const std::string_view code = trim(line);
         const bool marker = is_marker(code);
         if (code.substr(0, 4) != "/// " || marker) {

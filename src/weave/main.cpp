@@ -50,7 +50,7 @@ int main(int argc, char** argv)
     CLI11_PARSE(app, argc, argv);
 
     if (filter->parsed()) {
-        fmt::print("{}", weave::filter_source(weave::read_file(source).value_or("")));
+        fmt::print("{}", weave::filter_source(weave::split_lines(weave::read_file(source).value_or(""))));
         return 0;
     }
     std::error_code error;

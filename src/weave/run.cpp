@@ -67,20 +67,13 @@ bool write_header(const Folders& folders, const Tools& tools, Problems& problems
 
 /// Patterns of the sources whose comments read otherwise for Doxygen, each with the filter to start for it: to start it
 /// for all of them takes longer than all the rest.
-std::string filter_patterns(const Folders& folders, const std::string& weave)
+std::string filter_patterns(const Folders& folders, const Sources& sources, const std::string& weave)
 {
-    std::error_code error;
     std::string patterns;
-    for (const char* top : {"src", "chapters"}) {
-        std::vector<std::string> found;
-        for (const auto& entry : fs::recursive_directory_iterator(folders.project / top, error)) {
-            const std::string extension = entry.path().extension().string();
-            if (extension != ".hpp" && extension != ".cpp") continue;
-            const std::string source = read_file(entry.path()).value_or("");
-            if (filter_source(source) != without_markers(source)) found.push_back(entry.path().string());
-        }
-        std::sort(found.begin(), found.end());
-        for (const std::string& file : found) patterns += fmt::format(" \"{}={} filter\"", file, weave);
+    for (const auto& [path, file] : sources.files) {
+        const bool is_read = path.ends_with(".hpp") || path.ends_with(".cpp");
+        if (!is_read || filter_source(file.lines) == without_markers(file.lines)) continue;
+        patterns += fmt::format(" \"{}={} filter\"", (folders.project / path).string(), weave);
     }
     return patterns;
 }
@@ -100,7 +93,7 @@ bool run_doxygen(const Folders& folders, const Tools& tools, const Woven& woven,
     settings = replace_all(settings, "@BUILD@", folders.build.string());
     settings = replace_all(settings, "@HTML@", html.filename().string());
     const std::string weave = fs::read_symlink("/proc/self/exe", error).string();
-    settings = replace_all(settings, "@FILTERS@", filter_patterns(folders, weave));
+    settings = replace_all(settings, "@FILTERS@", filter_patterns(folders, woven.material.sources, weave));
     settings = replace_all(settings, "@TITLE@", woven.material.book.title);
     if (!write_file(folders.build / "Doxyfile", settings) || !write_header(folders, tools, problems)) return false;
 

@@ -39,7 +39,7 @@ TEST_CASE("aligned parameters in comments become lists for the manual, and lines
 {
     const std::string source =
         "/// Fall.\n///\n/// g, h  weights [N]\n/// t     time since\n///       it began\nint f();\n// [a.b]\n";
-    CHECK(filter_source(source) ==
+    CHECK(filter_source(split_lines(source)) ==
           "/// Fall.\n///\n/// - <b>g, h</b>: weights [N]\n/// - <b>t</b>: time since\n///   it began\nint f();\n\n");
 }
 
