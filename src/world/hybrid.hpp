@@ -7,7 +7,7 @@
 
 #include "events/event_engine.hpp"
 #include "rest/rest_engine.hpp"
-#include "world/box_cells.hpp"
+#include "broadphase/box_cells.hpp"
 #include "world/report.hpp"
 
 namespace flying {
@@ -95,6 +95,13 @@ public:
 private:
     enum class Hands : char { none, events, rest };
 
+    /// Bodies that rest and that may be connected to each other within a step.
+    struct Island
+    {
+        double top_speed = 0.0; ///< [m/s]
+        bool is_awake = false;  ///< some of them
+    };
+
     /// What an impact gave to a body that lay: its state, had nothing else moved it.
     struct Blow
     {
@@ -138,6 +145,7 @@ private:
     BoxCells ways_;                // where those that rest may get within a whole step
     std::vector<BoxCells::Entry> late_ways_; // the same, of those that have come since
     std::vector<int> island_;      // of each body that rests: towards the lowest that it may be connected to
+    std::vector<Island> islands_;  // each in the place of its lowest body; workspace
     std::vector<Change> changes_;
     double energy_of_steps_ = 0.0;
     double energy_of_blows_ = 0.0;

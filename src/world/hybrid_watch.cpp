@@ -19,22 +19,23 @@ constexpr double k_near = 0x1p-6;
 /// Find where those that lean, and those that they may wake, can get before the step ends.
 void Hybrid::find_reaches()
 {
-    std::vector<double> top(hands_.size(), 0.0);
-    std::vector<char> is_awake(hands_.size(), 0);
+    // Only what belongs to those that rest is touched: there may be few of them among many
+    islands_.resize(hands_.size());
+    for (const int k : rests_) islands_[k] = {};
     for (const int k : rests_) {
-        const int island = island_of(k);
-        top[island] = std::max(top[island], rest_.state(k).velocity.norm());
-        if (!rest_.is_asleep(k)) is_awake[island] = 1;
+        Island& island = islands_[island_of(k)];
+        island.top_speed = std::max(island.top_speed, rest_.state(k).velocity.norm());
+        island.is_awake = island.is_awake || !rest_.is_asleep(k);
     }
     std::vector<BoxCells::Entry> reaches;
     const double left = step_ends_ - rest_.time();
     const double fall = setting_.gravity.norm() * left;
     for (const int k : rests_) {
-        const int island = island_of(k);
-        if (!is_awake[island]) continue;
+        const Island& island = islands_[island_of(k)];
+        if (!island.is_awake) continue;
 
         // A blow gives it no more than twice the speed of what strikes it
-        const double way = left * (2.0 * top[island] + fall) + (1.0 + k_room) * radius_[k];
+        const double way = left * (2.0 * island.top_speed + fall) + (1.0 + k_room) * radius_[k];
         const Vec2 x = rest_.state(k).position;
         reaches.push_back({{x - Vec2(way, way), x + Vec2(way, way)}, k});
     }

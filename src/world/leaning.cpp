@@ -6,7 +6,7 @@
 
 #include "collide/touching.hpp"
 #include "toi/gap_tolerance.hpp"
-#include "world/box_cells.hpp"
+#include "broadphase/box_cells.hpp"
 
 namespace flying {
 namespace {

@@ -1,4 +1,4 @@
-#include "world/box_cells.hpp"
+#include "broadphase/box_cells.hpp"
 
 #include <cmath>
 #include <utility>
