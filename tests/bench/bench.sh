@@ -32,8 +32,10 @@ out=$here/../../out/bench
 mkdir -p "$out"
 out=$(cd "$out" && pwd)
 status=0
-"$programs/flying_bench" --out "$out" "$@" 2> >(grep -v -e '^Initializing cpSpace' -e '^Compile with -DNDEBUG' >&2) || status=$?
-((status <= 1)) || exit "$status"
+# Chipmunk greets on the standard output
+"$programs/flying_bench" --out "$out" "$@" |
+    { grep -v -e '^Initializing cpSpace' -e '^Compile with -DNDEBUG' || true; } || status=${PIPESTATUS[0]}
+((status <= 1)) || exit $((status >= 100 ? 2 : status)) # bad usage is 2 everywhere
 
 # The parts one by one belong to the long set
 case " $* " in
@@ -44,7 +46,7 @@ case " $* " in
 esac
 
 # Draw what was measured, in this run or before
-if [[ -f $out/growth.ini && -f $out/work-flying.dat ]] && command -v gnuplot >/dev/null; then
+if [[ -f $out/machine.ini ]] && command -v gnuplot >/dev/null; then
     (cd "$out" && gnuplot "$here/plots.gp")
 fi
 echo

@@ -37,10 +37,13 @@ int main(int argc, char** argv)
     std::optional<double> until;
     std::set<std::string> parts;
     std::string out = "out/bench";
+    std::set<std::string> known;
+    for (const BenchCase& bench_case : bench_cases()) known.insert(bench_case.name);
     CLI::App app("Measure this engine beside Chipmunk and Box2D");
     app.add_flag("--all", all, "The long set: every scene over its full time, all sizes");
-    app.add_option("--scene", only, "Only scenes of these names");
-    app.add_option("--part", parts, "Only these parts: scenes, precision, growth");
+    app.add_option("--scene", only, "Only scenes of these names")->check(CLI::IsMember(known).description(""));
+    app.add_option("--part", parts, "Only these parts: scenes, precision, growth")
+        ->check(CLI::IsMember({"scenes", "precision", "growth"}).description(""));
     app.add_option("--repeats", repeats, "Of each run; the median counts")->check(CLI::Range(1, 1000));
     app.add_option("--hertz", hertz, "Steps a second of the peers")->check(CLI::Range(1.0, 1e6));
     app.add_option("--most", most, "Seconds of computing after which a peer's run is given up")->check(CLI::PositiveNumber);

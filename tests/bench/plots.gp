@@ -1,5 +1,8 @@
-# Run in the folder with the data: gnuplot /path/to/plots.gp. Draws each plot as SVG and PNG.
-load "growth.ini"
+# Run in the folder with the data: gnuplot /path/to/plots.gp. Draws each plot, as SVG and PNG,
+# whose data are there.
+load "machine.ini"
+is_there(file) = int(system("test -f ".file." && echo 1 || echo 0"))
+if (is_there("growth.ini")) { load "growth.ini" }
 set encoding utf8
 set logscale xy
 set format y "10^{%L}"
@@ -13,6 +16,7 @@ fit_line(slope) = sprintf("fit: slope %.2f", slope)
 do for [kind in "svg png"] {
     if (kind eq "svg") { set terminal svg size 720,480 font "sans,13" background "white" } else { set terminal pngcairo size 1080,720 font "sans,17" }
 
+    if (is_there("bodies-discs.dat") && is_there("bodies-pentagons.dat") && is_there("growth.ini")) {
     set output "bodies.".kind
     set title "Speed against the number of bodies, packing 0.3\n{/*0.8 ".machine.", one core}"
     set xlabel "bodies"
@@ -25,7 +29,9 @@ do for [kind in "svg png"] {
          factor_bodies_discs * x**slope_bodies_discs lc rgb "#1f77b4" dt 2 title fit_line(slope_bodies_discs), \
          "bodies-pentagons.dat" using 1:2 with points pt 5 lc rgb "#d62728" title "pentagons", \
          factor_bodies_pentagons * x**slope_bodies_pentagons lc rgb "#d62728" dt 2 title fit_line(slope_bodies_pentagons)
+    }
 
+    if (is_there("vertices.dat") && is_there("growth.ini")) {
     set output "vertices.".kind
     set title "Speed against the number of vertices, 200 regular polygons, packing 0.2\n{/*0.8 ".machine.", one core}"
     set xlabel "vertices of each polygon"
@@ -36,7 +42,9 @@ do for [kind in "svg png"] {
          factor_vertices * x**slope_vertices lc rgb "#d62728" dt 2 title fit_line(slope_vertices), \
          [20:100] end_factor_vertices * x**end_slope_vertices lc rgb "#7f0000" lw 2 \
              title "upper half, ".fit_line(end_slope_vertices)
+    }
 
+    if (is_there("work-flying.dat")) {
     set output "work-precision.".kind
     set title "Error against work: 1000 discs, packing 0.1, one second\n{/*0.8 ".machine.", one core; the peers are the distribution's, with assertions on}"
     set xlabel "seconds of computing"
@@ -47,5 +55,6 @@ do for [kind in "svg png"] {
     plot "work-Chipmunk.dat" using 1:2:3 with linespoints pt 7 lc rgb "#ff7f0e" title "Chipmunk 7.0.3, 60 to 3840 Hz", \
          "work-Box2D.dat" using 1:2:3 with linespoints pt 9 lc rgb "#2ca02c" title "Box2D 2.4.1 (floats), 60 to 3840 Hz", \
          "work-flying.dat" using 1:2 with points pt 5 ps 1.5 lc rgb "#1f77b4" title "flying polygons (no step)"
+    }
 }
 unset output

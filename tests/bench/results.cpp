@@ -118,7 +118,7 @@ std::string table(const Results& results)
                         "/Chipm.", "setup s", "drift", "overlap", "error m", "impacts/s");
     for (const Comparison& comparison : results.scenes) {
         for (const Showing& showing : comparison.showings) text += row(comparison, showing);
-        text += fmt::format("{:<20} {:g} s, {} repeats; aim {}", "", comparison.until,
+        text += fmt::format("{:<20} {:g} s, median of {}; aim {}", "", comparison.until,
                             comparison.showings.front().seconds.size(), comparison.aim);
         if (!comparison.exact_path.empty()) {
             text += fmt::format("; exact path known to {:.0e} m", comparison.exact_path_error);
@@ -146,7 +146,9 @@ void write_results(const Results& results, const std::filesystem::path& folder)
     write_file(folder / "bench.json", json_of(results).dump(2) + "\n");
     write_file(folder / "bench.txt", table(results));
 
-    std::string settings = fmt::format("machine = \"{}\"\n", results.machine.cpu);
+    // For the plots, which are drawn of whatever has been measured
+    write_file(folder / "machine.ini", fmt::format("machine = \"{}\"\n", results.machine.cpu));
+    std::string settings;
     for (const Growth& growth : results.growths) {
         std::string data = "# size collisions/s events/s\n";
         for (const Rate& rate : growth.rates) {
