@@ -10,28 +10,26 @@ namespace flying {
 namespace {
 
 // [rest.block.product]
-/// target -= a b
+/// target -= a b, a row at a time: four numbers that the processor handles as one
 void subtract_product(Block& target, const Block& a, const Block& b)
 {
     for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j) {
-            const double first = a.at[3 * i] * b.at[j];
-            const double second = a.at[3 * i + 1] * b.at[3 + j];
-            const double third = a.at[3 * i + 2] * b.at[6 + j];
-            target.at[3 * i + j] -= (first + second) + third;
-        }
+        const double first = a.at[i][0];
+        const double second = a.at[i][1];
+        const double third = a.at[i][2];
+        double row[4];
+        for (int j = 0; j < 4; ++j) row[j] = (first * b.at[0][j] + second * b.at[1][j]) + third * b.at[2][j];
+        for (int j = 0; j < 4; ++j) target.at[i][j] -= row[j];
     }
 }
 
 /// x -= a y
 void subtract_product(double* x, const Block& a, const double* y)
 {
-    for (int i = 0; i < 3; ++i) {
-        const double first = a.at[3 * i] * y[0];
-        const double second = a.at[3 * i + 1] * y[1];
-        const double third = a.at[3 * i + 2] * y[2];
-        x[i] -= (first + second) + third;
-    }
+    const double first = y[0];
+    const double second = y[1];
+    const double third = y[2];
+    for (int i = 0; i < 3; ++i) x[i] -= (a.at[i][0] * first + a.at[i][1] * second) + a.at[i][2] * third;
 }
 // [rest.block.product]
 
@@ -40,43 +38,43 @@ void subtract_product(double* x, const Block& a, const double* y)
 /// explicit inverse would lose what rounding leaves of blocks that hold both masses and stiff points.
 [[nodiscard]] bool eliminate(Block& m)
 {
-    double* at = m.at;
-    if (!(std::abs(at[0]) > 0.0)) return false;
-    at[3] /= at[0];
-    at[6] /= at[0];
-    at[4] -= at[3] * at[1];
-    at[5] -= at[3] * at[2];
-    at[7] -= at[6] * at[1];
-    at[8] -= at[6] * at[2];
-    if (!(std::abs(at[4]) > 0.0)) return false;
-    at[7] /= at[4];
-    at[8] -= at[7] * at[5];
-    return std::abs(at[8]) > 0.0;
+    auto& at = m.at;
+    if (!(std::abs(at[0][0]) > 0.0)) return false;
+    at[1][0] /= at[0][0];
+    at[2][0] /= at[0][0];
+    at[1][1] -= at[1][0] * at[0][1];
+    at[1][2] -= at[1][0] * at[0][2];
+    at[2][1] -= at[2][0] * at[0][1];
+    at[2][2] -= at[2][0] * at[0][2];
+    if (!(std::abs(at[1][1]) > 0.0)) return false;
+    at[2][1] /= at[1][1];
+    at[2][2] -= at[2][1] * at[1][2];
+    return std::abs(at[2][2]) > 0.0;
 }
 
 /// a := a m^-1, with m eliminated.
 void divide_right(Block& a, const Block& m)
 {
-    const double* at = m.at;
+    const auto& at = m.at;
     for (int i = 0; i < 3; ++i) {
-        double* row = a.at + 3 * i;
-        row[0] /= at[0];
-        row[1] = (row[1] - row[0] * at[1]) / at[4];
-        row[2] = ((row[2] - row[0] * at[2]) - row[1] * at[5]) / at[8];
-        row[1] -= row[2] * at[7];
-        row[0] = (row[0] - row[1] * at[3]) - row[2] * at[6];
+        double* row = a.at[i];
+        row[0] /= at[0][0];
+        row[1] = (row[1] - row[0] * at[0][1]) / at[1][1];
+        row[2] = ((row[2] - row[0] * at[0][2]) - row[1] * at[1][2]) / at[2][2];
+        row[1] -= row[2] * at[2][1];
+        row[0] = (row[0] - row[1] * at[1][0]) - row[2] * at[2][0];
     }
 }
 
 /// x := m^-1 x, with m eliminated.
 void divide_left(const Block& m, double* x)
 {
-    const double* at = m.at;
-    x[1] -= at[3] * x[0];
-    x[2] = (x[2] - at[6] * x[0]) - at[7] * x[1];
-    x[2] /= at[8];
-    x[1] = (x[1] - at[5] * x[2]) / at[4];
-    x[0] = ((x[0] - at[1] * x[1]) - at[2] * x[2]) / at[0];
+    const auto& at = m.at;
+    x[1] -= at[1][0] * x[0];
+    x[2] = (x[2] - at[2][0] * x[0]) - at[2][1] * x[1];
+    x[2] /= at[2][2];
+    x[1] = (x[1] - at[1][2] * x[2]) / at[1][1];
+    x[0] = ((x[0] - at[0][1] * x[1]) - at[0][2] * x[2]) / at[0][0];
 }
 // [rest.block.eliminate]
 

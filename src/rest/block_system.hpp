@@ -6,10 +6,10 @@
 namespace flying {
 
 // [rest.block.block]
-/// A 3 x 3 matrix, row by row.
+/// A 3 x 3 matrix, row by row; the fourth number of each row is zero.
 struct Block
 {
-    double at[9] = {0.0};
+    double at[3][4] = {};
 };
 // [rest.block.block]
 

@@ -329,8 +329,8 @@ void GroupSolver::assemble_masses(std::span<const Mover> movers)
     system_.clear();
     for (std::size_t k = 0; k < members_.size(); ++k) {
         Block& block = system_.diagonal(static_cast<int>(k));
-        block.at[0] = block.at[4] = 1.0 / movers[members_[k]].inv_mass;
-        block.at[8] = 1.0 / movers[members_[k]].inv_moment;
+        block.at[0][0] = block.at[1][1] = 1.0 / movers[members_[k]].inv_mass;
+        block.at[2][2] = 1.0 / movers[members_[k]].inv_moment;
     }
 }
 

@@ -40,7 +40,7 @@ inline void add_product(Block& block, double factor, const double* p, const doub
 {
     for (int i = 0; i < 3; ++i) {
         const double row = factor * p[i];
-        for (int j = 0; j < 3; ++j) block.at[3 * i + j] += row * q[j];
+        for (int j = 0; j < 3; ++j) block.at[i][j] += row * q[j];
     }
 }
 // [rest.group.product]
