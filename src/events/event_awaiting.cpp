@@ -23,28 +23,34 @@ void EventEngine::push_pair(double time, int p, int q, Event::Kind kind)
 /// queue, the others beside the body.
 void EventEngine::await(int body)
 {
+    if (!options_.skips_search) call_all(); // with the skip off, all go into the queue
     const int id = rows_[body].id;
     Waiting& waiting = waiting_[body];
+    std::size_t first = 0;
+    for (std::size_t k = 0; k < foreseen_.size(); ++k) {
+        foreseen_[k].owner = foreseen_[k].a == id ? Event::Owner::a : Event::Owner::b;
+        if (happens_before(foreseen_[k], foreseen_[first])) first = k;
+    }
     // [events.await.waited]
+    // Ask only of the first that waited whether it was overtaken: the partner of each lies somewhere else in memory
     while (waiting.count > 0) {
-        const Event event = waiting.take(waiting.count - 1, id);
-        if (is_current(event)) foreseen_.push_back(event);
-        else ++counts_.stale;
+        const int k = waiting.first(id);
+        const Event event = waiting.event(k, id);
+        if (!foreseen_.empty() && happens_before(foreseen_[first], event)) break;
+        waiting.drop(k);
+        if (is_current(event)) {
+            foreseen_.push_back(event);
+            first = foreseen_.size() - 1;
+            break;
+        }
+        ++counts_.stale;
     }
     waiting.called = k_never;
     // [events.await.waited]
-    if (!options_.skips_search) call_all(); // with the skip off, all go into the queue
     if (foreseen_.empty()) return;
-
-    // Find the first, by the order of the queue
-    std::size_t first = 0;
-    for (std::size_t k = 1; k < foreseen_.size(); ++k) {
-        if (happens_before(foreseen_[k], foreseen_[first])) first = k;
-    }
     // [events.await.others]
     for (std::size_t k = 0; k < foreseen_.size(); ++k) {
         Event& event = foreseen_[k];
-        event.owner = event.a == id ? Event::Owner::a : Event::Owner::b;
         if (k == first || waiting.keep(event)) continue;
         event.owner = Event::Owner::nobody; // there is no more room beside the body
         queue_.push(event);
@@ -70,7 +76,8 @@ void EventEngine::call_all()
 /// A body was pushed: what was foreseen of it is overtaken.
 void EventEngine::forget(int body)
 {
-    ++rows_[body].stamp;
+    Row& row = rows_[body];
+    places_[row.id].stamp = ++row.stamp;
     waiting_[body].count = 0;
     waiting_[body].called = k_never;
 }

@@ -20,7 +20,7 @@ EventEngine::EventEngine(std::vector<EventBody> bodies, const EventEngineOptions
         const Kind kind = body.is_static ? Kind::is_static : is_disc ? Kind::disc : Kind::polygon;
         const int id = static_cast<int>(rows_.size());
         rows_.push_back({state.position, state.velocity, state.time, bounding_radius(body.shape), 0, kind, id});
-        row_of_.push_back(id);
+        places_.push_back({id, 0});
         sheets_.push_back({state.angle, state.spin, body.inertia, body.material, 0});
         if (!body.is_static) acceleration_ = body.flyer.acceleration;
         if (body.flyer.central) central_ = *body.flyer.central;
@@ -51,7 +51,7 @@ double EventEngine::top_speed(int body) const
 EventEngine::Resume EventEngine::resume() const
 {
     Resume resume{now_, log_.value(), max_overlap_, {}, energy_lost_, {}, bounces_};
-    for (const int row : row_of_) resume.crowding.push_back(sheets_[row].crowding);
+    for (const Place& place : places_) resume.crowding.push_back(sheets_[place.row].crowding);
     for (int body = 0; body < body_count(); ++body) resume.presence.push_back(presence(body));
     return resume;
 }
@@ -65,9 +65,9 @@ void EventEngine::go_on_from(const Resume& resume, const std::vector<BodyState>&
     max_overlap_ = resume.max_overlap;
     energy_lost_ = resume.energy_lost;
     bounces_ = resume.bounces;
-    for (std::size_t k = 0; k < row_of_.size(); ++k) sheets_[row_of_[k]].crowding = resume.crowding[k];
+    for (std::size_t k = 0; k < places_.size(); ++k) sheets_[places_[k].row].crowding = resume.crowding[k];
     for (std::size_t k = 0; k < states.size(); ++k) {
-        const int row = row_of_[k];
+        const int row = places_[k].row;
         rows_[row].position = states[k].position;
         rows_[row].time = states[k].time;
         set_motion(row, states[k].velocity, states[k].spin);
@@ -81,7 +81,7 @@ void EventEngine::go_on_from(const Resume& resume, const std::vector<BodyState>&
     set_up_grid();
     for (std::size_t k = 0; k < states.size(); ++k) {
         if (resume.presence[k] == Presence::flies) continue;
-        const int row = row_of_[k];
+        const int row = places_[k].row;
         rows_[row].time = states[k].time;
         rows_[row].velocity = Vec2::Zero();
         sheets_[row].spin = 0.0;
@@ -134,8 +134,8 @@ std::optional<EventFailure> EventEngine::handle(const Event& event)
 // [events.impact]
 std::optional<EventFailure> EventEngine::handle_impact(const Event& event)
 {
-    const int a = row_of_[event.a];
-    const int b = row_of_[event.b];
+    const int a = row_of(event.a);
+    const int b = row_of(event.b);
     noticed_ = notices_all_ || rows_[a].kind == Kind::lies || rows_[b].kind == Kind::lies;
     if (!strike_discs(event, a, b)) {
         if (auto failure = strike(event, a, b)) return failure;

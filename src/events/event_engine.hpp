@@ -108,10 +108,10 @@ public:
     [[nodiscard]] double time() const { return now_; }
     [[nodiscard]] int body_count() const { return static_cast<int>(rows_.size()); }
     /// A body's flight since its last impact; one that others move stays where they put it.
-    [[nodiscard]] Flyer flyer(int body) const { return flyer_of(row_of_[body]); }
+    [[nodiscard]] Flyer flyer(int body) const { return flyer_of(row_of(body)); }
     [[nodiscard]] const Shape& shape(int body) const { return shapes_[body]; }
-    [[nodiscard]] const Inertia& inertia(int body) const { return sheets_[row_of_[body]].inertia; }
-    [[nodiscard]] bool is_static(int body) const { return is_fixed(row_of_[body]); }
+    [[nodiscard]] const Inertia& inertia(int body) const { return sheets_[row_of(body)].inertia; }
+    [[nodiscard]] bool is_static(int body) const { return is_fixed(row_of(body)); }
 
     [[nodiscard]] std::uint64_t log_hash() const { return log_.value(); }
     /// The impact handled last; its bodies are -1 before the first.
@@ -198,12 +198,23 @@ private:
     };
     // [events.engine.sheet]
 
+    // [events.engine.place]
+    /// What tells whether an event still counts, and where its bodies are. Close together, so that those that don't count
+    /// cost no more than this.
+    struct Place
+    {
+        int row = 0;
+        std::uint32_t stamp = 0; // how often it was pushed, like the row's
+    };
+    [[nodiscard]] int row_of(int id) const { return places_[id].row; }
+    // [events.engine.place]
+
     // [events.engine.is_current]
     [[nodiscard]] bool is_current(const Event& event) const
     {
         // Stamps only grow: their sum is the same where both are
-        const std::uint32_t stamp = rows_[row_of_[event.a]].stamp;
-        return event.stamp == (event.b < 0 ? stamp : stamp + rows_[row_of_[event.b]].stamp);
+        const std::uint32_t stamp = places_[event.a].stamp;
+        return event.stamp == (event.b < 0 ? stamp : stamp + places_[event.b].stamp);
     }
     // [events.engine.is_current]
     // [events.engine.is_called]
@@ -214,7 +225,7 @@ private:
     }
     [[nodiscard]] int owner_of(const Event& event) const
     {
-        return row_of_[event.owner == Event::Owner::b ? event.b : event.a];
+        return row_of(event.owner == Event::Owner::b ? event.b : event.a);
     }
     // [events.engine.is_called]
     // [events.engine.rows]
@@ -288,7 +299,7 @@ private:
     std::vector<Row> rows_;
     std::vector<Sheet> sheets_;
     std::vector<Waiting> waiting_;
-    std::vector<int> row_of_;         // by id, like the shapes
+    std::vector<Place> places_;       // by id, like the shapes
     std::vector<Shape> shapes_;
     std::vector<int> everywhere_;     // rows of static bodies that no cell can hold
     bool fetches_ahead_ = false;      // for more bodies than the fast memory holds

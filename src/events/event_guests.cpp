@@ -16,14 +16,14 @@ EventEngine::Kind EventEngine::kind_of(int body, Presence presence) const
 
 EventEngine::Presence EventEngine::presence(int body) const
 {
-    const Kind kind = rows_[row_of_[body]].kind;
+    const Kind kind = rows_[row_of(body)].kind;
     return kind == Kind::lies ? Presence::lies : kind == Kind::away ? Presence::away : Presence::flies;
 }
 
 void EventEngine::place(int body, Presence presence, const BodyState& state)
 {
     const bool flies = presence == Presence::flies;
-    const int place = row_of_[body];
+    const int place = row_of(body);
     Row& row = rows_[place];
     Sheet& sheet = sheets_[place];
     row.position = state.position;

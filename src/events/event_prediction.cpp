@@ -92,7 +92,7 @@ void EventEngine::line_up(const std::vector<int>& old_rows)
     sheets.reserve(rows_.size());
     waiting.reserve(rows_.size());
     for (const int old : old_rows) {
-        row_of_[rows_[old].id] = static_cast<int>(rows.size());
+        places_[rows_[old].id].row = static_cast<int>(rows.size());
         rows.push_back(rows_[old]);
         sheets.push_back(sheets_[old]);
         waiting.push_back(waiting_[old]);
@@ -118,46 +118,62 @@ void EventEngine::line_up_again()
 // [events.line_up]
 
 // [events.fetch_ahead]
-/// Ask the memory for what the events to come will read, so that it is there when they do: first where a body's row is,
-/// then the row, then the cells about it, then the rows of those who are in them.
+/// Ask the memory for what the events to come will read, so that it is there when they do: first the bodies' places, then
+/// the rows of those that still count, then the cells about them, then the rows of those who are in them.
 void EventEngine::fetch_ahead()
 {
-    constexpr std::size_t k_rows = 12; // events ahead
+    constexpr std::size_t k_places = 12; // events ahead
     constexpr std::size_t k_bodies = 9;
     constexpr std::size_t k_cells = 6;
     constexpr std::size_t k_neighbours = 3;
-    if (const Event* event = queue_.upcoming(k_rows)) {
-        __builtin_prefetch(&row_of_[event->a]);
-        if (event->b >= 0) __builtin_prefetch(&row_of_[event->b]);
+    if (const Event* event = queue_.upcoming(k_places)) {
+        __builtin_prefetch(&places_[event->a]);
+        if (event->b >= 0) __builtin_prefetch(&places_[event->b]);
     }
     if (const Event* event = queue_.upcoming(k_bodies)) {
-        for (const int body : {event->a, event->b}) {
-            if (body < 0) continue;
-            const int row = row_of_[body];
-            __builtin_prefetch(&rows_[row]);
-            __builtin_prefetch(&waiting_[row]);
-            if (event->kind == Event::Kind::impact) __builtin_prefetch(&sheets_[row]);
-            grid_->fetch_cell_of(row);
+        if (!is_current(*event)) {
+            if (event->owner != Event::Owner::nobody) __builtin_prefetch(&waiting_[owner_of(*event)]);
+        } else {
+            for (const int body : {event->a, event->b}) {
+                if (body < 0) continue;
+                const int row = row_of(body);
+                __builtin_prefetch(&rows_[row]);
+                __builtin_prefetch(&waiting_[row]);
+                if (event->kind == Event::Kind::impact) __builtin_prefetch(&sheets_[row]);
+                grid_->fetch_cell_of(row);
+            }
         }
     }
     if (const Event* event = queue_.upcoming(k_cells)) {
-        const Cell& cell = grid_->cell_of(row_of_[event->a]);
-        const Cell step = event->b < 0 ? step_over(-1 - event->b) : Cell{0, 0};
-        grid_->fetch_near({cell.column + step.column, cell.row + step.row});
+        if (is_current(*event)) {
+            const Cell& cell = grid_->cell_of(row_of(event->a));
+            const Cell step = event->b < 0 ? step_over(-1 - event->b) : Cell{0, 0};
+            grid_->fetch_near({cell.column + step.column, cell.row + step.row});
+            if (event->b >= 0 && !is_static(event->b)) {
+                const Cell& other_cell = grid_->cell_of(row_of(event->b));
+                if (other_cell != cell) grid_->fetch_near(other_cell);
+            }
+        }
+        if ((event->b < 0 || !is_current(*event)) && is_called(*event)) {
+            const Waiting& waiting = waiting_[owner_of(*event)];
+            for (int k = 0; k < waiting.count; ++k) {
+                if (waiting.entries[k].with >= 0) __builtin_prefetch(&places_[waiting.entries[k].with]);
+            }
+        }
     }
-    if (const Event* event = queue_.upcoming(k_neighbours)) {
+    if (const Event* event = queue_.upcoming(k_neighbours); event && is_current(*event)) {
         // Without the count, g++ takes a loop of mere hints for one without effect, and drops it
         const auto fetch = [&](int other) {
             __builtin_prefetch(&rows_[other]);
             ++counts_.fetched;
         };
-        const Cell& cell = grid_->cell_of(row_of_[event->a]);
+        const Cell& cell = grid_->cell_of(row_of(event->a));
         if (event->b < 0) {
             for (const Cell& ahead : cells_ahead(cell, step_over(-1 - event->b))) grid_->for_each_in(ahead, fetch);
             return;
         }
         grid_->for_each_near(cell, fetch);
-        const Cell& other_cell = grid_->cell_of(row_of_[event->b]);
+        const Cell& other_cell = grid_->cell_of(row_of(event->b));
         if (other_cell != cell && !is_static(event->b)) grid_->for_each_near(other_cell, fetch);
     }
 }
@@ -299,7 +315,7 @@ void EventEngine::handle_look(const Event& event)
 {
     const StageTimer timer(options_.seconds, seconds_.look);
     ++counts_.looks;
-    predict_general(row_of_[event.a], row_of_[event.b], event.time, 1);
+    predict_general(row_of(event.a), row_of(event.b), event.time, 1);
     if (event.owner == Event::Owner::nobody) call_all();
     else await(owner_of(event));
 }
@@ -310,7 +326,7 @@ void EventEngine::handle_cell(const Event& event)
 {
     const StageTimer timer(options_.seconds, seconds_.cells);
     ++counts_.cells;
-    const int body = row_of_[event.a];
+    const int body = row_of(event.a);
     const Cell from = grid_->cell_of(body);
     const Cell step = step_over(-1 - event.b);
     const Cell to{from.column + step.column, from.row + step.row};

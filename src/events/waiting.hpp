@@ -39,16 +39,28 @@ struct alignas(64) Waiting
     // [events.waiting.keep]
 
     // [events.waiting.take]
-    /// One that waits, and doesn't any more.  id  the body's
-    [[nodiscard]] Event take(int k, int id)
+    /// One that waits.  id  the body's
+    [[nodiscard]] Event event(int k, int id) const
     {
-        const Entry entry = entries[k];
+        const Entry& entry = entries[k];
         const bool is_first = entry.with < 0 || id < entry.with;
-        const Event event{entry.time,  is_first ? id : entry.with, is_first ? entry.with : id,
-                          entry.stamp, kinds[k],                   is_first ? Event::Owner::a : Event::Owner::b};
+        return {entry.time,  is_first ? id : entry.with, is_first ? entry.with : id,
+                entry.stamp, kinds[k],                   is_first ? Event::Owner::a : Event::Owner::b};
+    }
+    /// The one that happens first, of at least one.
+    [[nodiscard]] int first(int id) const
+    {
+        int first = 0;
+        for (int k = 1; k < count; ++k) {
+            if (entries[k].time > entries[first].time) continue;
+            if (entries[k].time < entries[first].time || happens_before(event(k, id), event(first, id))) first = k;
+        }
+        return first;
+    }
+    void drop(int k)
+    {
         entries[k] = entries[--count];
         kinds[k] = kinds[count];
-        return event;
     }
     // [events.waiting.take]
 };
