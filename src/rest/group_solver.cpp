@@ -112,42 +112,6 @@ void GroupSolver::settle_for_sweeps(std::span<Mover> movers, std::span<ContactPo
 }
 // [rest.group.settle]
 
-// [rest.group.sweeps]
-void GroupSolver::sweep_group(std::span<Mover> movers, std::span<const int> members, std::span<ContactPoint> points,
-                              const SweepPlan& plan, std::span<Mover> pushed)
-{
-    warm_start(points, movers);
-    sweep_points_.clear();
-    for (const ContactPoint& c : points) {
-        sweep_points_.push_back(sweep_point(c));
-        if (c.gap < -plan.overlap_kept) {
-            SweepPoint& point = sweep_points_.back();
-            point.bound = std::max(point.bound, plan.push_rate * (-c.gap - plan.overlap_kept));
-        }
-    }
-
-    // With overlap pushed apart, for the places
-    for (int k = 0; k < plan.sweeps; ++k) {
-        if (k % 2 == 0) sweep(sweep_points_, movers);
-        else sweep_back(sweep_points_, movers);
-    }
-    for (const int member : members) pushed[member] = movers[member];
-
-    // Without, for the velocities
-    for (std::size_t k = 0; k < points.size(); ++k) sweep_points_[k].bound = points[k].bound;
-    for (int k = 0; k < plan.calming_sweeps; ++k) {
-        if (k % 2 == 0) sweep_back(sweep_points_, movers);
-        else sweep(sweep_points_, movers);
-    }
-    for (std::size_t k = 0; k < points.size(); ++k) {
-        points[k].normal = sweep_points_[k].normal;
-        points[k].tangent = sweep_points_[k].tangent;
-    }
-    counts_.sweeps += plan.sweeps + plan.calming_sweeps;
-    ++counts_.unsolved;
-}
-// [rest.group.sweeps]
-
 // [rest.group.solve]
 bool GroupSolver::solve(std::span<Mover> movers, std::span<const int> members, std::span<ContactPoint> points,
                         double tolerance)

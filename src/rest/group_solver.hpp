@@ -46,16 +46,22 @@ public:
     /// How a group too large to factorise in each step is swept.
     struct SweepPlan
     {
-        int sweeps = 6;            ///< with overlap being pushed apart
-        int calming_sweeps = 2;    ///< after, without
-        double push_rate = 0.0;    ///< share of an overlap taken off in a step, over the step [1/s]
-        double overlap_kept = 0.0; ///< [m]
+        int sweeps = 8;
+        int push_sweeps = 0;     ///< after, that push overlap apart
+        double push_share = 0.0; ///< of an overlap that they take off
+        double time = 0.0;       ///< that the step lasts [s]
+        double tolerance = -1.0; ///< where no point asks for a greater change, impulses stay as they are [m/s]
+        bool looks_ahead = false;
     };
     /// pushed  filled for the members: the velocities by which places move, those that push overlap apart included
     void sweep_group(std::span<Mover> movers, std::span<const int> members, std::span<ContactPoint> points,
                      const SweepPlan& plan, std::span<Mover> pushed);
 
 private:
+    void sweep_to_and_fro(std::span<Mover> movers, int sweeps);
+    void sweep_ahead(std::span<Mover> movers, std::span<const int> members, int sweeps);
+    void go_ahead(std::span<Mover> movers, std::span<const int> members, double share);
+    void push_apart(std::span<const ContactPoint> points, const SweepPlan& plan, std::span<Mover> pushed);
     // [rest.group.mode]
     /// What a point does under the next trial.
     enum class Mode : unsigned char
@@ -115,6 +121,24 @@ private:
     std::vector<double> trial_; // changes part of the way
     std::vector<double> delta_; // change of the members' velocities
     std::vector<SweepPoint> sweep_points_;
+    /// Impulses of a point before a sweep, and the way that sweeps have led them.  [N s]
+    struct Way
+    {
+        double old_normal = 0.0;
+        double old_tangent = 0.0;
+        double normal = 0.0;
+        double tangent = 0.0;
+    };
+    /// The same of a body's velocity.
+    struct Drift
+    {
+        Mover old;
+        double v_x = 0.0;
+        double v_y = 0.0;
+        double spin = 0.0;
+    };
+    std::vector<Way> way_;
+    std::vector<Drift> drift_;
     std::vector<ContactPoint> kept_; // the best that was met
     double stiffness_ = 1.0;         // of a bearing point against the inertia it moves
 };

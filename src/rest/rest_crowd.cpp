@@ -130,7 +130,6 @@ bool RestEngine::end_approaches(const Group& group)
     for (const int member : members) part_movers_[member] = movers_[member];
     GroupSolver::SweepPlan plan;
     plan.sweeps = k_impact_sweeps;
-    plan.calming_sweeps = 0;
     solver_.sweep_group(movers_, members, points, plan, place_movers_);
 
     // Throw back: each point pushes as much again as its restitution says, but where the field alone would end it

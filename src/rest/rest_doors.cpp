@@ -143,6 +143,7 @@ RestEngine::Memory RestEngine::memory() const
 void RestEngine::go_on_from(const Memory& memory)
 {
     set_time(memory.time);
+    sleepers_ = -1;
     max_overlap_ = memory.max_overlap;
     pairs_.remember(memory.pairs);
     saved_.resize(bodies_.size());

@@ -145,6 +145,7 @@ void RestEngine::set_active(int body, bool active)
 
 void RestEngine::wake_all_with(int body)
 {
+    sleepers_ = -1;
     const auto wake = [&](int group) {
         if (group < 0) return;
         for (std::size_t k = 0; k < bodies_.size(); ++k) {

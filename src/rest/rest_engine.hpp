@@ -17,8 +17,8 @@ struct RestOptions
     double step = 1.0 / 60.0; ///< > 0 [s]
     bool sleeps = true;       ///< groups that a step leaves as they are, to the bit, are left out of the next
     int most_solved = 400;    ///< bodies in the largest group that is solved to rounding in every step; more are swept
-    int sweeps = 6;           ///< over larger groups, with overlap being pushed apart
-    int calming_sweeps = 2;   ///< over larger groups, after
+    int sweeps = 8;           ///< over larger groups
+    int push_sweeps = 4;      ///< over larger groups, that push overlap apart
     double (*seconds)() = nullptr; ///< a clock, lent to measure the stages; null to measure nothing [s]
 };
 // [rest.options]
@@ -220,7 +220,10 @@ private:
     void end_all(Group& group);
     [[nodiscard]] bool end_approaches(const Group& group);
     [[nodiscard]] bool set_bounds(Group& group);
-    void move_as_pushed(const Group& group);
+    void sweep_large(Group& group);
+    void bound_swept(const Group& group);
+    void move_as_swept(const Group& group);
+    [[nodiscard]] static double greatest_speed(std::span<const Mover> movers, std::span<const double> radius, std::span<const int> members);
     void set_free(const Group& group, double time);
     void find_impulses(Group& group, double time);
     [[nodiscard]] double work_of_contacts(const Group& group, double& energy);
@@ -292,6 +295,7 @@ private:
     std::vector<int> parent_; // of each body, towards the lowest of its group
     std::vector<int> slot_;
     std::vector<char> asleep_;
+    std::int64_t sleepers_ = -1; // where nobody is awake: how many sleep
     std::vector<char> still_;
     std::vector<char> in_crowd_; // the body's group was one in the last step
     std::vector<int> sleep_group_;   // of each sleeping body

@@ -14,9 +14,6 @@ constexpr int k_most_parted = 12;
 
 /// [speeds that the field gives in a step] A tall group that moves no faster stands, or begins to fall.
 constexpr double k_standing = 4.0;
-
-/// Share of an overlap that one step takes off a group that is swept.
-constexpr double k_push_share = 0.5;
 // [rest.solve.limits]
 
 } // namespace
@@ -46,33 +43,19 @@ void RestEngine::solve_group(Group& group)
         return;
     }
     const bool exact = group.is_exact = is_solved_whole(group);
+    if (!exact) {
+        sweep_large(group);
+        return;
+    }
     const bool any_bounce = set_bounds(group);
-    if (exact && any_bounce && is_crowd(group)) {
+    if (any_bounce && is_crowd(group)) {
         solve_crowd(group);
         return;
     }
     find_impulses(group, span_);
-    if (!exact) {
-        move_as_pushed(group);
-        return;
-    }
     if (any_bounce) limit_rebound(group);
     else if (group.point_count <= k_most_parted) part_where_slip_ends(group);
     calm(group);
-}
-
-void RestEngine::move_as_pushed(const Group& group)
-{
-    // Places move by the velocities that push overlap apart, which are not kept
-    for (int k = 0; k < group.member_count; ++k) {
-        const int member = members_[group.first_member + k];
-        const Mover& old = before_[member];
-        const Mover& now = movers_[member];
-        const Mover& pushed = place_movers_[member];
-        const Vec2 mean(0.5 * (old.v_x + now.v_x), 0.5 * (old.v_y + now.v_y));
-        shift_[member] += span_ * (Vec2(pushed.v_x, pushed.v_y) - mean);
-        turn_[member] += span_ * (pushed.spin - 0.5 * (old.spin + now.spin));
-    }
 }
 
 void RestEngine::set_free(const Group& group, double time)
@@ -91,15 +74,7 @@ void RestEngine::find_impulses(Group& group, double time)
     set_free(group, time);
     const std::span<ContactPoint> points = std::span(points_).subspan(group.first_point, group.point_count);
     const std::span<const int> members = std::span(members_).subspan(group.first_member, group.member_count);
-    if (group.is_exact) {
-        group.is_content = solver_.solve(movers_, members, points, rest_tolerance::k_content * top_speed(group));
-    } else {
-        GroupSolver::SweepPlan plan;
-        plan.sweeps = options_.sweeps;
-        plan.calming_sweeps = options_.calming_sweeps;
-        plan.push_rate = k_push_share / time;
-        solver_.sweep_group(movers_, members, points, plan, place_movers_);
-    }
+    group.is_content = solver_.solve(movers_, members, points, rest_tolerance::k_content * top_speed(group));
 }
 // [rest.solve]
 

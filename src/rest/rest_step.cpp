@@ -24,6 +24,15 @@ constexpr int k_most_halvings_of_crowd = 1;
 // [rest.step]
 void RestEngine::step()
 {
+    // [rest.step.nobody]
+    if (sleepers_ >= 0) {
+        // Nobody is awake, and nobody was since a look found it so
+        counts_.asleep += sleepers_;
+        ++steps_;
+        ++counts_.steps;
+        return;
+    }
+    // [rest.step.nobody]
     Stopwatch watch(options_.seconds);
     // [rest.step.begin]
     span_ = options_.step;
@@ -63,6 +72,7 @@ void RestEngine::step()
     }
     ++steps_;
     ++counts_.steps;
+    if (awake_.empty()) sleepers_ = std::count(asleep_.begin(), asleep_.end(), 1);
 }
 // [rest.step]
 
@@ -129,7 +139,7 @@ void RestEngine::finish_groups(int depth, std::span<const int> pairs)
     again.parts.clear();
     again.members.clear();
     for (Group& group : groups_) {
-        if (!group.is_crowd_solved) find_places(group);
+        if (is_exact(group) && !group.is_crowd_solved) find_places(group);
         if (is_exact(group) && group.point_count > 0) {
             double overlap = look_at_end(group);
             const int most = is_crowd(group) ? k_most_halvings_of_crowd : k_most_halvings;

@@ -1,0 +1,129 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "tests_bodies.hpp"
+
+using namespace flying;
+using namespace flying::test;
+
+namespace {
+
+/// What lies between 0 and 1 as evenly as may be, and in no order.
+double scattered(int k)
+{
+    const double x = 0.61803398874989485 * k;
+    return x - std::floor(x);
+}
+
+/// A bin of width 16, above which bodies hang in rows that have not fallen yet.
+std::vector<RestBody> heap(int count, bool discs)
+{
+    const Material material{0.0, 0.5};
+    std::vector<RestBody> bodies = {wall(Vec2(0.0, 1.0), 0.0, material), wall(Vec2(1.0, 0.0), 0.0, material),
+                                    wall(Vec2(-1.0, 0.0), -16.0, material)};
+    for (int k = 0; k < count; ++k) {
+        const double size = 0.5 + 0.3 * scattered(k);
+        const Vec2 place(0.8 + 1.1 * (k % 14) + 0.1 * scattered(3 * k), 0.8 + 1.3 * (k / 14));
+        bodies.push_back(discs ? disc(0.5 * size, place, size * size, material)
+                               : box(size, 0.9 * size, place, size * size, material));
+        bodies.back().state.angle = scattered(7 * k);
+    }
+    return bodies;
+}
+
+/// Heaps that are swept, small enough to be watched.
+RestOptions swept()
+{
+    RestOptions options;
+    options.most_solved = 20;
+    return options;
+}
+
+} // namespace
+
+TEST_CASE("a heap that is swept falls asleep soon after it has settled; then steps are no work, and a blow wakes it")
+{
+    for (const bool discs : {false, true}) {
+        CAPTURE(discs);
+        std::vector<RestBody> bodies = heap(300, discs);
+        bodies.push_back(disc(0.4, Vec2(8.0, 60.0), 1.0, {0.0, 0.5}));
+        bodies.back().is_active = false;
+        const int ball = static_cast<int>(bodies.size()) - 1;
+        RestEngine engine(bodies, swept());
+        const auto sleepers = [&] {
+            int count = 0;
+            for (int k = 3; k < ball; ++k) count += engine.is_asleep(k) ? 1 : 0;
+            return count;
+        };
+        int steps = 0;
+        for (; steps < 60 * 20 && sleepers() < 300; ++steps) engine.step();
+        CHECK(sleepers() == 300);
+        MESSAGE("asleep after " << steps / 60.0 << " s");
+
+        // Nothing is looked at, solved or moved any more
+        const RestCounts before = engine.counts();
+        const std::uint64_t hash = engine.hash();
+        for (int k = 0; k < 600; ++k) engine.step();
+        CHECK(engine.hash() == hash);
+        CHECK(engine.counts().looks == before.looks);
+        CHECK(engine.counts().manifolds == before.manifolds);
+        CHECK(engine.counts().points == before.points);
+        CHECK(engine.counts().groups == before.groups);
+
+        // A ball that falls in wakes whom it strikes, and lies on top in the end
+        BodyState state = bodies[ball].state;
+        state.velocity = Vec2(0.0, -10.0);
+        engine.set_active(ball, true);
+        engine.set_state(ball, state);
+        bool woke = false;
+        for (int k = 0; k < 60 * 20; ++k) {
+            engine.step();
+            woke = woke || sleepers() == 0;
+        }
+        CHECK(woke);
+        CHECK(engine.state(ball).velocity.norm() < 1e-2);
+        CHECK(engine.state(ball).position.y() > 5.0);
+    }
+}
+
+TEST_CASE("sleep changes no bit of a heap that is swept")
+{
+    RestOptions awake = swept();
+    awake.sleeps = false;
+    RestEngine one(heap(120, false), swept());
+    RestEngine other(heap(120, false), awake);
+    for (int k = 0; k < 60 * 20; ++k) {
+        one.step();
+        other.step();
+        REQUIRE(one.hash() == other.hash());
+    }
+    CHECK(one.counts().asleep > 120 * 60);
+    CHECK(other.counts().asleep == 0);
+}
+
+TEST_CASE("a heap that is swept has no more energy than it began with, and lies with little overlap")
+{
+    RestEngine engine(heap(300, false), swept());
+    const double start = energy(engine);
+    double last = start;
+    double worst_rise = 0.0;
+    for (int k = 0; k < 60 * 10; ++k) {
+        engine.step();
+        const double now = energy(engine);
+        worst_rise = std::max(worst_rise, (now - last) / start);
+        last = now;
+    }
+    MESSAGE("energy " << last / start << " of that before, worst rise in a step " << worst_rise);
+    CHECK(last < 0.5 * start);
+    CHECK(worst_rise < 1e-3);
+    double sum = 0.0;
+    int count = 0;
+    for (const RestContact& contact : engine.contacts()) {
+        if (contact.normal_force == 0.0) continue;
+        sum += std::max(-contact.gap, 0.0);
+        ++count;
+    }
+    CHECK(count > 300);
+    CHECK(sum / count < 0.01);
+}
