@@ -12,7 +12,7 @@ if [[ ${1:-} == --help ]]; then
 
   --all              the long set: every scene over its full time, all sizes, the parts one by one
   --scene NAME...    only scenes of these names
-  --part NAME...     only these parts: scenes, precision, growth
+  --part NAME...     only these parts: scenes, precision, growth, piles (at rest: 1000 bodies, with --all 5000)
   --repeats N        of each run; the median counts (5)
   --hertz F          steps a second of the peers (60)
   --most S           seconds of computing after which a peer's run is given up (30)

@@ -42,8 +42,8 @@ int main(int argc, char** argv)
     CLI::App app("Measure this engine beside Chipmunk and Box2D");
     app.add_flag("--all", all, "The long set: every scene over its full time, all sizes");
     app.add_option("--scene", only, "Only scenes of these names")->check(CLI::IsMember(known).description(""));
-    app.add_option("--part", parts, "Only these parts: scenes, precision, growth")
-        ->check(CLI::IsMember({"scenes", "precision", "growth"}).description(""));
+    app.add_option("--part", parts, "Only these parts: scenes, precision, growth, piles")
+        ->check(CLI::IsMember({"scenes", "precision", "growth", "piles"}).description(""));
     app.add_option("--repeats", repeats, "Of each run; the median counts")->check(CLI::Range(1, 1000));
     app.add_option("--hertz", hertz, "Steps a second of the peers")->check(CLI::Range(1.0, 1e6));
     app.add_option("--most", most, "Seconds of computing after which a peer's run is given up")->check(CLI::PositiveNumber);
@@ -66,6 +66,10 @@ int main(int argc, char** argv)
     }
     if (wants("precision")) results.work_precision = work_and_precision(std::min(repeats, 5), tell);
     if (wants("growth")) results.growths = measure_growth(all ? Extent::full : Extent::brief, tell);
+    if (wants("piles")) {
+        write_results(results, out);
+        results.piles = measure_piles(all ? Extent::full : Extent::brief, std::max(3, repeats), tell);
+    }
     write_results(results, out);
     tell("");
     std::fputs(table(results).c_str(), stdout);

@@ -1,38 +1,37 @@
-// flying_bench_piles: what lies and stands, in this engine beside Chipmunk and Box2D, in one run.
+#include "piles.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
-#include <cstring>
-#include <functional>
-#include <string>
 
+#include "compare.hpp"
 #include "machine.hpp"
 #include "resting.hpp"
 #include "scenes.hpp"
 #include "simulators.hpp"
 #include "weighed.hpp"
 
-using namespace flying;
-using namespace flying::bench;
-
+namespace flying::bench {
 namespace {
 
 constexpr double k_hertz = 60.0;
+constexpr int k_steps_a_round = 10;
+constexpr int k_asleep_steps = 10000;
 
 struct Case
 {
-    const char* name;
+    std::string name;
     const char* kind;
     GenerateOptions options;
-    int settle; ///< steps before the clock runs
+    int settle;       ///< steps before the clock runs
+    int most_to_rest; ///< steps until all must sleep
 };
 
-std::vector<Case> cases()
+std::vector<Case> cases(Extent extent)
 {
     GenerateOptions boxes;
     boxes.seed = 5;
-    boxes.count = 5000;
+    boxes.count = extent == Extent::full ? 5000 : 1000;
     boxes.shape = "box";
     boxes.restitution = 0.0;
     boxes.friction = 0.5;
@@ -44,10 +43,10 @@ std::vector<Case> cases()
     stack.friction = 0.5;
     GenerateOptions pyramid = stack;
     pyramid.count = 20;
-    return {{"pile of 5000 boxes", "pile", boxes, 600},
-            {"pile of 5000 discs", "pile", discs, 600},
-            {"stack of 50", "stack", stack, 600},
-            {"pyramid of base 20", "pyramid", pyramid, 600}};
+    return {{fmt::format("pile of {} boxes", *boxes.count), "pile", boxes, 600, 2400},
+            {fmt::format("pile of {} discs", *discs.count), "pile", discs, 600, 2400},
+            {"stack of 50", "stack", stack, 300, 600},
+            {"pyramid of base 20", "pyramid", pyramid, 300, 600}};
 }
 
 /// How deep the pairs that touch overlap, by one ruler for all.
@@ -91,52 +90,95 @@ struct Runner
     std::string name;
     std::function<void()> step;
     std::function<std::vector<BodyState>()> states;
+    std::vector<double> rounds = {}; ///< milliseconds a step
+    double worst = 0.0;              ///< [ms]
 };
+
+void settle(Runner& runner, int steps)
+{
+    for (int k = 0; k < steps; ++k) {
+        const double start = cpu_seconds();
+        runner.step();
+        runner.worst = std::max(runner.worst, (cpu_seconds() - start) * 1e3);
+    }
+}
+
+void measure(Runner& runner)
+{
+    const double start = cpu_seconds();
+    for (int k = 0; k < k_steps_a_round; ++k) runner.step();
+    runner.rounds.push_back((cpu_seconds() - start) / k_steps_a_round * 1e3);
+}
+
+void lay_to_sleep(PileComparison& result, const Scene& scene, const Case& of)
+{
+    Resting resting(scene, k_hertz, true);
+    const RestEngine& engine = resting.engine();
+    int moving = 0;
+    int asleep = 0;
+    int steps = 0;
+    do {
+        resting.step();
+        ++steps;
+        moving = asleep = 0;
+        for (std::size_t k = 0; k < engine.bodies().size(); ++k) {
+            moving += engine.bodies()[k].is_static ? 0 : 1;
+            asleep += engine.is_asleep(static_cast<int>(k)) ? 1 : 0;
+        }
+    } while (asleep < moving && steps < of.most_to_rest);
+    result.asleep_after = static_cast<double>(asleep) / std::max(1, moving);
+    if (asleep < moving) return;
+    result.asleep_at = steps / k_hertz;
+    const double start = cpu_seconds();
+    for (int k = 0; k < k_asleep_steps; ++k) resting.step();
+    result.asleep_micros = (cpu_seconds() - start) / k_asleep_steps * 1e6;
+}
+
+PileComparison compare_one(const Case& of, int rounds, const std::function<void(const std::string&)>& tell)
+{
+    const Scene scene = scene_of(of.kind, of.options);
+    const std::vector<WeighedBody> bodies = weigh(scene);
+    Chipmunk chipmunk(scene, k_hertz);
+    Box2d box2d(scene, k_hertz);
+    Resting resting(scene, k_hertz, false);
+    long chipmunk_steps = 0;
+    long box2d_steps = 0;
+    std::vector<Runner> runners = {
+        {"chipmunk", [&] { chipmunk.advance(static_cast<double>(++chipmunk_steps) / k_hertz); },
+         [&] { return chipmunk.states(); }},
+        {"box2d", [&] { box2d.advance(static_cast<double>(++box2d_steps) / k_hertz); }, [&] { return box2d.states(); }},
+        {"flying", [&] { resting.step(); }, [&] { return resting.states(); }}};
+    for (Runner& runner : runners) {
+        tell(of.name + ": " + runner.name + " settles");
+        settle(runner, of.settle);
+    }
+
+    // In turns, so that whatever else the machine does concerns all
+    tell(of.name + ": rounds");
+    for (int round = 0; round < rounds; ++round) {
+        for (Runner& runner : runners) measure(runner);
+    }
+    PileComparison result;
+    result.name = of.name;
+    result.settled = of.settle;
+    for (const Runner& runner : runners) {
+        const Depths depths = depths_of(bodies, runner.states());
+        result.showings.push_back(
+            {runner.name, median(runner.rounds), runner.worst, depths.touching, depths.mean, depths.worst});
+    }
+    tell(of.name + ": falling asleep");
+    lay_to_sleep(result, scene, of);
+    return result;
+}
 
 } // namespace
 
-int main(int count, char** words)
+std::vector<PileComparison> measure_piles(Extent extent, int rounds,
+                                          const std::function<void(const std::string&)>& tell)
 {
-    int steps = 60;
-    std::string only;
-    std::string engine;
-    for (int k = 1; k + 1 < count; k += 2) {
-        if (std::strcmp(words[k], "--steps") == 0) steps = std::atoi(words[k + 1]);
-        else if (std::strcmp(words[k], "--scene") == 0) only = words[k + 1];
-        else if (std::strcmp(words[k], "--engine") == 0) engine = words[k + 1];
-        else return 2;
-    }
-    std::printf("Steps of 1/60 s, nobody sleeps. Debian builds Chipmunk and Box2D with assertions on.\n"
-                "%-20s %-9s %10s %12s %10s %12s %12s\n",
-                "scene", "engine", "ms a step", "of Chipmunk", "touching", "mean overlap", "worst (radii)");
-    for (const Case& c : cases()) {
-        if (!only.empty() && only != c.name) continue;
-        const Scene scene = scene_of(c.kind, c.options);
-        const std::vector<WeighedBody> bodies = weigh(scene);
-        Chipmunk chipmunk(scene, k_hertz);
-        Box2d box2d(scene, k_hertz);
-        Resting resting(scene, k_hertz, false);
-        long chipmunk_steps = 0;
-        long box2d_steps = 0;
-        const std::vector<Runner> runners = {
-            {"Chipmunk", [&] { chipmunk.advance(static_cast<double>(++chipmunk_steps) / k_hertz); },
-             [&] { return chipmunk.states(); }},
-            {"Box2D", [&] { box2d.advance(static_cast<double>(++box2d_steps) / k_hertz); },
-             [&] { return box2d.states(); }},
-            {"flying", [&] { resting.step(); }, [&] { return resting.states(); }}};
-        double chipmunk_ms = 0.0;
-        for (const Runner& runner : runners) {
-            if (!engine.empty() && runner.name != engine) continue;
-            for (int k = 0; k < c.settle; ++k) runner.step();
-            const double start = cpu_seconds();
-            for (int k = 0; k < steps; ++k) runner.step();
-            const double ms = (cpu_seconds() - start) / steps * 1e3;
-            if (chipmunk_ms == 0.0) chipmunk_ms = ms;
-            const Depths depths = depths_of(bodies, runner.states());
-            std::printf("%-20s %-9s %10.3f %12.3f %10ld %12.1e %12.1e\n", c.name, runner.name.c_str(), ms,
-                        ms / chipmunk_ms, depths.touching, depths.mean, depths.worst);
-            std::fflush(stdout);
-        }
-    }
-    return 0;
+    std::vector<PileComparison> results;
+    for (const Case& of : cases(extent)) results.push_back(compare_one(of, rounds, tell));
+    return results;
 }
+
+} // namespace flying::bench

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -67,6 +68,51 @@ json json_of(const Comparison& comparison)
     return scene;
 }
 
+json json_of(const PileComparison& comparison)
+{
+    json pile = {{"name", comparison.name},
+                 {"hertz", 60},
+                 {"settled_steps", comparison.settled},
+                 {"asleep_share", comparison.asleep_after},
+                 {"asleep_step_us", comparison.asleep_micros}};
+    if (comparison.asleep_at >= 0.0) pile["asleep_at_s"] = comparison.asleep_at;
+    const double chipmunk = comparison.showings.front().milliseconds;
+    for (const PileShowing& showing : comparison.showings) {
+        pile["engines"].push_back({{"name", showing.engine},
+                                   {"step_ms", showing.milliseconds},
+                                   {"worst_step_ms", showing.worst},
+                                   {"ratio_to_chipmunk", showing.milliseconds / chipmunk},
+                                   {"touching_pairs", showing.touching},
+                                   {"mean_overlap_radii", showing.mean_overlap},
+                                   {"worst_overlap_radii", showing.worst_overlap}});
+    }
+    return pile;
+}
+
+std::string rows(const PileComparison& comparison)
+{
+    std::string text;
+    const double chipmunk = comparison.showings.front().milliseconds;
+    long most = 1;
+    for (const PileShowing& showing : comparison.showings) most = std::max(most, showing.touching);
+    for (const PileShowing& showing : comparison.showings) {
+        // Box2D keeps many pairs a skin apart
+        const bool tells = 2 * showing.touching > most;
+        const double a_pair = 1e6 * showing.milliseconds / static_cast<double>(std::max(1l, showing.touching));
+        text += fmt::format("{:<20} {:>15} {:>9.4f} {:>8.3f} {:>9.2f} {:>9} {:>8.1e} {:>8.1e} {:>10}\n",
+                            comparison.name, showing.engine, showing.milliseconds, showing.milliseconds / chipmunk,
+                            showing.worst, showing.touching, showing.mean_overlap, showing.worst_overlap,
+                            tells ? fmt::format("{:.0f}", a_pair) : "");
+    }
+    if (comparison.asleep_at >= 0.0) {
+        text += fmt::format("{:<20} with sleep: all asleep after {:.1f} s, then {:.3f} us a step\n", "",
+                            comparison.asleep_at, comparison.asleep_micros);
+    } else {
+        text += fmt::format("{:<20} with sleep: {:.1f} % asleep in the end\n", "", 100.0 * comparison.asleep_after);
+    }
+    return text;
+}
+
 json json_of(const Results& results)
 {
     const Machine& machine = results.machine;
@@ -94,6 +140,7 @@ json json_of(const Results& results)
         }
         all["growth"].push_back(entry);
     }
+    for (const PileComparison& comparison : results.piles) all["piles"].push_back(json_of(comparison));
     return all;
 }
 
@@ -137,6 +184,13 @@ std::string table(const Results& results)
                                 rate.events);
         }
     }
+    if (!results.piles.empty()) {
+        text += fmt::format("\nAt rest: steps of 1/60 s, nobody sleeps; overlaps in radii\n{:<20} {:>15} {:>9} {:>8} "
+                            "{:>9} {:>9} {:>8} {:>8} {:>10}\n",
+                            "scene", "engine", "ms a step", "/Chipm.", "worst ms", "touching", "mean", "deepest",
+                            "ns a pair");
+    }
+    for (const PileComparison& comparison : results.piles) text += rows(comparison);
     return text;
 }
 

@@ -7,6 +7,7 @@
 #include "compare.hpp"
 #include "growth.hpp"
 #include "machine.hpp"
+#include "piles.hpp"
 
 namespace flying::bench {
 
@@ -18,6 +19,7 @@ struct Results
     std::vector<Comparison> scenes;
     std::vector<WorkPrecision> work_precision;
     std::vector<Growth> growths;
+    std::vector<PileComparison> piles;
 };
 
 /// The table for people, as far as it has come.
