@@ -85,6 +85,30 @@ public:
     }
     // [grid.visit]
 
+    // [grid.gather]
+    /// Write down the bodies in the nine cells about this one, in the order of `for_each_near`: who is there can't be
+    /// guessed, and so nothing here waits for a guess, but in cells that hold more than two.
+    /// near  room for one more than all bodies. Returns the end of the list.
+    [[nodiscard]] int* gather_near(const Cell& cell, int* near) const
+    {
+        const std::size_t left = index({cell.column - 1, 0});
+        const std::size_t middle = index({cell.column, 0});
+        const std::size_t right = index({cell.column + 1, 0});
+        for (std::int64_t row = cell.row - 1; row <= cell.row + 1; ++row) {
+            const Head* const line = &heads_[index({0, row})];
+            for (const std::size_t column : {left, middle, right}) {
+                const Head& head = line[column];
+                for (const int body : head.bodies) {
+                    *near = body;
+                    near += body >= 0 ? 1 : 0;
+                }
+                for (int other = head.chain; other >= 0; other = next_[other]) *near++ = other;
+            }
+        }
+        return near;
+    }
+    // [grid.gather]
+
     // [grid.fetch]
     /// Ask the memory for what a visit to the cells about this one will read: first the cells, later the bodies' places in
     /// them. Hints, which cost little and change nothing.

@@ -89,31 +89,44 @@ bool EventEngine::strike_discs(const Event& event, int a, int b)
 void EventEngine::predict_near(int body, int partner)
 {
     int* const near = near_.data();
-    int* end = near;
     const Cell& cell = grid_->cell_of(body);
-    grid_->for_each_near(cell, [&](int other) { *end++ = other; });
+    const int* const end = grid_->gather_near(cell, near);
     const auto count = static_cast<int>(end - near);
     const Row* const rows = rows_.data();
     const Row row = rows[body];
+
+    // [events.predict_near.sift]
+    // Keep those who come near enough, and those of whom it takes more to tell
+    int* kept = near;
     for (const int* place = near; place != end; ++place) {
         const int q = *place;
         const Row& other = rows[q];
-        if (q == body || q == partner) continue;
-        if (other.kind != Kind::disc || !(other.time <= row.time)) {
-            predict_pair(body, q);
-            continue;
-        }
         const double t = row.time - other.time;
         const double offset_x = row.position.x() - (other.position.x() + t * other.velocity.x());
         const double offset_y = row.position.y() - (other.position.y() + t * other.velocity.y());
         const double rate_x = row.velocity.x() - other.velocity.x();
         const double rate_y = row.velocity.y() - other.velocity.y();
-        if (!(offset_x * rate_x + offset_y * rate_y < 0.0)) continue;
         const double reach = row.radius + other.radius;
         const double miss = offset_x * rate_y - offset_y * rate_x;
-        if (miss * miss > (rate_x * rate_x + rate_y * rate_y) * (reach * reach) * k_surely) continue;
-        const double wait = time_to_meet(Vec2(offset_x, offset_y), Vec2(rate_x, rate_y), reach);
-        if (wait != k_never) push_pair(row.time + wait, body, q, Event::Kind::impact);
+        const bool closes = offset_x * rate_x + offset_y * rate_y < 0.0;
+        const bool passes = miss * miss > (rate_x * rate_x + rate_y * rate_y) * (reach * reach) * k_surely;
+        const bool is_plain = (other.kind == Kind::disc) & (t >= 0.0);
+        *kept = q;
+        const bool is_other = (q != body) & (q != partner);
+        kept += (((closes & !passes) | !is_plain) & is_other) ? 1 : 0;
+    }
+    // [events.predict_near.sift]
+    for (const int* place = near; place != kept; ++place) {
+        const Row& other = rows[*place];
+        if (other.kind != Kind::disc || !(other.time <= row.time)) {
+            predict_pair(body, *place);
+            continue;
+        }
+        const double t = row.time - other.time;
+        const Vec2 offset = row.position - (other.position + t * other.velocity);
+        const double reach = row.radius + other.radius;
+        const double wait = time_to_meet(offset, row.velocity - other.velocity, reach);
+        if (wait != k_never) push_pair(row.time + wait, body, *place, Event::Kind::impact);
     }
     counts_.predictions += count - 1;
     counts_.far_pairs_skipped += body_count() - count;

@@ -28,7 +28,7 @@ EventEngine::EventEngine(std::vector<EventBody> bodies, const EventEngineOptions
     }
     bounces_.resize(rows_.size());
     waiting_.resize(rows_.size());
-    near_.resize(rows_.size());
+    near_.resize(rows_.size() + 1);
     set_up_grid();
     predict_all();
 }

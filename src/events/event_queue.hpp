@@ -108,6 +108,7 @@ private:
     void push_today(const Event& event);
     void push_later(const Event& event);
     void turn_page();
+    void sort_today();
     void gather_all();
     void lay_out();
 
@@ -121,6 +122,8 @@ private:
     double first_day_starts_ = 0.0;        // [s]
     double days_a_second_ = 0.0;           // [1/s]
     std::size_t size_ = 0;
+    std::vector<std::uint32_t> hour_ends_; // workspace of sorting
+    std::vector<Event> sorted_;            // workspace of sorting
     // [queue.parts]
 };
 // [queue.class]
