@@ -18,6 +18,7 @@ constexpr double k_may_bear = 0.25;
 constexpr int k_corrections = 48;
 /// Factorisations after which one solve ends with what it has, and sweeps that follow.
 constexpr std::int64_t k_budget = 24;
+constexpr std::int64_t k_brief_budget = 4;
 constexpr int k_last_sweeps = 64;
 /// Stiffness of the first descent; points so soft settle in a few steps, and leave more to the next, which is stiffer. A
 /// descent that doesn't settle is followed by a softer one.
@@ -114,7 +115,7 @@ void GroupSolver::settle_for_sweeps(std::span<Mover> movers, std::span<ContactPo
 
 // [rest.group.solve]
 bool GroupSolver::solve(std::span<Mover> movers, std::span<const int> members, std::span<ContactPoint> points,
-                        double tolerance)
+                        double tolerance, Effort effort)
 {
     free_.clear();
     for (const int member : members) free_.push_back(movers[member]);
@@ -138,12 +139,13 @@ bool GroupSolver::solve(std::span<Mover> movers, std::span<const int> members, s
     bool bold = true;
     bool swept = false;
     double descent_stiffness = k_descent_stiffness;
-    const std::int64_t budget = counts_.factorisations + k_budget;
+    const std::int64_t budget = counts_.factorisations + (effort == Effort::brief ? k_brief_budget : k_budget);
     for (int k = 0; k < k_corrections && !content && counts_.factorisations < budget; ++k) {
         measure_slips(movers, points);
         stiffness_ = rest_tolerance::k_stiffness;
         const bool found = bold && newton(movers, points);
         bool quick = false;
+        if (!found && effort == Effort::brief) break;
         if (!found && !swept) {
             // Small groups are swept to rounding in no time, and others nearer to where Newton's method works
             settle_for_sweeps(movers, points);
@@ -189,7 +191,7 @@ bool GroupSolver::solve(std::span<Mover> movers, std::span<const int> members, s
         restore_free(movers, members);
         warm_start(points, movers);
     }
-    if (!content) settle_for_sweeps(movers, points);
+    if (!content && effort == Effort::full) settle_for_sweeps(movers, points);
     for (const int member : members) local_[member] = -1;
     ++(content ? counts_.solved : counts_.unsolved);
     return content;

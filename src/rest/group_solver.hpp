@@ -23,6 +23,14 @@ struct SolveCounts
 };
 // [rest.group.counts]
 
+// [rest.group.effort]
+enum class Effort
+{
+    full,
+    brief
+};
+// [rest.group.effort]
+
 // [rest.group.class]
 /// Finds the impulses of one group of bodies that lean on each other, so that every point is content:
 ///
@@ -38,8 +46,10 @@ public:
     /// members  the group's bodies that can move, ascending
     /// points   the group's points with impulses to start from, not yet applied; on return those found, applied
     /// tolerance  velocities below this are content enough; rounding of the impulses adds its own share [m/s]
+    /// effort   a brief one gives up where Newton's method finds nothing at once
     /// True where all points are content to rounding; else the impulses are the best that were met.
-    bool solve(std::span<Mover> movers, std::span<const int> members, std::span<ContactPoint> points, double tolerance);
+    bool solve(std::span<Mover> movers, std::span<const int> members, std::span<ContactPoint> points, double tolerance,
+               Effort effort = Effort::full);
 
     [[nodiscard]] const SolveCounts& counts() const { return counts_; }
 

@@ -16,7 +16,7 @@ struct RestOptions
 {
     double step = 1.0 / 60.0; ///< > 0 [s]
     bool sleeps = true;       ///< groups that a step leaves as they are, to the bit, are left out of the next
-    int most_solved = 400;    ///< bodies in the largest group that is solved to rounding in every step; more are swept
+    int most_solved = 400;    ///< bodies in the largest group that is solved to rounding; more are swept
     int sweeps = 8;           ///< over larger groups
     int push_sweeps = 4;      ///< over larger groups, that push overlap apart
     double (*seconds)() = nullptr; ///< a clock, lent to measure the stages; null to measure nothing [s]

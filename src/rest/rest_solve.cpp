@@ -12,6 +12,9 @@ namespace {
 /// Points of the largest group whose step is parted where slip ends.
 constexpr int k_most_parted = 12;
 
+/// Bodies of the largest group that is solved whole however it moves, and whatever it takes.
+constexpr int k_most_whole = 64;
+
 /// [speeds that the field gives in a step] A tall group that moves no faster stands, or begins to fall.
 constexpr double k_standing = 4.0;
 // [rest.solve.limits]
@@ -42,17 +45,28 @@ void RestEngine::solve_group(Group& group)
         set_free(group, span_);
         return;
     }
-    const bool exact = group.is_exact = is_solved_whole(group);
-    if (!exact) {
+    group.is_exact = is_solved_whole(group);
+    if (!group.is_exact) {
         sweep_large(group);
         return;
     }
     const bool any_bounce = set_bounds(group);
+    const bool is_heap = group.member_count > k_most_whole && !any_bounce;
+    if (is_heap && top_speed(group) > k_standing * field_speed(group)) {
+        sweep_large(group);
+        return;
+    }
     if (any_bounce && is_crowd(group)) {
         solve_crowd(group);
         return;
     }
     find_impulses(group, span_);
+    if (is_heap && !group.is_content) {
+        // It would cost more than it brings to look on; sweeps go on from what bore before
+        for (ContactPoint& c : std::span(points_).subspan(group.first_point, group.point_count)) recall_load(c);
+        sweep_large(group);
+        return;
+    }
     if (any_bounce) limit_rebound(group);
     else if (group.point_count <= k_most_parted) part_where_slip_ends(group);
     calm(group);
@@ -74,7 +88,12 @@ void RestEngine::find_impulses(Group& group, double time)
     set_free(group, time);
     const std::span<ContactPoint> points = std::span(points_).subspan(group.first_point, group.point_count);
     const std::span<const int> members = std::span(members_).subspan(group.first_member, group.member_count);
-    group.is_content = solver_.solve(movers_, members, points, rest_tolerance::k_content * top_speed(group));
+    // Whoever stands from the start, and bears for the first time, is worth a search
+    const bool is_new =
+        greatest_speed(before_, radius_, members) == 0.0 &&
+        std::all_of(points.begin(), points.end(), [](const ContactPoint& c) { return c.normal == 0.0; });
+    const Effort effort = group.member_count > k_most_whole && !is_new ? Effort::brief : Effort::full;
+    group.is_content = solver_.solve(movers_, members, points, rest_tolerance::k_content * top_speed(group), effort);
 }
 // [rest.solve]
 

@@ -24,6 +24,7 @@ constexpr double k_push_share = 0.25;
 /// A group too large to be solved whole: each step goes on with the sweeps of the last.
 void RestEngine::sweep_large(Group& group)
 {
+    group.is_exact = false;
     const std::span<ContactPoint> points = std::span(points_).subspan(group.first_point, group.point_count);
     const std::span<const int> members = std::span(members_).subspan(group.first_member, group.member_count);
     const double field = field_speed(group);
