@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -61,6 +62,7 @@ public:
         double push_share = 0.0; ///< of an overlap that they take off
         double time = 0.0;       ///< that the step lasts [s]
         double tolerance = -1.0; ///< where no point asks for a greater change, impulses stay as they are [m/s]
+        double far_from_closing = std::numeric_limits<double>::infinity(); ///< points that part so fast wait [m/s]
         bool looks_ahead = false;
     };
     /// pushed  filled for the members: the velocities by which places move, those that push overlap apart included
@@ -68,6 +70,7 @@ public:
                      const SweepPlan& plan, std::span<Mover> pushed);
 
 private:
+    void take_impulses(std::span<ContactPoint> points) const;
     void sweep_to_and_fro(std::span<Mover> movers, int sweeps);
     void sweep_ahead(std::span<Mover> movers, std::span<const int> members, int sweeps);
     void go_ahead(std::span<Mover> movers, std::span<const int> members, double share);
@@ -147,6 +150,8 @@ private:
         double v_y = 0.0;
         double spin = 0.0;
     };
+    std::vector<int> swept_; // the points that are swept over
+    std::vector<int> far_;   // those that wait
     std::vector<Way> way_;
     std::vector<Drift> drift_;
     std::vector<ContactPoint> kept_; // the best that was met

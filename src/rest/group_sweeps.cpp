@@ -15,19 +15,43 @@ void GroupSolver::sweep_group(std::span<Mover> movers, std::span<const int> memb
         for (const int member : members) pushed[member] = movers[member];
         ++counts_.accepted;
     } else {
+        // What bears nothing and is far from closing has its turn once, at the end
         sweep_points_.clear();
-        for (const ContactPoint& c : points) sweep_points_.push_back(sweep_point(c));
+        swept_.clear();
+        far_.clear();
+        for (std::size_t k = 0; k < points.size(); ++k) {
+            const ContactPoint& c = points[k];
+            const bool is_far =
+                c.normal == 0.0 && normal_speed(c, movers[c.a], movers[c.b]) - c.bound > plan.far_from_closing;
+            (is_far ? far_ : swept_).push_back(static_cast<int>(k));
+            if (!is_far) sweep_points_.push_back(sweep_point(c));
+        }
         if (plan.looks_ahead) sweep_ahead(movers, members, plan.sweeps);
         else sweep_to_and_fro(movers, plan.sweeps);
-        for (std::size_t k = 0; k < points.size(); ++k) {
-            points[k].normal = sweep_points_[k].normal;
-            points[k].tangent = sweep_points_[k].tangent;
+        take_impulses(points);
+        sweep_points_.clear();
+        swept_.clear();
+        for (const int k : far_) {
+            const ContactPoint& c = points[k];
+            if (normal_speed(c, movers[c.a], movers[c.b]) >= c.bound) continue;
+            swept_.push_back(k);
+            sweep_points_.push_back(sweep_point(c));
         }
+        sweep(sweep_points_, movers);
+        take_impulses(points);
         for (const int member : members) pushed[member] = movers[member];
         counts_.sweeps += plan.sweeps;
         ++counts_.unsolved;
     }
     if (plan.push_sweeps > 0) push_apart(points, plan, pushed);
+}
+
+void GroupSolver::take_impulses(std::span<ContactPoint> points) const
+{
+    for (std::size_t i = 0; i < swept_.size(); ++i) {
+        points[swept_[i]].normal = sweep_points_[i].normal;
+        points[swept_[i]].tangent = sweep_points_[i].tangent;
+    }
 }
 
 void GroupSolver::sweep_to_and_fro(std::span<Mover> movers, int sweeps)

@@ -14,6 +14,8 @@ constexpr double k_calm = 0x1p-8;
 constexpr double k_content_enough = 0x1p-2;
 /// [speeds that the field gives in a step] In slower groups nothing is pushed apart any more: that would shake them.
 constexpr double k_slow = 4.0;
+/// [greatest speeds] Points that would have to close faster than that wait for the end of the sweeps.
+constexpr double k_far = 2.0;
 /// Share of an overlap that one step takes off.
 constexpr double k_push_share = 0.25;
 // [rest.swept.limits]
@@ -34,6 +36,7 @@ void RestEngine::sweep_large(Group& group)
     GroupSolver::SweepPlan plan;
     plan.sweeps = options_.sweeps;
     plan.looks_ahead = true;
+    plan.far_from_closing = k_far * std::max(before, field);
     plan.time = span_;
     plan.tolerance = k_content_enough * k_calm * field;
     if (before > k_slow * field) {
