@@ -43,6 +43,7 @@ struct ContactPoint
     double fall = 0.0;          ///< normal acceleration of B relative to A that is expected [m/s^2]
     double impact = 0.0;        ///< of the normal impulse, what ends an approach and throws back, at one moment [N s]
     double left = 0.0;          ///< from that moment to the end of the step [s]
+    bool lay = false;           ///< was closed when the step began, and is seen at a later moment
 };
 // [rest.contact_point]
 

@@ -15,6 +15,10 @@ namespace {
 constexpr double k_deep = 0x1p-10;
 /// Looks at a pair that closes, each at the moment that the last one foresaw.
 constexpr int k_looks = 5;
+/// [sizes] A gap that turning has opened between two that lean on each other is less than this.
+constexpr double k_barely = 0x1p-36;
+/// [speeds that the field gives in a step] What bears, and comes nearer no faster than this, goes on to bear.
+constexpr double k_slow = 0x1p-24;
 /// [steps] What closes later is left to the next step.
 constexpr double k_last_moment = 1.0 - 0x1p-30;
 // [rest.collide.limits]
@@ -94,7 +98,7 @@ void RestEngine::collide_pair(int index)
         pair.count = 0;
         return;
     }
-    Closing closing{{0, 0}, 0, touch_gap(pair.a, pair.b)};
+    Closing closing{{0, 0}, 0, {0, 0}, 0, touch_gap(pair.a, pair.b)};
     double moment = 0.0;
     bool overlaps = false;
     for (int k = 0; k < manifold.count; ++k) overlaps = overlaps || manifold.contacts[k].separation < -k_deep * size;
@@ -107,7 +111,12 @@ void RestEngine::collide_pair(int index)
         closing.closed = rest_tolerance::k_closed * size;
     }
     if (moment > 0.0 && manifold.count == 0) pair.count = 0;
+    const std::size_t first = found_.size();
     add_points(index, manifold, moment);
+    for (std::size_t k = first; k < found_.size() && moment > 0.0; ++k) {
+        const std::span<const std::uint32_t> lay(closing.lay, closing.lay_count);
+        found_[k].lay = std::find(lay.begin(), lay.end(), found_[k].feature) != lay.end();
+    }
 }
 
 /// Where a body's centre will be at a moment of the step, if it goes on as it did.
@@ -134,8 +143,10 @@ double RestEngine::next_closing(const RestPair& pair, const Manifold& manifold, 
     const double left = span_ - moment;
     const double field =
         span_ * std::max(bodies_[pair.a].acceleration.norm(), bodies_[pair.b].acceleration.norm());
-    // In a crowd what bore a load goes on to bear, whatever gap rounding or a push out of an overlap has left
+    // What bore a load goes on to bear, whatever gap turning or rounding or, in a crowd, a push out of an overlap has
+    // left; but what would be thrown back is thrown back
     const bool in_crowd = in_crowd_[pair.a] || in_crowd_[pair.b];
+    const double near = k_barely * std::min(radius_[pair.a], radius_[pair.b]);
     double wait = std::numeric_limits<double>::infinity();
     for (int k = 0; k < manifold.count; ++k) {
         const Contact& contact = manifold.contacts[k];
@@ -143,6 +154,7 @@ double RestEngine::next_closing(const RestPair& pair, const Manifold& manifold, 
             std::find(closing.open, closing.open + closing.count, contact.feature) != closing.open + closing.count;
         if (contact.separation <= closing.closed) {
             if (was_open) return 0.0;
+            if (moment == 0.0) closing.lay[closing.lay_count++] = contact.feature;
             continue;
         }
         const auto velocity = [&](int index) {
@@ -151,7 +163,9 @@ double RestEngine::next_closing(const RestPair& pair, const Manifold& manifold, 
             return Vec2(s.velocity + moment * pull_[index] + cross(s.spin + moment * turn_pull_[index], r));
         };
         const double u = (velocity(pair.b) - velocity(pair.a)).dot(contact.normal);
-        if (in_crowd && -u <= field && bore(pair, contact.feature)) continue;
+        const double slow = in_crowd ? field : 2.0 * contact.separation / left + k_slow * field;
+        const bool is_near = contact.separation <= near && -2.0 * pair.restitution * u <= field;
+        if ((in_crowd || is_near) && -u <= slow && bore(pair, contact.feature)) continue;
         if (moment == 0.0) closing.open[closing.count++] = contact.feature;
         const double fall = fall_at(pair, contact, moment);
         const double time = time_to_close(contact.separation, u, fall, left);

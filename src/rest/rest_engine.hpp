@@ -160,6 +160,7 @@ private:
         int all_points = 0;     ///< with those that this step leaves to the next, which stand after the others
         bool is_exact = true;   ///< solved to rounding, all at once; else swept
         bool is_crowd_solved = false; ///< impacts at the start of the step; places are found already
+        bool knows_loads = false; ///< it was found which part of the impulses were impacts
         bool is_content = true; ///< the impulses that were found are right to rounding
     };
     /// Groups whose step came out badly, to be made again in two halves.
@@ -192,13 +193,16 @@ private:
     [[nodiscard]] bool is_solved_whole(const Group& group) const;
     void expect_flight(int body);
     void expect_same(int body);
+    void expect(const Group& group);
     void collide();
     void collide_pair(int pair);
-    /// The points of a pair that were open when the step began, and below which gap they count as closed.
+    /// The points of a pair that were open when the step began, those that lay, and below which gap they count as closed.
     struct Closing
     {
         std::uint32_t open[2];
         int count;
+        std::uint32_t lay[2];
+        int lay_count;
         double closed; // [m]
     };
     [[nodiscard]] double next_closing(const RestPair& pair, const Manifold& manifold, double moment,
@@ -227,6 +231,7 @@ private:
     void set_free(const Group& group, double time);
     void find_impulses(Group& group, double time);
     [[nodiscard]] double work_of_contacts(const Group& group, double& energy);
+    void find_impacts(Group& group);
     void limit_rebound(Group& group);
     void part_where_slip_ends(Group& group);
     [[nodiscard]] bool any_slip_ended(const Group& group, double still) const;
@@ -297,10 +302,12 @@ private:
     std::vector<char> asleep_;
     std::int64_t sleepers_ = -1; // where nobody is awake: how many sleep
     std::vector<char> still_;
+    std::vector<char> struck_; // bodies of a group, while it is found what they will do
     std::vector<char> in_crowd_; // the body's group was one in the last step
     std::vector<int> sleep_group_;   // of each sleeping body
     std::vector<Mover> part_movers_; // at the start of a part of the step
     bool parted_ = false;
+    std::vector<ContactPoint> load_points_; // of a group, as the step ends
     std::vector<double> impacts_; // of the points of a crowd [N s]
     std::vector<Mover> place_movers_;
     std::vector<ContactPoint> place_points_;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "rest/rest_engine.hpp"
 #include "rest/rest_tolerance.hpp"
@@ -8,14 +9,11 @@ namespace flying {
 namespace {
 
 // [rest.move.load]
-/// [impulses] What an impulse bears beyond an impact, if it is less, is the rounding of the solve.
-constexpr double k_load = 0x1p-30;
-
 /// What a point bore beyond its impact.  [N s]
 [[nodiscard]] double load_of(const ContactPoint& c)
 {
     const double rest = c.normal - std::min(c.impact, c.normal);
-    return rest > k_load * c.normal ? rest : 0.0;
+    return rest > rest_tolerance::k_load * c.normal ? rest : 0.0;
 }
 // [rest.move.load]
 
@@ -28,6 +26,45 @@ void RestEngine::expect_same(int body)
     const Mover& now = movers_[body];
     pull_[body] = Vec2(now.v_x - old.v_x, now.v_y - old.v_y) / span_;
     turn_pull_[body] = (now.spin - old.spin) / span_;
+}
+
+void RestEngine::expect(const Group& group)
+{
+    // Bodies that bear a load will do what they did in this step
+    for (int k = 0; k < group.member_count; ++k) expect_flight(members_[group.first_member + k]);
+    const std::span<const ContactPoint> points = std::span(points_).subspan(group.first_point, group.point_count);
+    const auto moves = [&](int body) { return !bodies_[body].is_static; };
+    const auto struck = [](const ContactPoint& c) { return c.normal > 0.0 && c.impact > rest_tolerance::k_load * c.normal; };
+    for (const ContactPoint& c : points) {
+        if (c.normal == 0.0 || struck(c)) continue;
+        if (moves(c.a)) expect_same(c.a);
+        if (moves(c.b)) expect_same(c.b);
+    }
+
+    // Those that were struck will do what their loads make them do; without a field no load outlasts a blow
+    struck_.resize(bodies_.size(), 0);
+    for (const ContactPoint& c : points) {
+        if (!struck(c)) continue;
+        for (const int body : {c.a, c.b}) {
+            if (!moves(body)) continue;
+            expect_flight(body);
+            struck_[body] = 1;
+        }
+    }
+    for (const ContactPoint& c : points) {
+        if (!group.knows_loads || field_speed(group) == 0.0 || (!struck_[c.a] && !struck_[c.b])) continue;
+        const double load = load_of(c);
+        if (load == 0.0) continue;
+        Mover a{0.0, 0.0, 0.0, movers_[c.a].inv_mass, movers_[c.a].inv_moment};
+        Mover b{0.0, 0.0, 0.0, movers_[c.b].inv_mass, movers_[c.b].inv_moment};
+        push(c, load / c.left, c.tangent * (load / c.normal) / c.left, a, b);
+        for (const auto& [body, gain] : {std::pair(c.a, a), std::pair(c.b, b)}) {
+            if (!struck_[body]) continue;
+            pull_[body] += Vec2(gain.v_x, gain.v_y);
+            turn_pull_[body] += gain.spin;
+        }
+    }
+    for (int k = 0; k < group.member_count; ++k) struck_[members_[group.first_member + k]] = 0;
 }
 // [rest.move.expect]
 
@@ -83,19 +120,7 @@ void RestEngine::move_group(const Group& group)
         }
     }
 
-    // Expect of bodies that bear a load, and were not struck, what they did in this step
-    for (int k = 0; k < group.member_count; ++k) expect_flight(members_[group.first_member + k]);
-    for (const bool struck : {false, true}) {
-        for (int k = 0; k < group.point_count; ++k) {
-            const ContactPoint& c = points_[group.first_point + k];
-            if (c.normal == 0.0 || (c.impact > k_load * c.normal) != struck) continue;
-            for (const int body : {c.a, c.b}) {
-                if (bodies_[body].is_static) continue;
-                if (struck) expect_flight(body);
-                else expect_same(body);
-            }
-        }
-    }
+    expect(group);
 
     // Move
     for (int k = 0; k < group.member_count; ++k) {

@@ -168,7 +168,8 @@ double RestEngine::first_impact(const Group& group) const
         const bool bore = c.left == span_ && (pair.normal[0] > 0.0 || pair.normal[1] > 0.0);
         if (!(c.normal > 0.0) && !bore) continue;
 
-        // A corner that strikes while the other one of its pair bears shares its moment, not its past
+        // A corner that strikes while the other one of its pair lies or bears shares its moment, not its past
+        if (c.lay) all_at_once = false;
         if (c.left < span_ && pair.count == 2) {
             const int own = pair.feature[0] == c.feature ? 0 : 1;
             if (pair.normal[own] == 0.0 && pair.normal[1 - own] > 0.0) all_at_once = false;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "rest/rest_engine.hpp"
 #include "rest/rest_tolerance.hpp"
@@ -19,6 +20,44 @@ constexpr int k_part_halvings = 10;
 // [rest.rebound.limits]
 
 } // namespace
+
+// [rest.impacts]
+/// What the points of a small group bear when the step ends, and so what of their impulses was the impact.
+void RestEngine::find_impacts(Group& group)
+{
+    // One point by itself is struck by its own approach; several share what strikes one of them
+    const std::span<ContactPoint> points = std::span(points_).subspan(group.first_point, group.point_count);
+    const std::span<const int> members = std::span(members_).subspan(group.first_member, group.member_count);
+    const auto struck = [](const ContactPoint& c) { return c.impact > rest_tolerance::k_load * c.normal; };
+    group.knows_loads = points.size() == 1;
+    if (is_crowd(group) || group.knows_loads || std::none_of(points.begin(), points.end(), struck)) return;
+
+    // Go on for as long again as the step ends: whoever bears then, and is not thrown back, keeps its normal speed
+    part_movers_.resize(movers_.size());
+    load_points_.assign(points.begin(), points.end());
+    for (ContactPoint& c : load_points_) {
+        const bool is_thrown = c.impact > 0.0 && c.bound != 0.0;
+        const bool bears = c.normal > 0.0 && !is_thrown;
+        c.bound = bears ? normal_speed(c, movers_[c.a], movers_[c.b]) : -std::numeric_limits<double>::infinity();
+        if (!bears) c.normal = c.tangent = 0.0;
+    }
+    for (const int member : members) {
+        Mover& mover = movers_[member];
+        part_movers_[member] = mover;
+        mover.v_x += span_ * bodies_[member].acceleration.x();
+        mover.v_y += span_ * bodies_[member].acceleration.y();
+    }
+    const double rounding = rest_tolerance::k_content * top_speed(group);
+    group.knows_loads = solver_.solve(movers_, members, load_points_, rounding);
+    for (const int member : members) movers_[member] = part_movers_[member];
+    for (std::size_t k = 0; k < points.size() && group.knows_loads; ++k) {
+        // A gap that closes evenly until the end of the step leaves all of its impulse to the load
+        ContactPoint& c = points[k];
+        if (c.impact == 0.0 && c.gap > touch_gap(c.a, c.b)) continue;
+        c.impact = c.normal - load_points_[k].normal * (c.left / span_);
+    }
+}
+// [rest.impacts]
 
 // [rest.rebound]
 double RestEngine::work_of_contacts(const Group& group, double& energy)

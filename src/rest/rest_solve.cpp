@@ -69,6 +69,7 @@ void RestEngine::solve_group(Group& group)
     }
     if (any_bounce) limit_rebound(group);
     else if (group.point_count <= k_most_parted) part_where_slip_ends(group);
+    find_impacts(group);
     calm(group);
 }
 
@@ -184,16 +185,24 @@ void RestEngine::calm(const Group& group)
     const double rounding = rest_tolerance::k_stagnant * rest_tolerance::k_content * group.member_count * greatest;
     const double still = rest_tolerance::k_still * field_speed(group) + rounding;
     // [rest.calm.still]
+    bool all_still = true;
     for (int k = 0; k < group.member_count; ++k) {
         const int member = members_[group.first_member + k];
         const Mover& mover = movers_[member];
         const double turn = std::abs(mover.spin) * radius_[member];
         const double speed = std::max({std::abs(mover.v_x), std::abs(mover.v_y), turn});
-        if (!(speed <= still)) return;
+        all_still = all_still && speed <= still;
     }
+
+    // Whoever slides on a level floor neither sinks nor turns, where the solve could not tell what it does from nothing
     for (int k = 0; k < group.member_count; ++k) {
-        Mover& mover = movers_[members_[group.first_member + k]];
-        mover.v_x = mover.v_y = mover.spin = 0.0;
+        const int member = members_[group.first_member + k];
+        Mover& mover = movers_[member];
+        const double top = std::max(std::abs(mover.v_x), std::abs(mover.v_y));
+        const double limit = all_still ? still : std::min(rounding, rest_tolerance::k_still * top);
+        if (std::abs(mover.v_x) <= limit) mover.v_x = 0.0;
+        if (std::abs(mover.v_y) <= limit) mover.v_y = 0.0;
+        if (std::abs(mover.spin) * radius_[member] <= limit) mover.spin = 0.0;
     }
 }
 // [rest.calm]

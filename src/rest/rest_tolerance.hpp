@@ -27,6 +27,9 @@ inline constexpr double k_still = 0x1p-36;
 /// [speeds that the field gives in a step] Slip below this has ended.
 inline constexpr double k_slip = 0x1p-34;
 
+/// [impulses] What an impulse bears beyond an impact, or an impact beyond a load, if it is less, is the solve's rounding.
+inline constexpr double k_load = 0x1p-30;
+
 /// [sizes] Gaps below this, of either sign, are contact.
 inline constexpr double k_touch = 0x1p-40;
 
