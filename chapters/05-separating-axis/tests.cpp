@@ -188,6 +188,38 @@ TEST_CASE("a feature keeps its number while the bodies move a little, and differ
     for (int k = 0; k < 2; ++k) CHECK(first.contacts[k].feature == moved.contacts[k].feature);
 }
 
+TEST_CASE("two contacts of a manifold have two names, whoever comes first, and a disc's one contact is renamed with its owners")
+{
+    Random random(505);
+    int pairs = 0;
+    for (int k = 0; k < 200000; ++k) {
+        // Few corners, so that corner 0 on edge 0 is not rare
+        const Shape a = random_convex(random, 4);
+        const Shape b = random_convex(random, 4);
+        const double angle_a = random.uniform(-3.0, 3.0);
+        const double angle_b = random.uniform(-3.0, 3.0);
+        const double x = random.uniform(-2.0, 2.0);
+        const double y = random.uniform(-2.0, 2.0);
+        const Pose pose_a = {Vec2::Zero(), Rotation::of(angle_a)};
+        const Pose pose_b = {Vec2(x, y), Rotation::of(angle_b)};
+        for (const bool swapped : {false, true}) {
+            const Manifold manifold = swapped ? make_manifold(b, pose_b, a, pose_a, 0.1)
+                                              : make_manifold(a, pose_a, b, pose_b, 0.1);
+            if (manifold.count < 2) continue;
+            ++pairs;
+            REQUIRE(manifold.contacts[0].feature != manifold.contacts[1].feature);
+        }
+        const Shape round = Disc{0.5};
+        for (const Shape& other : {a, Shape{HalfPlane{Vec2(0.0, 1.0), -1.0}}}) {
+            const Manifold one = make_manifold(other, pose_a, round, pose_b, 0.1);
+            const Manifold turned = make_manifold(round, pose_b, other, pose_a, 0.1);
+            REQUIRE(one.count == turned.count);
+            if (one.count == 1) REQUIRE(one.contacts[0].feature == (turned.contacts[0].feature ^ 1u));
+        }
+    }
+    CHECK(pairs > 50000);
+}
+
 TEST_CASE("exchanging A and B turns the normals of a manifold round and keeps its points")
 {
     Random random(505);

@@ -45,7 +45,7 @@ Manifold swapped(Manifold manifold)
     for (int k = 0; k < manifold.count; ++k) {
         Contact& contact = manifold.contacts[k];
         contact.normal = -contact.normal;
-        if (contact.feature != 0) contact.feature ^= 1u;
+        contact.feature ^= 1u;
     }
     return manifold;
 }

@@ -92,10 +92,6 @@ constexpr double k_same_normal = 0x1p-10;
 Manifold near_points(const NearSide& a, const NearSide& b, double margin)
 {
     Manifold manifold = make_manifold(a.shape, a.pose, b.shape, b.pose, margin);
-
-    // Two points need two names
-    if (manifold.count == 2 && manifold.contacts[0].feature == manifold.contacts[1].feature)
-        manifold.contacts[1].feature |= 0x20000000u;
     const auto* polygon_a = std::get_if<Polygon>(&a.shape);
     const auto* polygon_b = std::get_if<Polygon>(&b.shape);
     if (manifold.count == 0 && polygon_a && polygon_b) {
