@@ -239,7 +239,8 @@ TEST_CASE("a thrown block stops after v^2/(2 mu g), to 1e-12 m, and lies")
 
 TEST_CASE("planks stand at 1 - 1e-9 of the harmonic overhang, to the bit, and fall at 1 + 1e-9")
 {
-    for (const int count : {1, 2, 3}) {
+    // Six are not as sharp: they fell at 1 - 1e-9, and stood at 1 + 1e-8
+    for (const int count : {1, 2, 3, 4, 5}) {
         for (const double more : {-1e-6, -1e-9, 1e-9, 1e-6}) {
             World world = world_of(planks(count, 1.0 + more));
             run(world, 10.0);
@@ -250,9 +251,6 @@ TEST_CASE("planks stand at 1 - 1e-9 of the harmonic overhang, to the bit, and fa
             if (more > 0.0) CHECK(way_of(world, count) > 1e-5);
         }
     }
-    World five = world_of(planks(5, 1.0 - 1e-9));
-    run(five, 10.0);
-    for (int k = 1; k <= 5; ++k) CHECK(way_of(five, k) == 0.0);
     World falls = world_of(planks(5, 1.0 + 1e-6));
     run(falls, 10.0);
     CHECK(way_of(falls, 5) > 1.0);
