@@ -33,7 +33,7 @@ bool RestEngine::is_solved_whole(const Group& group) const
         if (pair != last) ++pairs;
         last = pair;
     }
-    const bool is_tall = 16 * pairs <= 17 * group.member_count;
+    const bool is_tall = pairs <= rest_tolerance::k_tall * group.member_count;
     return is_tall && top_speed(group) <= k_standing * field_speed(group);
 }
 // [rest.solve.whole]

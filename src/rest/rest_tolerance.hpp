@@ -27,6 +27,10 @@ inline constexpr double k_still = 0x1p-36;
 /// [speeds that the field gives in a step] Slip below this has ended.
 inline constexpr double k_slip = 0x1p-34;
 
+/// [pairs per body] A stack on a floor has one, a pyramid nearly two. Up to here one body in sixteen leans on a second one,
+/// and eliminating along the stack fills in few blocks.
+inline constexpr double k_tall = 17.0 / 16.0;
+
 /// [impulses] What an impulse bears beyond an impact, or an impact beyond a load, if it is less, is the solve's rounding.
 inline constexpr double k_load = 0x1p-30;
 
