@@ -57,34 +57,55 @@ constexpr double k_same_normal = 0x1p-10;
 }
 // [rest.near.out]
 
-// [rest.near.corners]
-/// The nearest two corners of two polygons that are apart.
-[[nodiscard]] Contact nearest_corners(const Polygon& a, const NearSide& side_a, const Polygon& b,
-                                      const NearSide& side_b)
+// [rest.near.nearest]
+/// Where two parts that are apart are nearest to each other, if it is no cut.
+struct Nearest
 {
-    Contact best;
-    double least = std::numeric_limits<double>::infinity();
-    const Pose a_from_b = relative_pose(side_a.pose, side_b.pose);
-    Vec2 way = Vec2::Zero();
-    Vec2 from = Vec2::Zero();
-    for (std::size_t j = 0; j < b.vertices().size(); ++j) {
-        const Vec2 there = a_from_b * b.vertices()[j];
-        for (std::size_t i = 0; i < a.vertices().size(); ++i) {
-            const double square = (there - a.vertices()[i]).squaredNorm();
-            if (square >= least) continue;
-            least = square;
-            from = a.vertices()[i];
-            way = there - from;
-            best.feature = 0xc0000000u | static_cast<std::uint32_t>(i) << 15 | static_cast<std::uint32_t>(j);
+    Contact contact;
+    double square = std::numeric_limits<double>::infinity(); ///< of the distance [m^2]
+    bool on_cut = false;
+};
+
+/// Corners of one part over edges of the other, ends of the edges included, nearer than what was found.
+void look_at_corners(const NearSide& side, const NearSide& other, std::uint32_t owner, Nearest& nearest)
+{
+    const auto& polygon = std::get<Polygon>(side.shape);
+    const auto& there = std::get<Polygon>(other.shape);
+    const Pose side_from_other = relative_pose(side.pose, other.pose);
+    for (std::size_t v = 0; v < there.vertices().size(); ++v) {
+        const Vec2 corner = side_from_other * there.vertices()[v];
+        for (std::size_t k = 0; k < polygon.edges().size(); ++k) {
+            const Edge& edge = polygon.edges()[k];
+            const Vec2 from_start = corner - polygon.vertices()[edge.from];
+            const double along = edge.tangent.dot(from_start);
+            if (along < 0.0) continue; // nearer to the edge before
+            const bool is_over = along <= edge.length;
+            const double height = edge.normal.dot(from_start);
+            const Vec2 way = is_over ? Vec2(height * edge.normal) : Vec2(corner - polygon.vertices()[edge.to]);
+            const double square = is_over ? height * height : way.squaredNorm();
+            if (square >= nearest.square || (is_over && height <= 0.0)) continue;
+            nearest.square = square;
+            nearest.on_cut = is_over && !side.real.empty() && !side.real[k];
+            nearest.contact.separation = std::sqrt(square);
+            nearest.contact.normal = side.pose.rotation * Vec2(way / nearest.contact.separation);
+            nearest.contact.point = side.pose * Vec2(corner - 0.5 * way);
+            const std::uint32_t kind = is_over ? 0u : 0xc0000000u;
+            nearest.contact.feature =
+                kind | static_cast<std::uint32_t>(k) << 16 | static_cast<std::uint32_t>(v) << 1 | owner;
         }
     }
-    best.separation = std::sqrt(least);
-    if (!(best.separation > 0.0)) return best;
-    best.normal = side_a.pose.rotation * Vec2(way / best.separation);
-    best.point = side_a.pose * Vec2(from + 0.5 * way);
-    return best;
 }
-// [rest.near.corners]
+
+[[nodiscard]] Nearest nearest_points(const NearSide& a, const NearSide& b)
+{
+    Nearest nearest;
+    look_at_corners(a, b, 1u, nearest);
+    const double least = nearest.square;
+    look_at_corners(b, a, 0u, nearest);
+    if (nearest.square < least) nearest.contact.normal = -nearest.contact.normal;
+    return nearest;
+}
+// [rest.near.nearest]
 
 } // namespace
 
@@ -94,18 +115,22 @@ Manifold near_points(const NearSide& a, const NearSide& b, double margin)
     Manifold manifold = make_manifold(a.shape, a.pose, b.shape, b.pose, margin);
     const auto* polygon_a = std::get_if<Polygon>(&a.shape);
     const auto* polygon_b = std::get_if<Polygon>(&b.shape);
-    if (manifold.count == 0 && polygon_a && polygon_b) {
-        const Contact corners = nearest_corners(*polygon_a, a, *polygon_b, b);
-        if (corners.separation > 0.0 && corners.separation <= margin) manifold.contacts[manifold.count++] = corners;
-        return manifold;
-    }
+    const auto nearest = [&] {
+        Manifold result;
+        const Nearest found = nearest_points(a, b);
+        if (!found.on_cut && found.square > 0.0 && found.contact.separation <= margin)
+            result.contacts[result.count++] = found.contact;
+        return result;
+    };
+    if (manifold.count == 0 && polygon_a && polygon_b) return nearest();
     if (manifold.count == 0 || (a.real.empty() && b.real.empty())) return manifold;
     const Vec2 normal = manifold.contacts[0].normal;
     if (!leads_through_cut(a, normal) && !leads_through_cut(b, -normal)) return manifold;
     const bool overlaps = std::any_of(manifold.contacts, manifold.contacts + manifold.count,
                                       [](const Contact& contact) { return contact.separation < 0.0; });
     manifold.count = 0;
-    if (!overlaps) return manifold;
+    // Beyond the ends of a cut, as in a notch, something else is nearest
+    if (!overlaps) return polygon_a && polygon_b ? nearest() : manifold;
 
     // Out over a side, by the shortest way
     const Contact out_of_a = shortest_way_out(a, b);

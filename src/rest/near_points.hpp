@@ -20,8 +20,8 @@ struct NearSide
 
 // [rest.near.declared]
 /// The points at which two convex parts touch, overlap, or might touch soon. What `make_manifold` finds, and beyond it
-/// - two corners that are near each other where no edge faces the other part: they make a point along the line between
-///   them;
+/// - what is nearest of two parts where no edge of theirs faces the other within its ends, or a cut alone does: corners
+///   near each other, which make a point along the line between them, or a corner over an edge;
 /// - where parts overlap over a cut, which is no side of a body: the shortest way out over a side, at one point. Points
 ///   that stand on a cut and don't overlap belong to the neighbour on the other side of it, and are left out.
 ///

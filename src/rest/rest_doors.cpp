@@ -146,7 +146,6 @@ void RestEngine::go_on_from(const Memory& memory)
     sleepers_ = -1;
     max_overlap_ = memory.max_overlap;
     pairs_.remember(memory.pairs);
-    saved_.resize(bodies_.size());
     for (std::size_t k = 0; k < bodies_.size(); ++k) {
         const Memory::Body& body = memory.bodies[k];
         bodies_[k].state = body.state;
@@ -158,7 +157,6 @@ void RestEngine::go_on_from(const Memory& memory)
         in_crowd_[k] = body.in_crowd ? 1 : 0;
         asleep_[k] = still_[k] = body.sleep_group >= 0 ? 1 : 0;
         poses_[k] = next_poses_[k] = pose_of(body.state);
-        saved_[k] = body.state; // a sleeper may wake within a step that is then made again
         if (bodies_[k].is_static) continue;
         Mover& mover = movers_[k];
         mover.v_x = body.state.velocity.x();

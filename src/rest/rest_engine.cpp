@@ -63,6 +63,7 @@ RestEngine::RestEngine(std::vector<RestBody> bodies, const RestOptions& options,
     part_of_.assign(count, -1);
     outrun_.assign(count, 0.0);
     whole_reach_.assign(count, 0.0);
+    held_.assign(count, 0);
     shift_before_.assign(count, Vec2::Zero());
     turn_before_.assign(count, 0.0);
     shift_.assign(count, Vec2::Zero());

@@ -38,6 +38,7 @@ struct RestCounts
     std::int64_t halved = 0;    ///< steps, or parts of steps, that groups made in two halves
     std::int64_t repeated = 0;  ///< steps made anew, because somebody got further than was looked at
     std::int64_t crowds = 0;    ///< groups whose impacts were all ended at the start of their step
+    std::int64_t held = 0;      ///< groups of which some went part of their way only, so as not to overlap more than before
     std::int64_t paid = 0;      ///< groups slowed down, so that they have no more energy than before
 };
 // [rest.counts]
@@ -178,13 +179,24 @@ private:
         std::vector<int> members;
         std::vector<int> pairs;
     };
+    struct Saved
+    {
+        BodyState state;
+        Vec2 pull = Vec2::Zero();
+        double turn_pull = 0.0;
+        char in_crowd = 0;
+    };
 
     void list_awake();
+    void save_pairs();
+    void save_parted_pairs();
+    void go_back();
     void measure_reach(std::span<const int> who);
     [[nodiscard]] bool any_outran();
     void note_outrun(const Group& group);
     [[nodiscard]] bool is_sane(const Group& group) const;
     void finish_groups(int depth, std::span<const int> pairs);
+    [[nodiscard]] bool may_be_parted(const Group& group, int depth) const;
     void note_again(const Group& group, Again& again);
     void find_pairs_of(Again& again, std::span<const int> pairs);
     void make_in_halves(int depth);
@@ -253,7 +265,8 @@ private:
     [[nodiscard]] bool is_fair(const Group& group, double overlap) const;
     [[nodiscard]] bool may_overlap(const ContactPoint& c) const;
     [[nodiscard]] double look_at_end(const Group& group);
-    void put_apart(const Group& group, double overlap);
+    double put_apart(const Group& group, double overlap);
+    void cut_ways_short(const Group& group, double overlap);
     void pay_for_rise(const Group& group);
     void move_group(const Group& group);
     void set_arms(ContactPoint& point, const Vec2& normal, const Vec2& r_a, const Vec2& r_b) const;
@@ -277,7 +290,8 @@ private:
     std::vector<double> outrun_; // of those that an impact has made faster than that: how far they may get now [m]
     std::vector<double> whole_reach_; // the same, of the whole step [m]
     bool has_outrun_ = false;
-    std::vector<BodyState> saved_; // as the step has found them
+    std::vector<Saved> saved_; // of those awake, as the step has found them
+    std::vector<std::pair<int, RestPair>> saved_pairs_; // with their places in the list
     std::vector<int> awake_;     // ascending
     std::vector<Pose> poses_;
     std::vector<Mover> movers_;
@@ -293,8 +307,10 @@ private:
     std::vector<Group> groups_;
     std::vector<int> members_;
     std::vector<Again> again_; // at each depth of halving
+    int parts_left_ = 0;       // that the step of a group may still be made in
     std::vector<int> part_of_; // of each body, while pairs are sorted out; -1 for none
     std::vector<ContactPoint> left_out_;
+    std::vector<char> held_;         // whose way is cut short
     std::vector<Vec2> shift_before_; // before overlap was taken off
     std::vector<double> turn_before_;
     std::vector<int> parent_; // of each body, towards the lowest of its group

@@ -22,6 +22,8 @@ constexpr int k_most_cut = 12;
 constexpr double k_fair_rise = 0x1p-8;
 /// [energies] Rise that rounding explains.
 constexpr double k_rounding = 0x1p-46;
+/// Bisections of a way that leads into an overlap.
+constexpr int k_way_halvings = 10;
 /// Rounds of taking off overlap: each leaves about the square of what the last has found.
 constexpr int k_rounds = 4;
 // [rest.overlap.limits]
@@ -80,9 +82,9 @@ double RestEngine::look_at_end(const Group& group)
 // [rest.overlap.look]
 
 // [rest.overlap.apart]
-void RestEngine::put_apart(const Group& group, double overlap)
+double RestEngine::put_apart(const Group& group, double overlap)
 {
-    if (overlap <= 0.0) return;
+    if (overlap <= 0.0) return overlap;
     ++counts_.placed;
     const std::span<const int> members = std::span(members_).subspan(group.first_member, group.member_count);
     for (int round = 0; round < k_rounds && overlap > 0.0; ++round) {
@@ -117,8 +119,52 @@ void RestEngine::put_apart(const Group& group, double overlap)
         }
         break;
     }
+    return overlap;
 }
 // [rest.overlap.apart]
+
+// [rest.overlap.short]
+void RestEngine::cut_ways_short(const Group& group, double overlap)
+{
+    // Where nothing has brought a group to where it overlaps no more than before, whoever does goes as far only as they
+    // don't; and who then overlaps with them
+    const double most = std::max(k_fair_overlap, overlap_at_start(group));
+    if (overlap <= most) return;
+    ++counts_.held;
+    const std::span<const int> members = std::span(members_).subspan(group.first_member, group.member_count);
+    for (const int member : members) {
+        shift_before_[member] = shift_[member];
+        turn_before_[member] = turn_[member];
+        held_[member] = 0;
+    }
+    const auto go = [&](double share) {
+        for (const int member : members) {
+            if (!held_[member]) continue;
+            shift_[member] = share * shift_before_[member];
+            turn_[member] = share * turn_before_[member];
+        }
+        return look_at_end(group);
+    };
+    for (bool any = true; any && overlap > most;) {
+        any = false;
+        for (const ContactPoint& c : place_points_) {
+            if (c.bound - touch_gap(c.a, c.b) <= most * std::min(radius_[c.a], radius_[c.b])) continue;
+            for (const int body : {c.a, c.b}) {
+                any = any || (!bodies_[body].is_static && !held_[body]);
+                held_[body] = 1;
+            }
+        }
+        overlap = go(0.0);
+    }
+    double low = 0.0;
+    double high = 1.0;
+    for (int k = 0; k < k_way_halvings; ++k) {
+        const double middle = 0.5 * (low + high);
+        (go(middle) <= most ? low : high) = middle;
+    }
+    go(low);
+}
+// [rest.overlap.short]
 
 // [rest.overlap.sane]
 bool RestEngine::is_sane(const Group& group) const

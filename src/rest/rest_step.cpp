@@ -14,9 +14,12 @@ constexpr int k_most_tries = 4;
 constexpr double k_outrun = 1.25;
 /// [sizes] Overlap that the last of them may leave, for the next step to end by a rebound; more is ended without one.
 constexpr double k_most_overlap = 0x1p-4;
-/// Halvings of a step before a group takes what comes out.
-constexpr int k_most_halvings = 7;
-constexpr int k_most_halvings_of_crowd = 1;
+/// [steps] Shorter parts of a step are not halved: a group takes what comes out.
+constexpr double k_shortest = 0x1p-9;
+/// Parts that the step of one group is made in, and how often one is parted within another; of a crowd's.
+constexpr int k_most_parts_of_step = 256;
+constexpr int k_deepest = 200;
+constexpr int k_deepest_of_crowd = 1;
 // [rest.step.limits]
 
 } // namespace
@@ -38,8 +41,6 @@ void RestEngine::step()
     span_ = options_.step;
     std::fill(outrun_.begin(), outrun_.end(), 0.0);
     list_awake();
-    saved_.resize(bodies_.size());
-    for (const int k : awake_) saved_[k] = bodies_[k].state;
     // [rest.step.begin]
     for (int tries = 1;; ++tries) {
         // [rest.step.find]
@@ -61,13 +62,14 @@ void RestEngine::step()
         if (!is_last && any_outran()) continue;
         // [rest.step.end]
         for (const int k : awake_) whole_reach_[k] = reach_[k];
-        finish_groups(0, {});
+        save_pairs();
         has_outrun_ = false;
+        finish_groups(0, {});
+        save_parted_pairs();
         make_in_halves(0);
         watch.stop(seconds_.move);
         if (is_last || !has_outrun_) break;
-        for (const int k : awake_) bodies_[k].state = saved_[k];
-        ++counts_.repeated;
+        go_back();
         // [rest.step.end]
     }
     ++steps_;
@@ -84,8 +86,47 @@ void RestEngine::list_awake()
         if (asleep_[k]) ++counts_.asleep;
         else if (!bodies_[k].is_static && bodies_[k].is_active) awake_.push_back(k);
     }
+    saved_.resize(bodies_.size());
+    for (const int k : awake_) saved_[k] = {bodies_[k].state, pull_[k], turn_pull_[k], in_crowd_[k]};
 }
 // [rest.step.awake]
+
+// [rest.step.back]
+void RestEngine::save_pairs()
+{
+    // Only pairs with points have anything to remember
+    saved_pairs_.clear();
+    int last = -1;
+    for (const ContactPoint& c : found_) {
+        if (c.pair != last) saved_pairs_.emplace_back(c.pair, pairs_.pairs()[c.pair]);
+        last = c.pair;
+    }
+}
+
+void RestEngine::save_parted_pairs()
+{
+    // Parts of steps may find points where the whole has found none
+    for (const int k : again_[0].pairs) {
+        const RestPair& pair = pairs_.pairs()[k];
+        if (pair.count == 0) saved_pairs_.emplace_back(k, pair);
+    }
+}
+
+/// All that the step has changed, as it was when the step began.
+void RestEngine::go_back()
+{
+    for (const int k : awake_) {
+        bodies_[k].state = saved_[k].state;
+        pull_[k] = saved_[k].pull;
+        turn_pull_[k] = saved_[k].turn_pull;
+        in_crowd_[k] = saved_[k].in_crowd;
+        asleep_[k] = still_[k] = 0;
+        sleep_group_[k] = -1;
+    }
+    for (const auto& [index, pair] : saved_pairs_) pairs_.pairs()[index] = pair;
+    ++counts_.repeated;
+}
+// [rest.step.back]
 
 // [rest.step.outran]
 bool RestEngine::any_outran()
@@ -121,7 +162,7 @@ void RestEngine::note_outrun(const Group& group)
     for (int k = 0; k < group.member_count; ++k) {
         const int member = members_[group.first_member + k];
         const BodyState& now = bodies_[member].state;
-        const BodyState& old = saved_[member];
+        const BodyState& old = saved_[member].state;
         const double way = (now.position - old.position).norm() + std::abs(now.angle - old.angle) * turning_[member];
         if (!(way > whole_reach_[member])) continue;
         const double speed = now.velocity.norm() + std::abs(now.spin) * turning_[member];
@@ -134,16 +175,17 @@ void RestEngine::note_outrun(const Group& group)
 // [rest.step.finish]
 void RestEngine::finish_groups(int depth, std::span<const int> pairs)
 {
-    again_.resize(k_most_halvings + 1);
+    again_.resize(k_deepest + 1);
     Again& again = again_[depth];
+    if (depth == 0) parts_left_ = k_most_parts_of_step;
     again.parts.clear();
     again.members.clear();
+    again.pairs.clear();
     for (Group& group : groups_) {
         if (is_exact(group) && !group.is_crowd_solved) find_places(group);
         if (is_exact(group) && group.point_count > 0) {
             double overlap = look_at_end(group);
-            const int most = is_crowd(group) ? k_most_halvings_of_crowd : k_most_halvings;
-            if (depth < most && group.member_count <= options_.most_solved && !is_fair(group, overlap)) {
+            if (may_be_parted(group, depth) && !is_fair(group, overlap)) {
                 note_again(group, again);
                 continue;
             }
@@ -151,17 +193,25 @@ void RestEngine::finish_groups(int depth, std::span<const int> pairs)
                 solve_crowd(group);
                 overlap = look_at_end(group);
             }
-            put_apart(group, overlap);
+            overlap = put_apart(group, overlap);
+            cut_ways_short(group, overlap);
             pay_for_rise(group);
         }
         move_group(group);
-        if (depth > 0) note_outrun(group);
+        if (depth > 0 || is_exact(group)) note_outrun(group);
     }
     if (!again.parts.empty()) find_pairs_of(again, pairs);
 }
 // [rest.step.finish]
 
 // [rest.step.again]
+bool RestEngine::may_be_parted(const Group& group, int depth) const
+{
+    const int most = is_crowd(group) ? k_deepest_of_crowd : k_deepest;
+    return depth < most && parts_left_ > 0 && span_ > k_shortest * options_.step &&
+           group.member_count <= options_.most_solved;
+}
+
 void RestEngine::note_again(const Group& group, Again& again)
 {
     const int part = static_cast<int>(again.parts.size());
@@ -214,6 +264,8 @@ void RestEngine::make_in_halves(int depth)
         const Again::Part part = again_[depth].parts[k];
         const std::span<const int> members = std::span(again_[depth].members).subspan(part.first_member, part.member_count);
         const std::span<const int> pairs = std::span(again_[depth].pairs).subspan(part.first_pair, part.pair_count);
+        if (depth == 0) parts_left_ = k_most_parts_of_step;
+        parts_left_ -= 2;
         double before = whole;
         for (const double half : {part.first_half, whole - part.first_half}) {
             span_ = half;

@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <string>
 
 #include "rest_trial.hpp"
@@ -18,11 +19,11 @@ int usage()
     return 2;
 }
 
-void print(long seed, const RestScene& scene, const RestFindings& f)
+void print(long seed, const RestScene& scene, const RestFindings& f, double seconds)
 {
-    std::printf("seed %ld: rise %.1e (step %d), overlap %.1e (step %d, %d on %d), at the end %.1e, lost %d%s; %s\n", seed,
+    std::printf("seed %ld: rise %.1e (step %d), overlap %.1e (step %d, %d on %d), at the end %.1e, lost %d%s, %.2f s; %s\n", seed,
                 f.rise, f.rise_step, f.overlap, f.overlap_step, f.overlap_a, f.overlap_b, f.end_overlap, f.lost,
-                f.finite ? "" : ", not finite", scene.label.c_str());
+                f.finite ? "" : ", not finite", seconds, scene.label.c_str());
     std::fflush(stdout);
 }
 
@@ -46,12 +47,14 @@ int main(int count, char** words)
     double overlap = 0.0;
     for (long seed = first; seed <= last; ++seed) {
         const RestScene scene = make_rest_scene(static_cast<std::uint64_t>(seed));
+        const std::clock_t start = std::clock();
         const RestFindings findings = run_rest_scene(scene);
+        const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
         const bool good = passes(findings);
         failed += good ? 0 : 1;
         rise = std::max(rise, findings.rise);
         overlap = std::max(overlap, findings.overlap);
-        if (verbose || !good) print(seed, scene, findings);
+        if (verbose || !good) print(seed, scene, findings, seconds);
     }
     std::printf("%ld scenes, %ld failed; worst rise %.1e, worst overlap %.1e\n", last - first + 1, failed, rise, overlap);
     return failed > 0 ? 1 : 0;

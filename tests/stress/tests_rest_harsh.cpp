@@ -1,0 +1,156 @@
+#include <cmath>
+#include <numbers>
+
+#include <doctest/doctest.h>
+
+#include "collide/separation.hpp"
+#include "geometry/make_polygon.hpp"
+#include "mass/polygon.hpp"
+#include "math/random.hpp"
+#include "rest/near_points.hpp"
+#include "rest/rest_engine.hpp"
+#include "rest_trial.hpp"
+#include "support/random_polygons.hpp"
+
+using namespace flying;
+
+namespace {
+
+RestBody moving(const Shape& shape, double density, const Vec2& position, const Vec2& velocity, double spin,
+                const Vec2& field, const Material& material)
+{
+    const MassProperties mass = mass_of(shape, density);
+    RestBody body{shape, {}, {1.0 / mass.mass, 1.0 / mass.moment_of_inertia}, material};
+    body.state.position = position;
+    body.state.velocity = velocity;
+    body.state.spin = spin;
+    body.acceleration = field;
+    return body;
+}
+
+RestBody fixed(const Shape& shape, const Vec2& position, const Material& material)
+{
+    RestBody body{shape, {}, {}, material};
+    body.state.position = position;
+    body.is_static = true;
+    return body;
+}
+
+/// Deepest overlap of all, over the radius of the smaller one.
+double deepest(const RestEngine& engine)
+{
+    double worst = 0.0;
+    const std::span<const RestBody> bodies = engine.bodies();
+    std::vector<CollisionShape> shapes;
+    for (const RestBody& body : bodies) shapes.push_back(make_collision_shape(body.shape));
+    for (std::size_t a = 0; a < bodies.size(); ++a) {
+        for (std::size_t b = a + 1; b < bodies.size(); ++b) {
+            if (bodies[a].is_static && bodies[b].is_static) continue;
+            const double gap = separation(shapes[a], pose_of(bodies[a].state), shapes[b], pose_of(bodies[b].state));
+            worst = std::max(worst, -gap / std::min(bounding_radius(bodies[a].shape), bounding_radius(bodies[b].shape)));
+        }
+    }
+    return worst;
+}
+
+} // namespace
+
+TEST_CASE("who lies still while others have a step made anew still lies on the ground after it")
+{
+    // The first try had put the box to sleep; the second left its contact out, and it fell for a step
+    const Vec2 field(0.0, -10.0);
+    std::vector<RestBody> bodies = {fixed(HalfPlane{{0.0, 1.0}, 0.0}, Vec2::Zero(), {0.0, 0.5})};
+    bodies.push_back(moving(flying::testing::box(1.0, 1.0), 1.0, Vec2(0.0, 0.5), Vec2::Zero(), 0.0, field, {0.0, 0.5}));
+    // A heavy disc strikes the end of a light stick, which whirls away faster than anything did before
+    bodies.push_back(moving(flying::testing::box(1.0, 0.1), 1e-3, Vec2(0.0, 10.0), Vec2::Zero(), 0.0, Vec2::Zero(), {1.0, 0.0}));
+    bodies.push_back(moving(Disc{0.2}, 1e3, Vec2(0.4, 0.0), Vec2(0.0, 20.0), 0.0, Vec2::Zero(), {1.0, 0.0}));
+    for (int strike = 0; strike < 5; ++strike) {
+        bodies[3].state.position.y() = 9.75 - (strike + 0.5) * 20.0 / 60.0;
+        RestEngine engine(bodies);
+        CAPTURE(strike);
+        for (int k = 0; k < 6; ++k) {
+            engine.step();
+            CHECK(engine.bodies()[1].state.position.y() == 0.5);
+            CHECK(engine.bodies()[1].state.velocity.y() == 0.0);
+        }
+        CHECK(engine.counts().repeated > 0);
+    }
+}
+
+TEST_CASE("a corner over the second of two edges on one line is as near as over the first")
+{
+    // The lines of both edges part the two shapes equally well, and only one of the edges lies below the corner
+    const Polygon table({{Vec2(-1.0, -1.0), Vec2(1.0, -1.0), Vec2(1.0, 0.0), Vec2(0.0, 0.0), Vec2(-1.0, 0.0)}});
+    const Shape below = table;
+    const Shape above = flying::testing::box(0.2, 0.2);
+    for (const double x : {-0.5, 0.5}) {
+        const Pose pose_below{Vec2::Zero(), Rotation()};
+        const Pose pose_above{Vec2(x, 0.1 * std::numbers::sqrt2 + 1e-3), Rotation::of(0.25 * std::numbers::pi)};
+        const Manifold manifold = near_points({below, pose_below, {}}, {above, pose_above, {}}, 0.01);
+        CAPTURE(x);
+        REQUIRE(manifold.count > 0);
+        CHECK(manifold.contacts[0].separation == doctest::Approx(1e-3).epsilon(1e-9));
+        CHECK(manifold.contacts[0].normal.y() == doctest::Approx(1.0).epsilon(1e-9));
+    }
+}
+
+TEST_CASE("small bodies thrown into the notches of a concave one don't get into it")
+{
+    // In a notch the line of a cut parts two shapes best, but the cut itself lies elsewhere
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        Random random(seed);
+        const Polygon star = flying::testing::random_star(random, false);
+        const double size = star.radius();
+        std::vector<RestBody> bodies = {fixed(star, Vec2::Zero(), {0.5, 0.3})};
+        for (const auto& [normal, offset] : {std::pair(Vec2(1.0, 0.0), -1.2), std::pair(Vec2(-1.0, 0.0), -1.2),
+                                             std::pair(Vec2(0.0, 1.0), -1.2), std::pair(Vec2(0.0, -1.0), -1.2)})
+            bodies.push_back(fixed(HalfPlane{normal, size * offset}, Vec2::Zero(), {0.5, 0.3}));
+        const CollisionShape star_shape = make_collision_shape(star);
+        for (int k = 0; k < 40; ++k) {
+            const double x = size * random.uniform(-1.0, 1.0);
+            const double y = size * random.uniform(-1.0, 1.0);
+            const double v_x = size * random.uniform(-3.0, 3.0);
+            const double v_y = size * random.uniform(-3.0, 3.0);
+            RestBody body = moving(flying::testing::box(0.03 * size, 0.03 * size), 1.0, Vec2(x, y), Vec2(v_x, v_y),
+                                   random.uniform(-10.0, 10.0), Vec2::Zero(), {0.5, 0.3});
+            const double gap =
+                separation(star_shape, pose_of(bodies[0].state), make_collision_shape(body.shape), pose_of(body.state));
+            if (gap > 0.0 && k % 8 == 0) bodies.push_back(body);
+        }
+        RestEngine engine(bodies);
+        CAPTURE(seed);
+        double worst = deepest(engine);
+        if (worst > 0.0) continue; // two stand in one place
+        for (int k = 0; k < 60; ++k) {
+            engine.step();
+            worst = std::max(worst, deepest(engine));
+        }
+        CHECK(worst < 0.01);
+    }
+}
+
+TEST_CASE("a small body that whirls many times within a step stays outside of what it strikes")
+{
+    // Its step was made in as many parts as there were impacts, and the last of them took all of the turning
+    const Material material{0.7, 0.0};
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        Random random(seed);
+        std::vector<RestBody> bodies = {fixed(HalfPlane{{0.0, 1.0}, 0.0}, Vec2::Zero(), material),
+                                        fixed(HalfPlane{{0.0, -1.0}, -0.5}, Vec2::Zero(), material)};
+        const double speed = random.uniform(1.0, 4.0);
+        const double spin = random.uniform(500.0, 1500.0);
+        const Vec2 field(0.0, -10.0);
+        bodies.push_back(moving(flying::testing::box(0.008, 0.002), 1.0, Vec2(0.0, 0.02), Vec2(0.0, speed), spin, field, material));
+        bodies.push_back(moving(flying::testing::box(0.5, 0.3), 1.0, Vec2(0.05, 0.25), Vec2(0.0, -speed), 0.3, field, material));
+        RestOptions options;
+        options.step = 1.0 / 30.0;
+        RestEngine engine(bodies, options);
+        double worst = 0.0;
+        for (int k = 0; k < 60; ++k) {
+            engine.step();
+            worst = std::max(worst, deepest(engine));
+        }
+        CAPTURE(seed);
+        CHECK(worst < 0.01);
+    }
+}
