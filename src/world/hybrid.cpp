@@ -64,20 +64,23 @@ Hybrid::Hybrid(const EventEngine& engine, const std::vector<Material>& materials
 std::optional<EventFailure> Hybrid::advance(EventEngine& engine, double time, std::int64_t most)
 {
     for (std::int64_t done = 0;;) {
-        if (done == most) return std::nullopt;
         const double last = time + k_same_moment * tolerance::k_epsilon * std::abs(time);
         const bool steps = any_leans_ && step_ends_ <= last;
+
+        // A step whose end the events have reached is made whatever the count says: the clock has got there
+        const bool is_due = steps && engine.time() >= step_ends_;
+        if (most >= 0 && done >= most && !is_due) return std::nullopt;
 
         // Handle what comes before, one impact at a time where it may throw a body among those that lean
         engine.notice_all(any_leans_);
         const std::int64_t before = engine.counts().events;
-        const auto failure = engine.advance(steps ? step_ends_ : time, most < 0 ? -1 : most - done);
+        const auto failure = engine.advance(steps ? step_ends_ : time, most < 0 || is_due ? -1 : most - done);
         done += engine.counts().events - before;
         if (failure && !takes(*failure)) return failure;
         if (failure) take(engine, *failure);
         else if (engine.noticed()) answer_impact(engine, engine.last_impact());
-        else if (done == most || !steps) return std::nullopt;
-        else {
+        else if (!steps) return std::nullopt;
+        else if (engine.time() >= step_ends_) {
             finish_step(engine);
             ++done;
         }
