@@ -196,7 +196,7 @@ private:
     void note_outrun(const Group& group);
     [[nodiscard]] bool is_sane(const Group& group) const;
     void finish_groups(int depth, std::span<const int> pairs);
-    [[nodiscard]] bool may_be_parted(const Group& group, int depth) const;
+    [[nodiscard]] bool is_to_be_parted(const Group& group, int depth, double overlap) const;
     void note_again(const Group& group, Again& again);
     void find_pairs_of(Again& again, std::span<const int> pairs);
     void make_in_halves(int depth);

@@ -19,7 +19,7 @@ constexpr double k_shortest = 0x1p-9;
 /// Parts that the step of one group is made in, and how often one is parted within another; of a crowd's.
 constexpr int k_most_parts_of_step = 256;
 constexpr int k_deepest = 200;
-constexpr int k_deepest_of_crowd = 1;
+constexpr int k_deepest_of_crowd = 3;
 // [rest.step.limits]
 
 } // namespace
@@ -185,7 +185,7 @@ void RestEngine::finish_groups(int depth, std::span<const int> pairs)
         if (is_exact(group) && !group.is_crowd_solved) find_places(group);
         if (is_exact(group) && group.point_count > 0) {
             double overlap = look_at_end(group);
-            if (may_be_parted(group, depth) && !is_fair(group, overlap)) {
+            if (is_to_be_parted(group, depth, overlap)) {
                 note_again(group, again);
                 continue;
             }
@@ -205,11 +205,16 @@ void RestEngine::finish_groups(int depth, std::span<const int> pairs)
 // [rest.step.finish]
 
 // [rest.step.again]
-bool RestEngine::may_be_parted(const Group& group, int depth) const
+bool RestEngine::is_to_be_parted(const Group& group, int depth, double overlap) const
 {
     const int most = is_crowd(group) ? k_deepest_of_crowd : k_deepest;
-    return depth < most && parts_left_ > 0 && span_ > k_shortest * options_.step &&
-           group.member_count <= options_.most_solved;
+    const bool may = depth < most && parts_left_ > 0 && span_ > k_shortest * options_.step &&
+                     group.member_count <= options_.most_solved;
+    if (!may) return false;
+
+    // Parts of a step of a crowd are parted for much overlap only: each solves for all of the crowd
+    if (is_crowd(group) && depth > 0) return !is_sane(group) || overlap > k_most_overlap;
+    return !is_fair(group, overlap);
 }
 
 void RestEngine::note_again(const Group& group, Again& again)
