@@ -65,6 +65,7 @@ constexpr Part k_parts[] = {
     {"spins", "equal shares of energy in a gas of squares that starts without spin", "spins", 1'000'000, run_spins},
     {"cooling", "a gas of discs at e = 0.99 cools as Haff says", "discs", 10'000, run_cooling},
     {"collapse", "a gas of discs at e = 0.1 collapses again and again, and goes on to its end", "discs", 10'000, run_collapse},
+    {"rest", "random scenes by small steps: nobody lost, no energy won, no overlap left", "scenes", 10'000, run_rest},
 };
 
 void print_help()

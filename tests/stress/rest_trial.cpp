@@ -241,10 +241,15 @@ RestFindings run_rest_scene(const RestScene& scene, int look_every)
     return findings;
 }
 
-bool passes(const RestFindings& findings)
+bool ends_well(const RestFindings& findings)
 {
     return findings.finite && findings.lost == 0 && findings.rise <= k_rise_allowed &&
-           findings.overlap <= k_overlap_allowed;
+           findings.end_overlap <= k_overlap_allowed;
+}
+
+bool passes(const RestFindings& findings)
+{
+    return ends_well(findings) && findings.overlap <= k_overlap_allowed;
 }
 
 } // namespace flying::stress

@@ -47,5 +47,6 @@ void run_speeds(const Job& job, Tally& tally);
 void run_spins(const Job& job, Tally& tally);
 void run_cooling(const Job& job, Tally& tally);
 void run_collapse(const Job& job, Tally& tally);
+void run_rest(const Job& job, Tally& tally);
 
 } // namespace flying::stress

@@ -62,18 +62,18 @@ double energy_of(const RestEngine& engine)
 
 } // namespace
 
-TEST_CASE("random scenes at rest: energy never rises, nothing becomes no number")
+TEST_CASE("random scenes at rest: energy never rises, nobody is lost, nothing becomes no number or ends with overlap")
 {
-    // The same scenes as flying_rest_fuzz, which goes on for as many as one likes
-    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    // The first of the scenes of ./course stress rest, which goes on for as many as one likes
+    for (std::uint64_t seed = 1; seed <= 45; ++seed) {
         const RestScene scene = make_rest_scene(seed);
         CAPTURE(seed);
         CAPTURE(scene.label);
-        if (scene.bodies.size() > 20) continue;
         const RestFindings findings = run_rest_scene(scene, 10);
         CHECK(findings.finite);
         CHECK(findings.lost == 0);
         CHECK(findings.rise <= k_rise_allowed);
+        CHECK(findings.end_overlap <= k_overlap_allowed);
     }
 }
 
