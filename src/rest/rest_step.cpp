@@ -15,9 +15,9 @@ constexpr double k_outrun = 1.25;
 /// [sizes] Overlap that the last of them may leave, for the next step to end by a rebound; more is ended without one.
 constexpr double k_most_overlap = 0x1p-4;
 /// [steps] Shorter parts of a step are not halved: a group takes what comes out.
-constexpr double k_shortest = 0x1p-9;
+constexpr double k_shortest = 0x1p-7;
 /// Parts that the step of one group is made in, and how often one is parted within another; of a crowd's.
-constexpr int k_most_parts_of_step = 256;
+constexpr int k_most_parts_of_step = 128;
 constexpr int k_deepest = 200;
 constexpr int k_deepest_of_crowd = 3;
 // [rest.step.limits]
