@@ -14,10 +14,15 @@ constexpr int k_most_tries = 4;
 constexpr double k_outrun = 1.25;
 /// [sizes] Overlap that the last of them may leave, for the next step to end by a rebound; more is ended without one.
 constexpr double k_most_overlap = 0x1p-4;
-/// [steps] Shorter parts of a step are not halved: a group takes what comes out.
+/// [steps] Shorter parts of a step are not halved: a group takes what comes out. Where somebody goes further in a part
+/// than this many sizes, a crumb that was hit hard perhaps, parts may be shorter still.
 constexpr double k_shortest = 0x1p-7;
-/// Parts that the step of one group is made in, and how often one is parted within another; of a crowd's.
+constexpr double k_shortest_of_fast = 0x1p-10;
+constexpr double k_far = 0x1p-1;
+/// Parts that the step of one group is made in, and how many more where somebody goes so far; how often one is parted
+/// within another; of a crowd's.
 constexpr int k_most_parts_of_step = 128;
+constexpr int k_more_parts_of_fast = 512;
 constexpr int k_deepest = 200;
 constexpr int k_deepest_of_crowd = 3;
 // [rest.step.limits]
@@ -208,9 +213,16 @@ void RestEngine::finish_groups(int depth, std::span<const int> pairs)
 bool RestEngine::is_to_be_parted(const Group& group, int depth, double overlap) const
 {
     const int most = is_crowd(group) ? k_deepest_of_crowd : k_deepest;
-    const bool may = depth < most && parts_left_ > 0 && span_ > k_shortest * options_.step &&
-                     group.member_count <= options_.most_solved;
-    if (!may) return false;
+    if (depth >= most || group.member_count > options_.most_solved) return false;
+    const std::span<const int> members = std::span(members_).subspan(group.first_member, group.member_count);
+    const bool is_short = parts_left_ <= 0 || span_ <= k_shortest * options_.step;
+    if (is_short) {
+        const bool is_shortest = parts_left_ <= -k_more_parts_of_fast || span_ <= k_shortest_of_fast * options_.step;
+        const bool goes_far = std::any_of(members.begin(), members.end(), [&](int member) {
+            return shift_[member].norm() + std::abs(turn_[member]) * radius_[member] > k_far * radius_[member];
+        });
+        if (is_shortest || !goes_far) return false;
+    }
 
     // Parts of a step of a crowd are parted for much overlap only: each solves for all of the crowd
     if (is_crowd(group) && depth > 0) return !is_sane(group) || overlap > k_most_overlap;
