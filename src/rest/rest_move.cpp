@@ -51,8 +51,9 @@ void RestEngine::expect(const Group& group)
             struck_[body] = 1;
         }
     }
+    const bool any_loads = group.knows_loads && field_speed(group) > 0.0;
     for (const ContactPoint& c : points) {
-        if (!group.knows_loads || field_speed(group) == 0.0 || (!struck_[c.a] && !struck_[c.b])) continue;
+        if (!any_loads || (!struck_[c.a] && !struck_[c.b])) continue;
         const double load = load_of(c);
         if (load == 0.0) continue;
         Mover a{0.0, 0.0, 0.0, movers_[c.a].inv_mass, movers_[c.a].inv_moment};

@@ -101,13 +101,8 @@ void RestEngine::find_impulses(Group& group, double time)
 // [rest.solve.scales]
 double RestEngine::top_speed(const Group& group) const
 {
-    double top = field_speed(group);
-    for (int k = 0; k < group.member_count; ++k) {
-        const int member = members_[group.first_member + k];
-        const Mover& mover = before_[member];
-        top = std::max({top, std::abs(mover.v_x), std::abs(mover.v_y), std::abs(mover.spin) * radius_[member]});
-    }
-    return top;
+    const std::span<const int> members = std::span(members_).subspan(group.first_member, group.member_count);
+    return std::max(field_speed(group), greatest_speed(before_, radius_, members));
 }
 
 double RestEngine::field_speed(const Group& group) const
