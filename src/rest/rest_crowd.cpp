@@ -13,6 +13,9 @@ constexpr int k_most_in_turn = 12;
 /// Rounds of impacts in one step, where those that end one approach bring another; sweeps of each.
 constexpr int k_impact_rounds = 4;
 constexpr int k_impact_sweeps = 32;
+/// The same in heaps, where they look ahead; and of what the rounds leave, of the load, and of pushes out of overlap.
+constexpr int k_heap_impact_sweeps = 8;
+constexpr int k_heap_sweeps = 16;
 /// Greatest part of the rebound of each point by itself that the rebound of all may be.
 constexpr double k_most_share = 2.0;
 /// [rounding of speeds] Slower approaches are left to the load.
@@ -59,7 +62,7 @@ void RestEngine::solve_crowd(Group& group)
         c.bound = std::min(0.0, -2.0 * std::max(c.gap, 0.0) / span_ - u);
     }
     parted_ = true;
-    find_impulses(group, span_);
+    find_loads(group);
     parted_ = false;
     for (const int member : members) {
         const Mover& old = part_movers_[member];
@@ -75,6 +78,16 @@ void RestEngine::solve_crowd(Group& group)
         c.left = span_;
         if (load > 0.0) c.tangent *= c.normal / load;
     }
+}
+
+void RestEngine::find_loads(Group& group)
+{
+    if (!is_heap(group)) {
+        find_impulses(group, span_);
+        return;
+    }
+    set_free(group, span_);
+    sweep_heap(group);
 }
 
 /// What a point bore at the end of the step before.
@@ -114,10 +127,40 @@ void RestEngine::end_all(Group& group)
     if (!group.is_exact || !bound_approaches(group)) return;
     const std::span<ContactPoint> points = std::span(points_).subspan(group.first_point, group.point_count);
     const std::span<const int> members = std::span(members_).subspan(group.first_member, group.member_count);
-    solver_.solve(movers_, members, points, rest_tolerance::k_content * top_speed(group));
+    if (is_heap(group)) sweep_heap(group);
+    else solver_.solve(movers_, members, points, rest_tolerance::k_content * top_speed(group));
     for (std::size_t k = 0; k < points.size(); ++k) impacts_[k] += points[k].normal;
 }
 // [rest.crowd.bounds]
+
+// [rest.crowd.heaps]
+/// What all points of a heap push: the direct solve rarely finds it where a heap moves, for all its factorisations.
+void RestEngine::sweep_heap(const Group& group)
+{
+    const std::span<ContactPoint> points = std::span(points_).subspan(group.first_point, group.point_count);
+    const std::span<const int> members = std::span(members_).subspan(group.first_member, group.member_count);
+    GroupSolver::SweepPlan plan;
+    plan.sweeps = k_heap_sweeps;
+    plan.looks_ahead = true;
+    solver_.sweep_group(movers_, members, points, plan, place_movers_);
+}
+
+/// Pushes that take off overlap.
+void RestEngine::find_pushes(const Group& group, double tolerance)
+{
+    const std::span<const int> members = std::span(members_).subspan(group.first_member, group.member_count);
+    if (!is_heap(group)) {
+        solver_.solve(place_movers_, members, place_points_, tolerance);
+        return;
+    }
+    GroupSolver::SweepPlan plan;
+    plan.sweeps = k_heap_sweeps;
+    plan.looks_ahead = true;
+    plan.tolerance = tolerance;
+    part_movers_.resize(movers_.size());
+    solver_.sweep_group(place_movers_, members, place_points_, plan, part_movers_);
+}
+// [rest.crowd.heaps]
 
 // [rest.crowd.impacts]
 bool RestEngine::end_approaches(const Group& group)
@@ -129,7 +172,8 @@ bool RestEngine::end_approaches(const Group& group)
     // End what closes within the step. Standing still meets these conditions, so that they never contradict each other
     for (const int member : members) part_movers_[member] = movers_[member];
     GroupSolver::SweepPlan plan;
-    plan.sweeps = k_impact_sweeps;
+    plan.looks_ahead = is_heap(group);
+    plan.sweeps = is_heap(group) ? k_heap_impact_sweeps : k_impact_sweeps;
     solver_.sweep_group(movers_, members, points, plan, place_movers_);
 
     // Throw back: each point pushes as much again as its restitution says, but where the field alone would end it

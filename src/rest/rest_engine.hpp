@@ -229,11 +229,15 @@ private:
     void gather_groups(std::span<const int> who);
     void solve_group(Group& group);
     [[nodiscard]] static bool is_crowd(const Group& group);
+    [[nodiscard]] static bool is_heap(const Group& group);
     void solve_crowd(Group& group);
     void recall_load(ContactPoint& point) const;
     void share_rebound(std::span<const int> members);
     [[nodiscard]] bool bound_approaches(const Group& group);
     void end_all(Group& group);
+    void find_loads(Group& group);
+    void sweep_heap(const Group& group);
+    void find_pushes(const Group& group, double tolerance);
     [[nodiscard]] bool end_approaches(const Group& group);
     [[nodiscard]] bool set_bounds(Group& group);
     void sweep_large(Group& group);

@@ -97,7 +97,7 @@ double RestEngine::put_apart(const Group& group, double overlap)
             shift_before_[member] = shift_[member];
             turn_before_[member] = turn_[member];
         }
-        solver_.solve(place_movers_, members, place_points_, 0.125 * touch);
+        find_pushes(group, 0.125 * touch);
         for (const int member : members) {
             const Mover& mover = place_movers_[member];
             shift_[member] += Vec2(mover.v_x, mover.v_y);

@@ -12,7 +12,7 @@ namespace {
 /// Points of the largest group whose step is parted where slip ends.
 constexpr int k_most_parted = 12;
 
-/// Bodies of the largest group that is solved whole however it moves, and whatever it takes.
+/// Bodies of the largest group that is solved whole however it moves, and whatever it takes; more are a heap.
 constexpr int k_most_whole = 64;
 
 /// [speeds that the field gives in a step] A tall group that moves no faster stands, or begins to fall.
@@ -22,6 +22,11 @@ constexpr double k_standing = 4.0;
 } // namespace
 
 // [rest.solve.whole]
+bool RestEngine::is_heap(const Group& group)
+{
+    return group.member_count > k_most_whole;
+}
+
 bool RestEngine::is_solved_whole(const Group& group) const
 {
     // Small groups; and tall ones in which each leans on hardly more than one other, whose equations stay sparse
@@ -51,8 +56,8 @@ void RestEngine::solve_group(Group& group)
         return;
     }
     const bool any_bounce = set_bounds(group);
-    const bool is_heap = group.member_count > k_most_whole && !any_bounce;
-    if (is_heap && top_speed(group) > k_standing * field_speed(group)) {
+    const bool leans = is_heap(group) && !any_bounce;
+    if (leans && top_speed(group) > k_standing * field_speed(group)) {
         sweep_large(group);
         return;
     }
@@ -61,7 +66,7 @@ void RestEngine::solve_group(Group& group)
         return;
     }
     find_impulses(group, span_);
-    if (is_heap && !group.is_content) {
+    if (leans && !group.is_content) {
         // It would cost more than it brings to look on; sweeps go on from what bore before
         for (ContactPoint& c : std::span(points_).subspan(group.first_point, group.point_count)) recall_load(c);
         sweep_large(group);
@@ -93,7 +98,7 @@ void RestEngine::find_impulses(Group& group, double time)
     const bool is_new =
         greatest_speed(before_, radius_, members) == 0.0 &&
         std::all_of(points.begin(), points.end(), [](const ContactPoint& c) { return c.normal == 0.0; });
-    const Effort effort = group.member_count > k_most_whole && !is_new ? Effort::brief : Effort::full;
+    const Effort effort = is_heap(group) && !is_new ? Effort::brief : Effort::full;
     group.is_content = solver_.solve(movers_, members, points, rest_tolerance::k_content * top_speed(group), effort);
 }
 // [rest.solve]
