@@ -64,6 +64,9 @@ RestEngine::RestEngine(std::vector<RestBody> bodies, const RestOptions& options,
     outrun_.assign(count, 0.0);
     whole_reach_.assign(count, 0.0);
     held_.assign(count, 0);
+    is_stray_.assign(count, 0);
+    is_near_stray_.assign(count, 0);
+    is_inside_.assign(count, 0);
     shift_before_.assign(count, Vec2::Zero());
     turn_before_.assign(count, 0.0);
     shift_.assign(count, Vec2::Zero());
@@ -106,6 +109,9 @@ void RestEngine::measure_reach(std::span<const int> who)
         const RestBody& body = bodies_[k];
         const double speed = body.state.velocity.norm() + std::abs(body.state.spin) * radius_[k];
         reach_[k] = std::max(dt * (speed + dt * body.acceleration.norm()), outrun_[k]) + rest_tolerance::k_watch * radius_[k];
+        // What would carry a body beyond its reach was no load
+        const double room = 0.5 * (dt * dt) * (pull_[k].norm() + std::abs(turn_pull_[k]) * radius_[k]);
+        if (!(dt * speed + room <= reach_[k])) expect_flight(k);
         movers_[k] = mover_of(body);
         before_[k] = movers_[k];
         poses_[k] = pose_of(body.state);

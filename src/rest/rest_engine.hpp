@@ -175,9 +175,22 @@ private:
             int pair_count = 0;
             double first_half = 0.0; ///< length of the first half: they may differ [s]
         };
+        /// Where a body was before, and how far it was expected to get.
+        struct Start
+        {
+            Vec2 position = Vec2::Zero();
+            double angle = 0.0;
+            double reach = 0.0; // [m]
+        };
         std::vector<Part> parts;
         std::vector<int> members;
         std::vector<int> pairs;
+        std::vector<Start> starts; ///< of each body; set for the members
+    };
+    enum class Moment : unsigned char
+    {
+        start,
+        end
     };
     struct Saved
     {
@@ -269,9 +282,24 @@ private:
     [[nodiscard]] bool is_fair(const Group& group, double overlap) const;
     [[nodiscard]] bool may_overlap(const ContactPoint& c) const;
     [[nodiscard]] double look_at_end(const Group& group);
+    [[nodiscard]] double look_at_pair(int pair);
+    [[nodiscard]] bool comes_nearer(int a, int b) const;
+    void list_pairs_of(std::span<const ContactPoint> points);
+    [[nodiscard]] Contact overlap_at_end(const RestPair& pair) const;
     double put_apart(const Group& group, double overlap);
+    void note_strays(const Group& group, int depth);
+    void forget_strays();
+    [[nodiscard]] double way_from(const Vec2& position, double angle, int body) const;
+    [[nodiscard]] bool meets_strays(const Group& group) const;
+    double overlap_outside(const Group& group, Moment moment, double most);
+    [[nodiscard]] double most_overlap(const Group& group, double overlap);
     void cut_ways_short(const Group& group, double overlap);
-    void pay_for_rise(const Group& group);
+    void go_as_far(const Group& group, double most);
+    double go_part_of_way(const Group& group, double share);
+    [[nodiscard]] bool pay_for_rise(const Group& group);
+    [[nodiscard]] Vec2 common_velocity(const Group& group) const;
+    [[nodiscard]] bool slow_down(const Group& group, double by, const Vec2& common);
+    void hold_back(const Group& group);
     void move_group(const Group& group);
     void set_arms(ContactPoint& point, const Vec2& normal, const Vec2& r_a, const Vec2& r_b) const;
     [[nodiscard]] double field_speed(const Group& group) const;
@@ -315,6 +343,13 @@ private:
     std::vector<int> part_of_; // of each body, while pairs are sorted out; -1 for none
     std::vector<ContactPoint> left_out_;
     std::vector<char> held_;         // whose way is cut short
+    std::vector<int> looked_at_;     // pairs
+    bool is_last_try_ = false;       // of the step
+    std::vector<int> strays_;        // who got further than was reckoned with when its group was made
+    std::vector<int> stray_pairs_;   // theirs
+    std::vector<char> is_stray_;
+    std::vector<char> is_near_stray_;
+    std::vector<char> is_inside_; // a group that is looked at
     std::vector<Vec2> shift_before_; // before overlap was taken off
     std::vector<double> turn_before_;
     std::vector<int> parent_; // of each body, towards the lowest of its group

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "collide/separating_axis.hpp"
 #include "rest/rest_engine.hpp"
 #include "rest/rest_tolerance.hpp"
 
@@ -8,8 +9,8 @@ namespace flying {
 namespace {
 
 // [rest.overlap.limits]
-/// [sizes] Overlap at the end of a step that is taken off; where it is more, the step is made in halves.
-constexpr double k_fair_overlap = 0x1p-9;
+/// [sizes] Where two come nearer by less, parts of theirs that had no point are not looked at.
+constexpr double k_short_way = 0x1p-10;
 /// [rad] Turn within a step that a group with contacts may make.
 constexpr double k_fair_turn = 0.25;
 /// [ways] Longer ways than speeds before and after explain come of rounding.
@@ -20,10 +21,6 @@ constexpr double k_most_push = 0.5;
 constexpr int k_most_cut = 12;
 /// [energies] Rise that slowing down may end; where it is more, the step is made in halves.
 constexpr double k_fair_rise = 0x1p-8;
-/// [energies] Rise that rounding explains.
-constexpr double k_rounding = 0x1p-46;
-/// Bisections of a way that leads into an overlap.
-constexpr int k_way_halvings = 10;
 /// Rounds of taking off overlap: each leaves about the square of what the last has found.
 constexpr int k_rounds = 4;
 // [rest.overlap.limits]
@@ -33,12 +30,11 @@ constexpr int k_rounds = 4;
 // [rest.overlap.may]
 bool RestEngine::may_overlap(const ContactPoint& c) const
 {
-    // A gap along a fixed normal is never more than the distance; turning may change what lies furthest along it
+    // A gap along a fixed normal is never more than the distance; turning may bring anything along it by its whole arc
     if (c.left != span_) return true;
     const double way = c.n_x * (shift_[c.b].x() - shift_[c.a].x()) + c.n_y * (shift_[c.b].y() - shift_[c.a].y());
-    const double turn = c.normal_arm_b * turn_[c.b] - c.normal_arm_a * turn_[c.a];
-    const double doubt = std::abs(turn_[c.a]) * turning_[c.a] + std::abs(turn_[c.b]) * turning_[c.b];
-    return c.gap + way + turn - doubt < -touch_gap(c.a, c.b);
+    const double arcs = std::abs(turn_[c.a]) * turning_[c.a] + std::abs(turn_[c.b]) * turning_[c.b];
+    return c.gap + way - arcs < -touch_gap(c.a, c.b);
 }
 // [rest.overlap.may]
 
@@ -47,36 +43,106 @@ double RestEngine::look_at_end(const Group& group)
 {
     place_points_.clear();
     const std::span<const ContactPoint> points = std::span(points_).subspan(group.first_point, group.all_points);
-    if (std::none_of(points.begin(), points.end(), [&](const ContactPoint& c) { return may_overlap(c); })) return 0.0;
+    const auto may = [&](const ContactPoint& c) { return may_overlap(c); };
+    const auto goes_far = [&](const ContactPoint& c) { return comes_nearer(c.a, c.b); };
+    // A crowd's gaps are those that were foreseen, along the normals of later moments
+    const bool may_any = group.is_crowd_solved || std::any_of(points.begin(), points.end(), may);
+    if (!may_any && std::none_of(points.begin(), points.end(), goes_far)) return 0.0;
     for (int k = 0; k < group.member_count; ++k) {
         const int member = members_[group.first_member + k];
         const BodyState& s = bodies_[member].state;
         next_poses_[member] = {s.position + shift_[member], Rotation::of(s.angle + turn_[member])};
     }
+    list_pairs_of(points);
+    const auto is_overlap = [&](int pair) { return overlap_at_end(pairs_.pairs()[pair]).separation < 0.0; };
+    if (!may_any && std::none_of(looked_at_.begin(), looked_at_.end(), is_overlap)) return 0.0;
     double worst = 0.0;
-    int last = -1;
-    for (const ContactPoint& from : points) {
-        if (from.pair == last) continue;
-        last = from.pair;
-        const RestPair& pair = pairs_.pairs()[from.pair];
-        const double size = std::min(radius_[pair.a], radius_[pair.b]);
-        const Manifold manifold =
-            look(pair, next_poses_[pair.a], next_poses_[pair.b], rest_tolerance::k_watch * size);
-        ++counts_.manifolds;
-        for (int k = 0; k < manifold.count; ++k) {
-            const Contact& contact = manifold.contacts[k];
-            ContactPoint& c = place_points_.emplace_back();
-            c.a = pair.a;
-            c.b = pair.b;
-            c.pair = from.pair;
-            c.feature = contact.feature;
-            set_arms(c, contact.normal, contact.point - next_poses_[pair.a].position,
-                     contact.point - next_poses_[pair.b].position);
-            c.bound = -contact.separation;
-            const double depth = -contact.separation - touch_gap(pair.a, pair.b);
-            worst = std::max(worst, depth / size);
-        }
+    for (const int pair : looked_at_) worst = std::max(worst, look_at_pair(pair));
+    return worst;
+}
+
+/// Two that have several parts may come to overlap where they had no point, and so may others whose corners are clipped.
+bool RestEngine::comes_nearer(int a, int b) const
+{
+    const auto is_polygon = [&](int body) { return std::holds_alternative<Polygon>(bodies_[body].shape); };
+    const bool has_parts = shapes_[a].parts.size() + shapes_[b].parts.size() > 2;
+    if (!has_parts && !(is_polygon(a) && is_polygon(b))) return false;
+    const double nearer =
+        (shift_[b] - shift_[a]).norm() + std::abs(turn_[a]) * turning_[a] + std::abs(turn_[b]) * turning_[b];
+    return nearer > k_short_way * std::min(radius_[a], radius_[b]);
+}
+
+/// The pairs that points belong to, and where the two come nearer to each other those of all their parts.
+void RestEngine::list_pairs_of(std::span<const ContactPoint> points)
+{
+    looked_at_.clear();
+    const std::span<const RestPair> pairs = pairs_.pairs();
+    for (const ContactPoint& c : points) {
+        if (!looked_at_.empty() && looked_at_.back() == c.pair) continue;
+        const bool has_parts = shapes_[c.a].parts.size() + shapes_[c.b].parts.size() > 2;
+        const bool all = has_parts && comes_nearer(c.a, c.b);
+        // The pairs of all parts of the two stand together
+        const auto is_theirs = [&](int pair) { return pairs[pair].a == c.a && pairs[pair].b == c.b; };
+        int first = c.pair;
+        int end = c.pair + 1;
+        while (all && first > 0 && is_theirs(first - 1)) --first;
+        while (all && end < static_cast<int>(pairs.size()) && is_theirs(end)) ++end;
+        for (int pair = first; pair < end; ++pair) looked_at_.push_back(pair);
     }
+    std::sort(looked_at_.begin(), looked_at_.end());
+    looked_at_.erase(std::unique(looked_at_.begin(), looked_at_.end()), looked_at_.end());
+}
+
+/// How two polygons part by the shortest way where they overlap as the step ends; separation 0 where they don't.
+Contact RestEngine::overlap_at_end(const RestPair& pair) const
+{
+    Contact contact;
+    const ConvexPart& part_a = shapes_[pair.a].parts[pair.part_a];
+    const ConvexPart& part_b = shapes_[pair.b].parts[pair.part_b];
+    const auto* a = std::get_if<Polygon>(&part_a.shape);
+    const auto* b = std::get_if<Polygon>(&part_b.shape);
+    if (!a || !b) return contact;
+    const Pose& pose_a = next_poses_[pair.a];
+    const Pose& pose_b = next_poses_[pair.b];
+    const Pose a_from_b = relative_pose(pose_a, pose_b);
+    const double clear = part_a.radius + part_b.radius;
+    if ((a_from_b * part_b.centre - part_a.centre).squaredNorm() > clear * clear) return contact;
+    const Axis axis = greatest_separation(*a, *b, a_from_b);
+    if (!(axis.separation < -touch_gap(pair.a, pair.b))) return contact;
+    const bool of_a = axis.owner == Owner::a;
+    contact.separation = axis.separation;
+    contact.normal = of_a ? Vec2(pose_a.rotation * a->edges()[axis.edge].normal)
+                          : Vec2(-(pose_b.rotation * b->edges()[axis.edge].normal));
+    contact.point = of_a ? pose_b * b->vertices()[axis.vertex] : pose_a * a->vertices()[axis.vertex];
+    return contact;
+}
+
+/// The points of a pair as the step ends, and how much it overlaps.  [sizes]
+double RestEngine::look_at_pair(int index)
+{
+    const RestPair& pair = pairs_.pairs()[index];
+    const double size = std::min(radius_[pair.a], radius_[pair.b]);
+    const Manifold manifold = look(pair, next_poses_[pair.a], next_poses_[pair.b], rest_tolerance::k_watch * size);
+    ++counts_.manifolds;
+    double worst = 0.0;
+    const auto add = [&](const Contact& contact) {
+        ContactPoint& c = place_points_.emplace_back();
+        c.a = pair.a;
+        c.b = pair.b;
+        c.pair = index;
+        c.feature = contact.feature;
+        set_arms(c, contact.normal, contact.point - next_poses_[pair.a].position,
+                 contact.point - next_poses_[pair.b].position);
+        c.bound = -contact.separation;
+        const double depth = -contact.separation - touch_gap(pair.a, pair.b);
+        worst = std::max(worst, depth / size);
+    };
+    for (int k = 0; k < manifold.count; ++k) add(manifold.contacts[k]);
+    if (worst > 0.0) return worst;
+
+    // What sticks out beyond the ends of the edge that it lies deepest under is clipped there
+    const Contact clipped = overlap_at_end(pair);
+    if (clipped.separation < 0.0) add(clipped);
     return worst;
 }
 // [rest.overlap.look]
@@ -123,49 +189,6 @@ double RestEngine::put_apart(const Group& group, double overlap)
 }
 // [rest.overlap.apart]
 
-// [rest.overlap.short]
-void RestEngine::cut_ways_short(const Group& group, double overlap)
-{
-    // Where nothing has brought a group to where it overlaps no more than before, whoever does goes as far only as they
-    // don't; and who then overlaps with them
-    const double most = std::max(k_fair_overlap, overlap_at_start(group));
-    if (overlap <= most) return;
-    ++counts_.held;
-    const std::span<const int> members = std::span(members_).subspan(group.first_member, group.member_count);
-    for (const int member : members) {
-        shift_before_[member] = shift_[member];
-        turn_before_[member] = turn_[member];
-        held_[member] = 0;
-    }
-    const auto go = [&](double share) {
-        for (const int member : members) {
-            if (!held_[member]) continue;
-            shift_[member] = share * shift_before_[member];
-            turn_[member] = share * turn_before_[member];
-        }
-        return look_at_end(group);
-    };
-    for (bool any = true; any && overlap > most;) {
-        any = false;
-        for (const ContactPoint& c : place_points_) {
-            if (c.bound - touch_gap(c.a, c.b) <= most * std::min(radius_[c.a], radius_[c.b])) continue;
-            for (const int body : {c.a, c.b}) {
-                any = any || (!bodies_[body].is_static && !held_[body]);
-                held_[body] = 1;
-            }
-        }
-        overlap = go(0.0);
-    }
-    double low = 0.0;
-    double high = 1.0;
-    for (int k = 0; k < k_way_halvings; ++k) {
-        const double middle = 0.5 * (low + high);
-        (go(middle) <= most ? low : high) = middle;
-    }
-    go(low);
-}
-// [rest.overlap.short]
-
 // [rest.overlap.sane]
 bool RestEngine::is_sane(const Group& group) const
 {
@@ -190,16 +213,26 @@ bool RestEngine::is_sane(const Group& group) const
 double RestEngine::overlap_at_start(const Group& group) const
 {
     double worst = 0.0;
+    int last = -1;
     for (int k = 0; k < group.all_points; ++k) {
         const ContactPoint& c = points_[group.first_point + k];
-        if (c.left == span_) worst = std::max(worst, -c.gap / std::min(radius_[c.a], radius_[c.b]));
+        const double size = std::min(radius_[c.a], radius_[c.b]);
+        if (!group.is_crowd_solved) {
+            if (c.left == span_) worst = std::max(worst, -c.gap / size);
+            continue;
+        }
+        // A crowd's gaps are no longer those of the start
+        if (c.pair == last) continue;
+        last = c.pair;
+        const Manifold manifold = look(pairs_.pairs()[c.pair], poses_[c.a], poses_[c.b], 0.0);
+        for (int i = 0; i < manifold.count; ++i) worst = std::max(worst, -manifold.contacts[i].separation / size);
     }
     return worst;
 }
 
 bool RestEngine::is_clear(const Group& group, double overlap) const
 {
-    return is_sane(group) && overlap <= std::max(k_fair_overlap, overlap_at_start(group));
+    return is_sane(group) && (overlap <= rest_tolerance::k_fair_overlap || overlap <= overlap_at_start(group));
 }
 
 double RestEngine::first_impact(const Group& group) const
@@ -264,51 +297,68 @@ RestEngine::Gain RestEngine::gain_of(const Group& group) const
 // [rest.energy.gain]
 
 // [rest.energy.pay]
-void RestEngine::pay_for_rise(const Group& group)
+bool RestEngine::pay_for_rise(const Group& group)
 {
     const Gain gain = gain_of(group);
-    if (gain.gained <= k_rounding * gain.scale) return;
+    if (gain.gained <= rest_tolerance::k_rounding * gain.scale) return false;
     ++counts_.paid;
 
-    // A group that leans on what is static slows down as it is; others about their centre of mass
+    // A group that leans on what is static slows down as it is; others about their centre of mass, if that is enough
     bool leans = false;
     for (int k = 0; k < group.point_count; ++k) {
         const ContactPoint& c = points_[group.first_point + k];
         leans = leans || (c.normal > 0.0 && (bodies_[c.a].is_static || bodies_[c.b].is_static));
     }
+    if (!leans && slow_down(group, gain.gained, common_velocity(group))) return false;
+    if (slow_down(group, gain.gained, Vec2::Zero())) return false;
+
+    // Who has nothing left to pay with rises no further than the motion before would have carried it
+    const Gain rest = gain_of(group);
+    double lift = 0.0;
+    for (int k = 0; k < group.member_count; ++k) {
+        const int member = members_[group.first_member + k];
+        lift -= bodies_[member].acceleration.dot(shift_[member]) / movers_[member].inv_mass;
+    }
+    const double part = rest.gained < lift ? 1.0 - rest.gained / lift : 0.0;
+    for (int k = 0; k < group.member_count; ++k) {
+        const int member = members_[group.first_member + k];
+        shift_[member] *= part;
+        turn_[member] *= part;
+    }
+    return true;
+}
+
+Vec2 RestEngine::common_velocity(const Group& group) const
+{
     double mass = 0.0;
     Vec2 momentum = Vec2::Zero();
-    for (int k = 0; k < group.member_count && !leans; ++k) {
+    for (int k = 0; k < group.member_count; ++k) {
         const Mover& now = movers_[members_[group.first_member + k]];
         mass += 1.0 / now.inv_mass;
         momentum += Vec2(now.v_x, now.v_y) / now.inv_mass;
     }
-    const Vec2 common = leans ? Vec2(Vec2::Zero()) : Vec2(momentum / mass);
+    return momentum / mass;
+}
+
+/// Take energy out of the motion beyond a common one; all that there is, and false, where it is not enough.
+bool RestEngine::slow_down(const Group& group, double by, const Vec2& common)
+{
     double energy = 0.0;
     for (int k = 0; k < group.member_count; ++k) {
         const Mover& now = movers_[members_[group.first_member + k]];
         const Vec2 own = Vec2(now.v_x, now.v_y) - common;
         energy += 0.5 * (own.squaredNorm() / now.inv_mass + now.spin * now.spin / now.inv_moment);
     }
-    const double share = energy > gain.gained ? std::sqrt(1.0 - gain.gained / energy) : 0.0;
-    double lift = 0.0;
+    const bool is_enough = energy > by;
+    if (!is_enough && !common.isZero(0.0)) return false;
+    const double share = is_enough ? std::sqrt(1.0 - by / energy) : 0.0;
     for (int k = 0; k < group.member_count; ++k) {
-        const int member = members_[group.first_member + k];
-        Mover& now = movers_[member];
+        Mover& now = movers_[members_[group.first_member + k]];
         now.v_x = common.x() + share * (now.v_x - common.x());
         now.v_y = common.y() + share * (now.v_y - common.y());
         now.spin *= share;
-        lift -= bodies_[member].acceleration.dot(shift_[member]) / now.inv_mass;
     }
-    if (share > 0.0) return;
-
-    // Who has nothing left to pay with rises no further than the motion before would have carried it
-    const double part = std::max(0.0, 1.0 - (gain.gained - energy) / lift);
-    for (int k = 0; k < group.member_count; ++k) {
-        const int member = members_[group.first_member + k];
-        shift_[member] *= part;
-        turn_[member] *= part;
-    }
+    return is_enough;
 }
 // [rest.energy.pay]
 

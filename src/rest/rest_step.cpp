@@ -63,17 +63,18 @@ void RestEngine::step()
         watch.stop(seconds_.solve);
 
         // Look again where somebody may meet others than those that were looked at
-        const bool is_last = tries == k_most_tries;
-        if (!is_last && any_outran()) continue;
+        is_last_try_ = tries == k_most_tries;
+        if (!is_last_try_ && any_outran()) continue;
         // [rest.step.end]
         for (const int k : awake_) whole_reach_[k] = reach_[k];
         save_pairs();
         has_outrun_ = false;
+        forget_strays();
         finish_groups(0, {});
         save_parted_pairs();
         make_in_halves(0);
         watch.stop(seconds_.move);
-        if (is_last || !has_outrun_) break;
+        if (is_last_try_ || !has_outrun_) break;
         go_back();
         // [rest.step.end]
     }
@@ -199,8 +200,12 @@ void RestEngine::finish_groups(int depth, std::span<const int> pairs)
                 overlap = look_at_end(group);
             }
             overlap = put_apart(group, overlap);
+            note_strays(group, depth);
             cut_ways_short(group, overlap);
-            pay_for_rise(group);
+            if (pay_for_rise(group)) hold_back(group);
+        } else if (is_exact(group) && meets_strays(group)) {
+            cut_ways_short(group, 0.0);
+            if (pay_for_rise(group)) hold_back(group);
         }
         move_group(group);
         if (depth > 0 || is_exact(group)) note_outrun(group);
@@ -232,6 +237,7 @@ bool RestEngine::is_to_be_parted(const Group& group, int depth, double overlap) 
 void RestEngine::note_again(const Group& group, Again& again)
 {
     const int part = static_cast<int>(again.parts.size());
+    again.starts.resize(bodies_.size());
     const double impact = first_impact(group);
     again.parts.push_back(
         {static_cast<int>(again.members.size()), group.member_count, 0, 0, impact < span_ ? impact : 0.5 * span_});
@@ -239,6 +245,8 @@ void RestEngine::note_again(const Group& group, Again& again)
         const int member = members_[group.first_member + k];
         again.members.push_back(member);
         part_of_[member] = part;
+        const BodyState& state = bodies_[member].state;
+        again.starts[member] = {state.position, state.angle, reach_[member]};
     }
 }
 

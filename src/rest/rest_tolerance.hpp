@@ -45,6 +45,13 @@ inline constexpr double k_same_place = 0x1p-5;
 
 /// [sizes] Reach beyond what motion explains, within which points are watched.
 inline constexpr double k_watch = 0x1p-6;
+
+/// [sizes] Overlap at the end of a step that is taken off; where it is more, the step is made in halves, and where these
+/// don't help, ways are cut short. A fifth of the hundredth that a user is promised.
+inline constexpr double k_fair_overlap = 0x1p-9;
+
+/// [energies] Rise that rounding explains.
+inline constexpr double k_rounding = 0x1p-46;
 // [rest.tolerance]
 
 } // namespace flying::rest_tolerance
