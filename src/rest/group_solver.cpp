@@ -13,6 +13,8 @@ namespace {
 // [rest.group.limits]
 /// Newton's steps until the pieces must have been found, and corrections of what rounding leaves.
 constexpr int k_newton_steps = 8;
+/// A brief search is given up where more than one point in so many does something else than was guessed.
+constexpr std::size_t k_astray = 8;
 /// [worst approach] A point that parts more slowly may still bear.
 constexpr double k_may_bear = 0.25;
 constexpr int k_corrections = 48;
@@ -143,7 +145,7 @@ bool GroupSolver::solve(std::span<Mover> movers, std::span<const int> members, s
     for (int k = 0; k < k_corrections && !content && counts_.factorisations < budget; ++k) {
         measure_slips(movers, points);
         stiffness_ = rest_tolerance::k_stiffness;
-        const bool found = bold && newton(movers, points);
+        const bool found = bold && newton(movers, points, effort);
         bool quick = false;
         if (!found && effort == Effort::brief) break;
         if (!found && !swept) {
@@ -231,7 +233,7 @@ void GroupSolver::guess(std::span<const ContactPoint> points)
 // [rest.group.guess]
 
 bool GroupSolver::newton(std::span<const Mover> movers,
-                         std::span<const ContactPoint> points)
+                         std::span<const ContactPoint> points, Effort effort)
 {
     guess(points);
     for (int step = 0; step < k_newton_steps; ++step) {
@@ -240,17 +242,21 @@ bool GroupSolver::newton(std::span<const Mover> movers,
         system_.solve(delta_);
 
         // Where all points do as the pieces say, the pieces were right
-        if (!try_points(points)) return true;
+        const std::size_t changes = try_points(points);
+        if (changes == 0) return true;
+
+        // Where many do not, a brief search ends
+        if (effort == Effort::brief && changes > points.size() / k_astray) return false;
     }
     return false;
 }
 // [rest.group.newton]
 
 // [rest.group.trial]
-bool GroupSolver::try_points(std::span<const ContactPoint> points)
+std::size_t GroupSolver::try_points(std::span<const ContactPoint> points)
 {
     static constexpr double k_still[3] = {0.0, 0.0, 0.0};
-    bool any_change = false;
+    std::size_t changes = 0;
     for (std::size_t k = 0; k < points.size(); ++k) {
         const ContactPoint& c = points[k];
         const double* of_a = local_[c.a] >= 0 ? &delta_[3 * local_[c.a]] : k_still;
@@ -279,13 +285,13 @@ bool GroupSolver::try_points(std::span<const ContactPoint> points)
         const Mode last = mode_[k];
         const bool from_slip = last == Mode::slips_forwards || last == Mode::slips_backwards;
         const bool to_slip = mode == Mode::slips_forwards || mode == Mode::slips_backwards;
-        any_change = any_change || mode != last;
+        if (mode != last) ++changes;
         if (mode != last && to_slip && (from_slip || last == Mode::apart) && c.friction > 0.0) mode = Mode::stuck;
         mode_[k] = mode;
         impulse_[2 * k] = std::max(normal, 0.0);
         impulse_[2 * k + 1] = tangent;
     }
-    return any_change;
+    return changes;
 }
 // [rest.group.trial]
 

@@ -47,7 +47,7 @@ public:
     /// members  the group's bodies that can move, ascending
     /// points   the group's points with impulses to start from, not yet applied; on return those found, applied
     /// tolerance  velocities below this are content enough; rounding of the impulses adds its own share [m/s]
-    /// effort   a brief one gives up where Newton's method finds nothing at once
+    /// effort   a brief one gives up where Newton's method finds nothing at once, or its first trial is far from it
     /// True where all points are content to rounding; else the impulses are the best that were met.
     bool solve(std::span<Mover> movers, std::span<const int> members, std::span<ContactPoint> points, double tolerance,
                Effort effort = Effort::full);
@@ -102,7 +102,7 @@ private:
 
     void guess(std::span<const ContactPoint> points);
     void measure_slips(std::span<const Mover> movers, std::span<const ContactPoint> points);
-    [[nodiscard]] bool newton(std::span<const Mover> movers, std::span<const ContactPoint> points);
+    [[nodiscard]] bool newton(std::span<const Mover> movers, std::span<const ContactPoint> points, Effort effort);
     [[nodiscard]] bool descend(std::span<const Mover> movers, std::span<const ContactPoint> points);
     void measure_rays(std::span<const ContactPoint> points);
     [[nodiscard]] Line ray_line(std::size_t ray, const ContactPoint& c) const;
@@ -114,7 +114,7 @@ private:
     void push_members(const ContactPoint& c, double normal, double tangent, std::span<double> force) const;
     [[nodiscard]] bool assemble(std::span<const Mover> movers, std::span<const ContactPoint> points);
     void assemble_masses(std::span<const Mover> movers);
-    bool try_points(std::span<const ContactPoint> points);
+    [[nodiscard]] std::size_t try_points(std::span<const ContactPoint> points);
     void imbalance(std::span<const ContactPoint> points);
 
     BlockSystem system_;
