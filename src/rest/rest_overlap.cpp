@@ -43,30 +43,31 @@ double RestEngine::look_at_end(const Group& group)
 {
     place_points_.clear();
     const std::span<const ContactPoint> points = std::span(points_).subspan(group.first_point, group.all_points);
-    const auto may = [&](const ContactPoint& c) { return may_overlap(c); };
-    const auto goes_far = [&](const ContactPoint& c) { return comes_nearer(c.a, c.b); };
+    const auto nearer = [&](const ContactPoint& c) { return comes_nearer(c.a, c.b); };
+    const bool any_nearer = std::any_of(points.begin(), points.end(), nearer);
     // A crowd's gaps are those that were foreseen, along the normals of later moments
-    const bool may_any = group.is_crowd_solved || std::any_of(points.begin(), points.end(), may);
-    if (!may_any && std::none_of(points.begin(), points.end(), goes_far)) return 0.0;
+    const bool may_any = (group.is_crowd_solved && any_nearer) ||
+                         std::any_of(points.begin(), points.end(), [&](const ContactPoint& c) { return may_overlap(c); });
+    if (!may_any && !any_nearer) return 0.0;
     for (int k = 0; k < group.member_count; ++k) {
         const int member = members_[group.first_member + k];
         const BodyState& s = bodies_[member].state;
         next_poses_[member] = {s.position + shift_[member], Rotation::of(s.angle + turn_[member])};
     }
     list_pairs_of(points);
-    const auto is_overlap = [&](int pair) { return overlap_at_end(pairs_.pairs()[pair]).separation < 0.0; };
+    const auto is_overlap = [&](int index) {
+        const RestPair& pair = pairs_.pairs()[index];
+        return comes_nearer(pair.a, pair.b) && overlap_at_end(pair).separation < 0.0;
+    };
     if (!may_any && std::none_of(looked_at_.begin(), looked_at_.end(), is_overlap)) return 0.0;
     double worst = 0.0;
     for (const int pair : looked_at_) worst = std::max(worst, look_at_pair(pair));
     return worst;
 }
 
-/// Two that have several parts may come to overlap where they had no point, and so may others whose corners are clipped.
+/// Two that come nearer to each other by so much may come to overlap where they had no point.
 bool RestEngine::comes_nearer(int a, int b) const
 {
-    const auto is_polygon = [&](int body) { return std::holds_alternative<Polygon>(bodies_[body].shape); };
-    const bool has_parts = shapes_[a].parts.size() + shapes_[b].parts.size() > 2;
-    if (!has_parts && !(is_polygon(a) && is_polygon(b))) return false;
     const double nearer =
         (shift_[b] - shift_[a]).norm() + std::abs(turn_[a]) * turning_[a] + std::abs(turn_[b]) * turning_[b];
     return nearer > k_short_way * std::min(radius_[a], radius_[b]);
@@ -138,7 +139,7 @@ double RestEngine::look_at_pair(int index)
         worst = std::max(worst, depth / size);
     };
     for (int k = 0; k < manifold.count; ++k) add(manifold.contacts[k]);
-    if (worst > 0.0) return worst;
+    if (worst > 0.0 || !comes_nearer(pair.a, pair.b)) return worst;
 
     // What sticks out beyond the ends of the edge that it lies deepest under is clipped there
     const Contact clipped = overlap_at_end(pair);
@@ -213,19 +214,9 @@ bool RestEngine::is_sane(const Group& group) const
 double RestEngine::overlap_at_start(const Group& group) const
 {
     double worst = 0.0;
-    int last = -1;
     for (int k = 0; k < group.all_points; ++k) {
         const ContactPoint& c = points_[group.first_point + k];
-        const double size = std::min(radius_[c.a], radius_[c.b]);
-        if (!group.is_crowd_solved) {
-            if (c.left == span_) worst = std::max(worst, -c.gap / size);
-            continue;
-        }
-        // A crowd's gaps are no longer those of the start
-        if (c.pair == last) continue;
-        last = c.pair;
-        const Manifold manifold = look(pairs_.pairs()[c.pair], poses_[c.a], poses_[c.b], 0.0);
-        for (int i = 0; i < manifold.count; ++i) worst = std::max(worst, -manifold.contacts[i].separation / size);
+        if (c.left == span_) worst = std::max(worst, -c.gap / std::min(radius_[c.a], radius_[c.b]));
     }
     return worst;
 }

@@ -106,9 +106,22 @@ double RestEngine::overlap_outside(const Group& group, Moment moment, double mos
 /// More than that a group may not overlap as the step ends.  [sizes]
 double RestEngine::most_overlap(const Group& group, double overlap)
 {
-    if (overlap <= rest_tolerance::k_fair_overlap) return rest_tolerance::k_fair_overlap;
-    return std::max({rest_tolerance::k_fair_overlap, overlap_at_start(group),
-                     overlap_outside(group, Moment::start, k_no_limit)});
+    double most = rest_tolerance::k_fair_overlap;
+    if (overlap <= most) return most;
+    most = std::max(most, overlap_outside(group, Moment::start, k_no_limit));
+    if (!group.is_crowd_solved) return std::max(most, overlap_at_start(group));
+
+    // A crowd's gaps are no longer those of the start
+    int last = -1;
+    for (const ContactPoint& c : std::span(points_).subspan(group.first_point, group.all_points)) {
+        if (c.pair == last) continue;
+        last = c.pair;
+        const Manifold manifold = look(pairs_.pairs()[c.pair], poses_[c.a], poses_[c.b], 0.0);
+        ++counts_.manifolds;
+        const double size = std::min(radius_[c.a], radius_[c.b]);
+        for (int k = 0; k < manifold.count; ++k) most = std::max(most, -manifold.contacts[k].separation / size);
+    }
+    return most;
 }
 
 /// overlap  that the group ends with, by its own points  [sizes]
