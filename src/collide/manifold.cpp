@@ -141,10 +141,8 @@ Manifold clip(const Polygon& reference, const Pose& world_from_reference, const 
 Manifold between(const Polygon& a, const Pose& world_from_a, const Polygon& b, const Pose& world_from_b, double margin)
 {
     const Pose a_from_b = relative_pose(world_from_a, world_from_b);
-    const Axis axis = greatest_separation(a, b, a_from_b);
-    if (axis.separation > margin) return {};
-    if (axis.owner == Owner::a) return clip(a, world_from_a, b, a_from_b, axis, margin);
-    return swapped(clip(b, world_from_b, a, relative_pose(world_from_b, world_from_a), axis, margin));
+    const Axis axis = greater_of(best_edges(a, b, a_from_b), a, b, a_from_b);
+    return make_manifold(a, world_from_a, b, world_from_b, a_from_b, axis, margin);
 }
 // [collide.manifold.pair]
 
@@ -248,6 +246,16 @@ Manifold between(const HalfPlane& a, const Pose&, const Polygon& b, const Pose& 
 // [collide.manifold.half_plane_polygon]
 
 } // namespace
+
+// [collide.manifold.axis]
+Manifold make_manifold(const Polygon& a, const Pose& world_from_a, const Polygon& b, const Pose& world_from_b,
+                       const Pose& a_from_b, const Axis& axis, double margin)
+{
+    if (axis.separation > margin) return {};
+    if (axis.owner == Owner::a) return clip(a, world_from_a, b, a_from_b, axis, margin);
+    return swapped(clip(b, world_from_b, a, relative_pose(world_from_b, world_from_a), axis, margin));
+}
+// [collide.manifold.axis]
 
 // [collide.manifold]
 Manifold make_manifold(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "collide/contact.hpp"
+#include "collide/separating_axis.hpp"
 #include "geometry/shape.hpp"
 #include "math/rotation.hpp"
 
@@ -22,6 +23,13 @@ namespace flying {
 /// Numbers are distinct as long as polygons have fewer than 32768 vertices. 0 where smooth surfaces meet.
 [[nodiscard]] Manifold make_manifold(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b,
                                      double margin);
+
+/// The same of two convex polygons whose axis of greatest separation is known already, that of the `greater_of` their
+/// `best_edges`.
+///
+/// a_from_b  where B lies as A sees it
+[[nodiscard]] Manifold make_manifold(const Polygon& a, const Pose& world_from_a, const Polygon& b,
+                                     const Pose& world_from_b, const Pose& a_from_b, const Axis& axis, double margin);
 // [collide.manifold.declared]
 
 } // namespace flying

@@ -1,5 +1,8 @@
 #include "collide/separating_axis.hpp"
 
+#include <algorithm>
+#include <limits>
+
 namespace flying {
 
 // [collide.relative_pose]
@@ -58,11 +61,12 @@ int lowest_vertex(const Polygon& polygon, const Vec2& direction)
 // [collide.separating_axis.lowest]
 
 // [collide.separating_axis.walk]
-/// The axis of greatest separation among the owner's edges, in one round of both polygons.
+/// The axis of greatest separation among the owner's edges, in one round of both polygons; and the next greatest.
 Axis greatest_of_owner(const Polygon& owner, const Polygon& other,
-                       const Pose& owner_from_other)
+                       const Pose& owner_from_other, double& next)
 {
     Axis best = axis_of_edge(owner, 0, other, owner_from_other);
+    next = -std::numeric_limits<double>::infinity();
     int vertex = best.vertex;
     int steps_left = 2 * static_cast<int>(other.vertices().size());
     for (int k = 1; k < static_cast<int>(owner.edges().size()); ++k) {
@@ -74,6 +78,7 @@ Axis greatest_of_owner(const Polygon& owner, const Polygon& other,
         }
         const double separation =
             separation_of(owner, edge, other.vertices()[vertex], owner_from_other);
+        next = std::max(next, std::min(separation, best.separation));
         if (separation > best.separation) best = {Owner::a, k, vertex, separation};
     }
     return best;
@@ -96,12 +101,32 @@ Axis axis_of_edge(const Polygon& owner, int edge, const Polygon& other,
 // [collide.separating_axis.greatest]
 Axis greatest_separation(const Polygon& a, const Polygon& b, const Pose& a_from_b)
 {
-    const Axis of_a = greatest_of_owner(a, b, a_from_b);
-    Axis of_b = greatest_of_owner(b, a, inverse(a_from_b));
+    double next = 0.0;
+    const Axis of_a = greatest_of_owner(a, b, a_from_b, next);
+    Axis of_b = greatest_of_owner(b, a, inverse(a_from_b), next);
     of_b.owner = Owner::b;
     return of_b.separation > of_a.separation ? of_b : of_a;
 }
 // [collide.separating_axis.greatest]
+
+// [collide.separating_axis.known]
+BestEdges best_edges(const Polygon& a, const Polygon& b, const Pose& a_from_b)
+{
+    double next_of_a = 0.0;
+    double next_of_b = 0.0;
+    const Axis of_a = greatest_of_owner(a, b, a_from_b, next_of_a);
+    const Axis of_b = greatest_of_owner(b, a, inverse(a_from_b), next_of_b);
+    return {of_a.edge, of_b.edge, std::min(of_a.separation - next_of_a, of_b.separation - next_of_b)};
+}
+
+Axis greater_of(const BestEdges& edges, const Polygon& a, const Polygon& b, const Pose& a_from_b)
+{
+    const Axis of_a = axis_of_edge(a, edges.of_a, b, a_from_b);
+    Axis of_b = axis_of_edge(b, edges.of_b, a, inverse(a_from_b));
+    of_b.owner = Owner::b;
+    return of_b.separation > of_a.separation ? of_b : of_a;
+}
+// [collide.separating_axis.known]
 
 // [collide.separating_axis.find]
 std::optional<Axis> find_separating_axis(const Polygon& a, const Polygon& b,

@@ -55,6 +55,22 @@ struct Axis
 [[nodiscard]] Axis greatest_separation(const Polygon& a, const Polygon& b, const Pose& a_from_b);
 // [collide.separating_axis.greatest.declared]
 
+// [collide.separating_axis.best]
+/// Of each of two convex polygons, the edge whose axis has the greatest separation among its own.
+struct BestEdges
+{
+    int of_a = 0;
+    int of_b = 0;
+    double lead = 0.0; ///< by which the separation of each exceeds those of its polygon's other edges, at least [m]
+};
+
+/// Time linear in the number of edges. Where two edges share the greatest separation, the first wins, and the lead is 0.
+[[nodiscard]] BestEdges best_edges(const Polygon& a, const Polygon& b, const Pose& a_from_b);
+
+/// The one of two edges with the greater separation, A's where they are equal.
+[[nodiscard]] Axis greater_of(const BestEdges& edges, const Polygon& a, const Polygon& b, const Pose& a_from_b);
+// [collide.separating_axis.best]
+
 // [collide.separating_axis.find.declared]
 /// An axis along which two convex polygons are apart, or none where they touch or overlap. Stops at the first it finds.
 ///

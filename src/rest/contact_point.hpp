@@ -40,7 +40,6 @@ struct ContactPoint
     double bound = 0.0;         ///< least normal velocity with which the step may end [m/s]
     double normal = 0.0;        ///< impulse along the normal, >= 0 [N s]
     double tangent = 0.0;       ///< impulse along the tangent, at most mu times the normal one [N s]
-    double fall = 0.0;          ///< normal acceleration of B relative to A that is expected [m/s^2]
     double impact = 0.0;        ///< of the normal impulse, what ends an approach and throws back, at one moment [N s]
     double left = 0.0;          ///< from that moment to the end of the step [s]
     bool lay = false;           ///< was closed when the step began, and is seen at a later moment

@@ -8,6 +8,7 @@
 #include "rest/block_system.hpp"
 #include "rest/contact_point.hpp"
 #include "rest/push_lines.hpp"
+#include "rest/sweep_batches.hpp"
 #include "rest/sweeps.hpp"
 
 namespace flying {
@@ -70,11 +71,9 @@ public:
                      const SweepPlan& plan, std::span<Mover> pushed);
 
 private:
-    void take_impulses(std::span<ContactPoint> points) const;
-    void sweep_to_and_fro(std::span<Mover> movers, int sweeps);
-    void sweep_ahead(std::span<Mover> movers, std::span<const int> members, int sweeps);
-    void go_ahead(std::span<Mover> movers, std::span<const int> members, double share);
-    void push_apart(std::span<const ContactPoint> points, const SweepPlan& plan, std::span<Mover> pushed);
+    void sweep_far(std::span<ContactPoint> points, std::span<Mover> movers);
+    void push_apart(std::span<const int> members, std::span<const ContactPoint> points, const SweepPlan& plan,
+                    std::span<Mover> pushed);
     // [rest.group.mode]
     /// What a point does under the next trial.
     enum class Mode : unsigned char
@@ -134,26 +133,9 @@ private:
     std::vector<double> trial_; // changes part of the way
     std::vector<double> delta_; // change of the members' velocities
     std::vector<SweepPoint> sweep_points_;
-    /// Impulses of a point before a sweep, and the way that sweeps have led them.  [N s]
-    struct Way
-    {
-        double old_normal = 0.0;
-        double old_tangent = 0.0;
-        double normal = 0.0;
-        double tangent = 0.0;
-    };
-    /// The same of a body's velocity.
-    struct Drift
-    {
-        Mover old;
-        double v_x = 0.0;
-        double v_y = 0.0;
-        double spin = 0.0;
-    };
     std::vector<int> swept_; // the points that are swept over
     std::vector<int> far_;   // those that wait
-    std::vector<Way> way_;
-    std::vector<Drift> drift_;
+    SweepBatches batches_;
     std::vector<ContactPoint> kept_; // the best that was met
     double stiffness_ = 1.0;         // of a bearing point against the inertia it moves
 };

@@ -107,14 +107,11 @@ void look_at_corners(const NearSide& side, const NearSide& other, std::uint32_t 
 }
 // [rest.near.nearest]
 
-} // namespace
-
-// [rest.near]
-Manifold near_points(const NearSide& a, const NearSide& b, double margin)
+// [rest.near.sides]
+/// What is left of a manifold of two parts without the points that stand on cuts, and what is near beside it.
+[[nodiscard]] Manifold over_sides(const NearSide& a, const NearSide& b, double margin, Manifold manifold)
 {
-    Manifold manifold = make_manifold(a.shape, a.pose, b.shape, b.pose, margin);
-    const auto* polygon_a = std::get_if<Polygon>(&a.shape);
-    const auto* polygon_b = std::get_if<Polygon>(&b.shape);
+    const bool are_polygons = std::holds_alternative<Polygon>(a.shape) && std::holds_alternative<Polygon>(b.shape);
     const auto nearest = [&] {
         Manifold result;
         const Nearest found = nearest_points(a, b);
@@ -122,7 +119,7 @@ Manifold near_points(const NearSide& a, const NearSide& b, double margin)
             result.contacts[result.count++] = found.contact;
         return result;
     };
-    if (manifold.count == 0 && polygon_a && polygon_b) return nearest();
+    if (manifold.count == 0 && are_polygons) return nearest();
     if (manifold.count == 0 || (a.real.empty() && b.real.empty())) return manifold;
     const Vec2 normal = manifold.contacts[0].normal;
     if (!leads_through_cut(a, normal) && !leads_through_cut(b, -normal)) return manifold;
@@ -130,7 +127,7 @@ Manifold near_points(const NearSide& a, const NearSide& b, double margin)
                                       [](const Contact& contact) { return contact.separation < 0.0; });
     manifold.count = 0;
     // Beyond the ends of a cut, as in a notch, something else is nearest
-    if (!overlaps) return polygon_a && polygon_b ? nearest() : manifold;
+    if (!overlaps) return are_polygons ? nearest() : manifold;
 
     // Out over a side, by the shortest way
     const Contact out_of_a = shortest_way_out(a, b);
@@ -141,6 +138,31 @@ Manifold near_points(const NearSide& a, const NearSide& b, double margin)
     if (std::isfinite(best.separation)) manifold.contacts[manifold.count++] = best;
     return manifold;
 }
+// [rest.near.sides]
+
+} // namespace
+
 // [rest.near]
+Manifold near_points(const NearSide& a, const NearSide& b, double margin)
+{
+    return over_sides(a, b, margin, make_manifold(a.shape, a.pose, b.shape, b.pose, margin));
+}
+// [rest.near]
+
+// [rest.near.memory]
+Manifold near_points(const NearSide& a, const NearSide& b, double margin, NearMemory& memory)
+{
+    const auto* polygon_a = std::get_if<Polygon>(&a.shape);
+    const auto* polygon_b = std::get_if<Polygon>(&b.shape);
+    if (!polygon_a || !polygon_b) return near_points(a, b, margin);
+    const Pose a_from_b = relative_pose(a.pose, b.pose);
+    if (!memory.knows_edges) memory.edges = best_edges(*polygon_a, *polygon_b, a_from_b);
+    const Axis axis = greater_of(memory.edges, *polygon_a, *polygon_b, a_from_b);
+    memory.separation = axis.separation;
+    memory.knows_edges = memory.knows_separation = true;
+    if (axis.separation > margin) return {}; // and no two points are nearer than that
+    return over_sides(a, b, margin, make_manifold(*polygon_a, a.pose, *polygon_b, b.pose, a_from_b, axis, margin));
+}
+// [rest.near.memory]
 
 } // namespace flying

@@ -3,6 +3,7 @@
 #include <span>
 
 #include "collide/contact.hpp"
+#include "collide/separating_axis.hpp"
 #include "geometry/shape.hpp"
 #include "math/rotation.hpp"
 
@@ -27,6 +28,19 @@ struct NearSide
 ///
 /// margin  points further apart than this make no contact [m]
 [[nodiscard]] Manifold near_points(const NearSide& a, const NearSide& b, double margin);
+
+/// What the last look at two polygons has found, that the next may use.
+struct NearMemory
+{
+    BestEdges edges;         ///< of the two
+    double separation = 0.0; ///< the greatest [m]
+    bool knows_edges = false;
+    bool knows_separation = false;
+};
+
+/// The same to the bit, faster where `memory` knows the edges, which must then be the best still. What it finds is
+/// remembered.
+[[nodiscard]] Manifold near_points(const NearSide& a, const NearSide& b, double margin, NearMemory& memory);
 // [rest.near.declared]
 
 } // namespace flying

@@ -7,13 +7,24 @@
 #include "broadphase/sweep.hpp"
 #include "collide/separation.hpp"
 #include "geometry/aabb.hpp"
+#include "rest/near_points.hpp"
 #include "rest/rest_body.hpp"
 
 namespace flying {
 
 // [rest.pairs.pair]
-/// Two convex parts of two bodies that are near each other, and what their contact bore in the step before.
-struct RestPair
+/// The points at which two parts touched when they were looked at last, and what these bore.
+struct PairLoads
+{
+    int count = 0;
+    std::uint32_t feature[2] = {0, 0};            ///< their names
+    Vec2 place[2] = {Vec2::Zero(), Vec2::Zero()}; ///< their places, in the frame of the one of the two that moves [m]
+    double normal[2] = {0.0, 0.0};                ///< impulses that lasted to the end of the step [N s]
+    double tangent[2] = {0.0, 0.0};               ///< [N s]
+};
+
+/// Two convex parts of two bodies that are near each other.
+struct RestPair : PairLoads
 {
     int a = 0; ///< body, below b
     int b = 0; ///< body
@@ -21,11 +32,9 @@ struct RestPair
     int part_b = 0;
     double friction = 0.0;
     double restitution = 0.0;
-    int count = 0;                                ///< points that the last look found
-    std::uint32_t feature[2] = {0, 0};            ///< their names
-    Vec2 place[2] = {Vec2::Zero(), Vec2::Zero()}; ///< their places, in the frame of the one of the two that moves [m]
-    double normal[2] = {0.0, 0.0};                ///< impulses that lasted to the end of the step [N s]
-    double tangent[2] = {0.0, 0.0};               ///< [N s]
+    NearMemory memory;  ///< of the last look from where the bodies were when a step began
+    double shift = 0.0; ///< that the two had made by then, in all [m]
+    double turn = 0.0;
 };
 // [rest.pairs.pair]
 

@@ -19,6 +19,8 @@ constexpr int k_looks = 5;
 constexpr double k_barely = 0x1p-36;
 /// [speeds that the field gives in a step] What bears, and comes nearer no faster than this, goes on to bear.
 constexpr double k_slow = 0x1p-24;
+/// [distances, ways] By which separations that are compared may be off: far more than their rounding.
+constexpr double k_doubt = 0x1p-44;
 /// [steps] What closes later is left to the next step.
 constexpr double k_last_moment = 1.0 - 0x1p-30;
 // [rest.collide.limits]
@@ -37,7 +39,7 @@ constexpr double k_last_moment = 1.0 - 0x1p-30;
 // [rest.known]
 /// The point of the last look that a point continues: the nearest at the same place, whatever the names of the features,
 /// which change with rounding where corners lie on corners; or else that of the same features. -1 where there is none.
-[[nodiscard]] int known_point(const RestPair& pair, std::uint32_t feature, const Vec2& place, double near)
+[[nodiscard]] int known_point(const PairLoads& pair, std::uint32_t feature, const Vec2& place, double near)
 {
     int best = -1;
     bool best_near = false;
@@ -67,9 +69,7 @@ void RestEngine::collide()
     found_.clear();
     const std::span<const RestPair> pairs = pairs_.pairs();
     for (int k = 0; k < static_cast<int>(pairs.size()); ++k) {
-        const bool a_rests = bodies_[pairs[k].a].is_static || asleep_[pairs[k].a];
-        const bool b_rests = bodies_[pairs[k].b].is_static || asleep_[pairs[k].b];
-        if (!(a_rests && b_rests)) collide_pair(k);
+        if (wakes_[pairs[k].a] || wakes_[pairs[k].b]) collide_pair(k);
     }
 }
 
@@ -88,10 +88,7 @@ void RestEngine::collide_pair(int index)
     const Vec2 way =
         (pose_b.position - pose_a.position) + (pose_b.rotation * part_b.centre - pose_a.rotation * part_a.centre);
     Manifold manifold;
-    if (!(way.squaredNorm() > clear * clear)) {
-        ++counts_.manifolds;
-        manifold = look(pair, pose_a, pose_b, margin);
-    }
+    if (!(way.squaredNorm() > clear * clear)) manifold = look_again(pair, margin);
 
     // A gap that would close within the step is looked at when it does; bodies turn, so that one look may not do
     if (manifold.count == 0) {
@@ -122,8 +119,9 @@ void RestEngine::collide_pair(int index)
 /// Where a body's centre will be at a moment of the step, if it goes on as it did.
 Vec2 RestEngine::place_at(int body, double moment) const
 {
+    if (moment == 0.0) return poses_[body].position;
     const BodyState& s = bodies_[body].state;
-    if (moment == 0.0 || bodies_[body].is_static) return s.position;
+    if (bodies_[body].is_static) return s.position;
     return s.position + moment * (s.velocity + (0.5 * moment) * pull_[body]);
 }
 
@@ -183,49 +181,54 @@ double RestEngine::fall_at(const RestPair& pair, const Contact& contact, double 
     };
     return (pull(pair.b) - pull(pair.a)).dot(contact.normal);
 }
+
+/// The same of a point whose arms are known.
+double RestEngine::fall_of(const ContactPoint& c) const
+{
+    const Vec2 shift = pull_[c.b] - pull_[c.a];
+    return (c.n_x * shift.x() + c.n_y * shift.y()) +
+           (turn_pull_[c.b] * c.normal_arm_b - turn_pull_[c.a] * c.normal_arm_a);
+}
 // [rest.collide]
 
 // [rest.points]
 void RestEngine::add_points(int index, const Manifold& manifold, double moment)
 {
     RestPair& pair = pairs_.pairs()[index];
-    const RestBody& a = bodies_[pair.a];
+    const bool a_is_static = bodies_[pair.a].is_static;
     const double size = std::min(radius_[pair.a], radius_[pair.b]);
-    RestPair after = pair;
-    after.count = 0;
+    const PairLoads before = pair;
+    pair.count = 0;
     for (int k = 0; k < manifold.count; ++k) {
         const Contact& contact = manifold.contacts[k];
         // Arms lead from where the centres are at the moment
         const Vec2 r_a = contact.point - place_at(pair.a, moment);
         const Vec2 r_b = contact.point - place_at(pair.b, moment);
-        ContactPoint point;
+        ContactPoint& point = found_.emplace_back();
         point.a = pair.a;
         point.b = pair.b;
         point.pair = index;
         point.feature = contact.feature;
         point.gap = contact.separation;
         point.left = span_ - moment;
-        point.fall = fall_at(pair, contact, moment);
         if (moment > 0.0 && point.gap <= rest_tolerance::k_closed * size) point.gap = std::min(point.gap, 0.0);
         max_overlap_ = moment > 0.0 ? max_overlap_ : std::max(max_overlap_, -contact.separation);
         point.friction = pair.friction;
         point.restitution = pair.restitution;
         set_arms(point, contact.normal, r_a, r_b);
         const Vec2 place =
-            a.is_static ? inverse(poses_[pair.b].rotation) * r_b : inverse(poses_[pair.a].rotation) * r_a;
-        const int known = known_point(pair, point.feature, place, rest_tolerance::k_same_place * size);
+            a_is_static ? inverse(poses_[pair.b].rotation) * r_b : inverse(poses_[pair.a].rotation) * r_a;
+        const int known = known_point(before, point.feature, place, rest_tolerance::k_same_place * size);
         if (known >= 0) {
-            point.normal = pair.normal[known];
-            point.tangent = pair.tangent[known];
+            point.normal = before.normal[known];
+            point.tangent = before.tangent[known];
         }
-        found_.push_back(point);
-        after.feature[after.count] = point.feature;
-        after.place[after.count] = place;
-        after.normal[after.count] = point.normal;
-        after.tangent[after.count] = point.tangent;
-        ++after.count;
+        pair.feature[k] = point.feature;
+        pair.place[k] = place;
+        pair.normal[k] = point.normal;
+        pair.tangent[k] = point.tangent;
+        ++pair.count;
     }
-    pair = after;
 }
 
 void RestEngine::set_arms(ContactPoint& c, const Vec2& n, const Vec2& r_a, const Vec2& r_b) const
@@ -247,6 +250,40 @@ void RestEngine::set_arms(ContactPoint& c, const Vec2& n, const Vec2& r_a, const
 }
 // [rest.points]
 
+// [rest.look.again]
+void RestEngine::set_pose(int body, const Pose& pose)
+{
+    // How far, at most, it has moved and any point at distance 1 from its centre has turned, in all
+    const Pose& old = poses_[body];
+    travel_[body].shift += (pose.position - old.position).cwiseAbs().sum();
+    travel_[body].turn += std::abs(pose.rotation.cosine - old.rotation.cosine) + std::abs(pose.rotation.sine - old.rotation.sine);
+    poses_[body] = pose;
+}
+
+/// Where a body is when a step or a part of one begins: what the last such look has found may answer.
+Manifold RestEngine::look_again(RestPair& pair, double margin)
+{
+    NearMemory& memory = pair.memory;
+    const double shift = travel_[pair.a].shift + travel_[pair.b].shift;
+    const double turn = travel_[pair.a].turn + travel_[pair.b].turn;
+    if (memory.knows_separation) {
+        // No separation along an edge can have changed by more
+        const double arm = (poses_[pair.b].position - poses_[pair.a].position).cwiseAbs().sum() + (shift - pair.shift) +
+                           (radius_[pair.a] + radius_[pair.b]);
+        const double change = (shift - pair.shift) + (turn - pair.turn) * arm + k_doubt * (arm + shift);
+        if (memory.separation - change > margin) return {};
+        memory.edges.lead -= 2.0 * change;
+        memory.knows_edges = memory.edges.lead > 0.0;
+    }
+    pair.shift = shift;
+    pair.turn = turn;
+    ++counts_.manifolds;
+    const NearSide a{shapes_[pair.a].parts[pair.part_a].shape, poses_[pair.a], real_edges_[pair.a][pair.part_a]};
+    const NearSide b{shapes_[pair.b].parts[pair.part_b].shape, poses_[pair.b], real_edges_[pair.b][pair.part_b]};
+    return near_points(a, b, margin, memory);
+}
+// [rest.look.again]
+
 // [rest.look]
 Manifold RestEngine::look(const RestPair& pair, const Pose& pose_a, const Pose& pose_b, double margin) const
 {
@@ -259,6 +296,7 @@ Manifold RestEngine::look(const RestPair& pair, const Pose& pose_a, const Pose& 
 // [rest.wake]
 bool RestEngine::wake_touched()
 {
+    if (none_sleeps_) return false;
     bool any = false;
     for (const ContactPoint& point : found_) {
         for (const int body : {point.a, point.b}) {

@@ -43,7 +43,7 @@ void RestEngine::solve_crowd(Group& group)
         // Gaps as they are when the step begins
         const double moment = span_ - c.left;
         const double u = normal_speed(c, before_[c.a], before_[c.b]);
-        if (moment > 0.0) c.gap = -moment * (u + 0.5 * moment * c.fall);
+        if (moment > 0.0) c.gap = -moment * (u + 0.5 * moment * fall_of(c));
         if (!(c.gap > touch_gap(c.a, c.b))) c.gap = std::min(c.gap, 0.0);
     }
 

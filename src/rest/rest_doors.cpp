@@ -146,6 +146,7 @@ void RestEngine::go_on_from(const Memory& memory)
     sleepers_ = -1;
     max_overlap_ = memory.max_overlap;
     pairs_.remember(memory.pairs);
+    for (RestPair& pair : pairs_.pairs()) pair.memory = {}; // ways are counted from another beginning
     for (std::size_t k = 0; k < bodies_.size(); ++k) {
         const Memory::Body& body = memory.bodies[k];
         bodies_[k].state = body.state;
@@ -156,7 +157,8 @@ void RestEngine::go_on_from(const Memory& memory)
         sleep_group_[k] = body.sleep_group;
         in_crowd_[k] = body.in_crowd ? 1 : 0;
         asleep_[k] = still_[k] = body.sleep_group >= 0 ? 1 : 0;
-        poses_[k] = next_poses_[k] = pose_of(body.state);
+        set_pose(static_cast<int>(k), pose_of(body.state));
+        next_poses_[k] = poses_[k];
         if (bodies_[k].is_static) continue;
         Mover& mover = movers_[k];
         mover.v_x = body.state.velocity.x();

@@ -60,6 +60,7 @@ RestEngine::RestEngine(std::vector<RestBody> bodies, const RestOptions& options,
     place_movers_ = movers_;
     span_ = options_.step;
     next_poses_ = poses_;
+    travel_.assign(count, Travel{});
     part_of_.assign(count, -1);
     outrun_.assign(count, 0.0);
     whole_reach_.assign(count, 0.0);
@@ -119,7 +120,7 @@ void RestEngine::measure_reach(std::span<const int> who)
         }
         movers_[k] = mover_of(body);
         before_[k] = movers_[k];
-        poses_[k] = pose_of(body.state);
+        set_pose(k, pose_of(body.state));
         shift_[k] = Vec2::Zero();
         turn_[k] = 0.0;
     }
@@ -141,7 +142,8 @@ void RestEngine::set_state(int body, const BodyState& state)
 {
     bodies_[body].state = state;
     bodies_[body].state.time = time();
-    poses_[body] = next_poses_[body] = pose_of(state);
+    set_pose(body, pose_of(state));
+    next_poses_[body] = poses_[body];
     expect_flight(body);
     pairs_.invalidate();
     wake_all_with(body);

@@ -233,9 +233,12 @@ private:
     [[nodiscard]] double next_closing(const RestPair& pair, const Manifold& manifold, double moment,
                                       Closing& closing) const;
     [[nodiscard]] double fall_at(const RestPair& pair, const Contact& contact, double moment) const;
+    [[nodiscard]] double fall_of(const ContactPoint& c) const;
     [[nodiscard]] Vec2 place_at(int body, double moment) const;
     [[nodiscard]] Pose pose_at(int body, double moment) const;
     void add_points(int pair, const Manifold& manifold, double moment);
+    void set_pose(int body, const Pose& pose);
+    [[nodiscard]] Manifold look_again(RestPair& pair, double margin);
     [[nodiscard]] Manifold look(const RestPair& pair, const Pose& pose_a, const Pose& pose_b, double margin) const;
     [[nodiscard]] bool wake_touched();
     void wake_all_with(int group);
@@ -323,9 +326,15 @@ private:
     std::vector<double> whole_reach_; // the same, of the whole step [m]
     bool has_outrun_ = false;
     std::vector<Saved> saved_; // of those awake, as the step has found them
-    std::vector<std::pair<int, RestPair>> saved_pairs_; // with their places in the list
+    std::vector<std::pair<int, PairLoads>> saved_pairs_; // with their places in the list
     std::vector<int> awake_;     // ascending
     std::vector<Pose> poses_;
+    struct Travel
+    {
+        double shift = 0.0; // [m]
+        double turn = 0.0;
+    };
+    std::vector<Travel> travel_; // of each body, in all
     std::vector<Mover> movers_;
     std::vector<Mover> before_;
     std::vector<Vec2> shift_; // ways that the step leads [m], and turns
@@ -354,7 +363,10 @@ private:
     std::vector<double> turn_before_;
     std::vector<int> parent_; // of each body, towards the lowest of its group
     std::vector<int> slot_;
+    std::vector<int> slots_; // of each point that was found
     std::vector<char> asleep_;
+    bool none_sleeps_ = false;
+    std::vector<char> wakes_; // of each body: awake, and can move
     std::int64_t sleepers_ = -1; // where nobody is awake: how many sleep
     std::vector<char> still_;
     std::vector<char> struck_; // bodies of a group, while it is found what they will do

@@ -9,12 +9,16 @@ void RestEngine::gather_groups(std::span<const int> who)
 {
     // Join bodies that a point connects; a group's root is its lowest body
     for (const int k : who) parent_[k] = k;
+    const auto is_moved = [&](int k) { return movers_[k].inv_mass > 0.0 || movers_[k].inv_moment > 0.0; };
     const auto root = [&](int k) {
         while (parent_[k] != k) k = parent_[k] = parent_[parent_[k]];
         return k;
     };
+    int last = -1;
     for (const ContactPoint& point : found_) {
-        if (bodies_[point.a].is_static || bodies_[point.b].is_static) continue;
+        if (point.pair == last) continue;
+        last = point.pair;
+        if (!is_moved(point.a) || !is_moved(point.b)) continue;
         const int one = root(point.a);
         const int two = root(point.b);
         parent_[std::max(one, two)] = std::min(one, two);
@@ -30,10 +34,15 @@ void RestEngine::gather_groups(std::span<const int> who)
         }
         ++groups_[slot_[r]].member_count;
     }
-    const auto slot_of = [&](const ContactPoint& point) {
-        return slot_[root(bodies_[point.a].is_static ? point.b : point.a)];
-    };
-    for (const ContactPoint& point : found_) ++groups_[slot_of(point)].point_count;
+    slots_.clear();
+    last = -1;
+    int slot = 0;
+    for (const ContactPoint& point : found_) {
+        if (point.pair != last) slot = slot_[root(is_moved(point.a) ? point.a : point.b)];
+        last = point.pair;
+        slots_.push_back(slot);
+        ++groups_[slot].point_count;
+    }
     int members = 0;
     int points = 0;
     for (Group& group : groups_) {
@@ -51,9 +60,9 @@ void RestEngine::gather_groups(std::span<const int> who)
         Group& group = groups_[slot_[root(k)]];
         members_[group.first_member + group.member_count++] = k;
     }
-    for (const ContactPoint& point : found_) {
-        Group& group = groups_[slot_of(point)];
-        points_[group.first_point + group.point_count++] = point;
+    for (std::size_t k = 0; k < found_.size(); ++k) {
+        Group& group = groups_[slots_[k]];
+        points_[group.first_point + group.point_count++] = found_[k];
         group.all_points = group.point_count;
     }
     counts_.groups += static_cast<std::int64_t>(groups_.size());

@@ -128,7 +128,7 @@ bool RestEngine::set_bounds(Group& group)
     bool any_bounce = false;
     for (int k = 0; k < group.point_count; ++k) {
         ContactPoint& c = points_[group.first_point + k];
-        const double fall = c.fall;
+        const double fall = fall_of(c);
         const double moment = span_ - c.left;
         const double u = normal_speed(c, before_[c.a], before_[c.b]) + moment * fall;
         const double gap = c.gap > touch_gap(c.a, c.b) ? c.gap : 0.0;

@@ -88,11 +88,16 @@ void RestEngine::step()
 void RestEngine::list_awake()
 {
     awake_.clear();
+    none_sleeps_ = true;
+    wakes_.assign(bodies_.size(), 0);
     for (int k = 0; k < static_cast<int>(bodies_.size()); ++k) {
-        if (asleep_[k]) ++counts_.asleep;
-        else if (!bodies_[k].is_static && bodies_[k].is_active) awake_.push_back(k);
+        if (asleep_[k]) {
+            ++counts_.asleep;
+            none_sleeps_ = false;
+        } else if (!bodies_[k].is_static && bodies_[k].is_active) awake_.push_back(k);
     }
     saved_.resize(bodies_.size());
+    for (const int k : awake_) wakes_[k] = 1;
     for (const int k : awake_) saved_[k] = {bodies_[k].state, pull_[k], turn_pull_[k], in_crowd_[k]};
 }
 // [rest.step.awake]
@@ -129,7 +134,7 @@ void RestEngine::go_back()
         asleep_[k] = still_[k] = 0;
         sleep_group_[k] = -1;
     }
-    for (const auto& [index, pair] : saved_pairs_) pairs_.pairs()[index] = pair;
+    for (const auto& [index, loads] : saved_pairs_) static_cast<PairLoads&>(pairs_.pairs()[index]) = loads;
     ++counts_.repeated;
 }
 // [rest.step.back]

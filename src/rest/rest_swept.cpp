@@ -88,7 +88,7 @@ void RestEngine::bound_swept(const Group& group)
         ContactPoint& c = points_[group.first_point + k];
         const double moment = span_ - c.left;
         const double u = normal_speed(c, before_[c.a], before_[c.b]);
-        if (moment > 0.0) c.gap = std::max(c.gap, 0.0) - moment * (u + 0.5 * moment * c.fall);
+        if (moment > 0.0) c.gap = std::max(c.gap, 0.0) - moment * (u + 0.5 * moment * fall_of(c));
         c.left = span_;
         c.bound = -std::max(c.gap, 0.0) / span_;
         c.impact = 0.0;
