@@ -117,7 +117,7 @@ TEST_CASE("a heap that is swept has no more energy than it began with, and lies 
     }
     MESSAGE("energy " << last / start << " of that before, worst rise in a step " << worst_rise);
     CHECK(last < 0.5 * start);
-    CHECK(worst_rise < 1e-3);
+    CHECK(worst_rise < 1e-12);
     double sum = 0.0;
     int count = 0;
     for (const RestContact& contact : engine.contacts()) {

@@ -95,7 +95,7 @@ void RestEngine::collide_pair(int index)
         pair.count = 0;
         return;
     }
-    Closing closing{{0, 0}, 0, {0, 0}, 0, touch_gap(pair.a, pair.b)};
+    Closing closing{{0, 0}, 0, {0, 0}, 0, touch_gap(pair.a, pose_a.position, pair.b, pose_b.position)};
     double moment = 0.0;
     bool overlaps = false;
     for (int k = 0; k < manifold.count; ++k) overlaps = overlaps || manifold.contacts[k].separation < -k_deep * size;
@@ -139,8 +139,6 @@ Pose RestEngine::pose_at(int body, double moment) const
 double RestEngine::next_closing(const RestPair& pair, const Manifold& manifold, double moment, Closing& closing) const
 {
     const double left = span_ - moment;
-    const double field =
-        span_ * std::max(bodies_[pair.a].acceleration.norm(), bodies_[pair.b].acceleration.norm());
     // What bore a load goes on to bear, whatever gap turning or rounding or, in a crowd, a push out of an overlap has
     // left; but what would be thrown back is thrown back
     const bool in_crowd = in_crowd_[pair.a] || in_crowd_[pair.b];
@@ -155,6 +153,8 @@ double RestEngine::next_closing(const RestPair& pair, const Manifold& manifold, 
             if (moment == 0.0) closing.lay[closing.lay_count++] = contact.feature;
             continue;
         }
+        const double field =
+            span_ * std::max(bodies_[pair.a].acceleration.norm(), bodies_[pair.b].acceleration.norm());
         const auto velocity = [&](int index) {
             const BodyState& s = bodies_[index].state;
             const Vec2 r = contact.point - place_at(index, moment);
@@ -195,7 +195,7 @@ double RestEngine::fall_of(const ContactPoint& c) const
 void RestEngine::add_points(int index, const Manifold& manifold, double moment)
 {
     RestPair& pair = pairs_.pairs()[index];
-    const bool a_is_static = bodies_[pair.a].is_static;
+    const int own = is_moved(pair.a) ? pair.a : pair.b;
     const double size = std::min(radius_[pair.a], radius_[pair.b]);
     const PairLoads before = pair;
     pair.count = 0;
@@ -216,8 +216,7 @@ void RestEngine::add_points(int index, const Manifold& manifold, double moment)
         point.friction = pair.friction;
         point.restitution = pair.restitution;
         set_arms(point, contact.normal, r_a, r_b);
-        const Vec2 place =
-            a_is_static ? inverse(poses_[pair.b].rotation) * r_b : inverse(poses_[pair.a].rotation) * r_a;
+        const Vec2 place = inverse(poses_[own].rotation) * (own == pair.a ? r_a : r_b);
         const int known = known_point(before, point.feature, place, rest_tolerance::k_same_place * size);
         if (known >= 0) {
             point.normal = before.normal[known];

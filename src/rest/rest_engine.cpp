@@ -130,8 +130,12 @@ void RestEngine::measure_reach(std::span<const int> who)
 // [rest.engine.touch_gap]
 double RestEngine::touch_gap(int a, int b) const
 {
-    const double coordinates =
-        bodies_[a].state.position.cwiseAbs().maxCoeff() + bodies_[b].state.position.cwiseAbs().maxCoeff();
+    return touch_gap(a, bodies_[a].state.position, b, bodies_[b].state.position);
+}
+
+double RestEngine::touch_gap(int a, const Vec2& place_a, int b, const Vec2& place_b) const
+{
+    const double coordinates = place_a.cwiseAbs().maxCoeff() + place_b.cwiseAbs().maxCoeff();
     return rest_tolerance::k_touch * std::min(radius_[a], radius_[b]) +
            tolerance::coordinate_rounding(coordinates);
 }

@@ -308,6 +308,12 @@ private:
     [[nodiscard]] double field_speed(const Group& group) const;
     [[nodiscard]] double top_speed(const Group& group) const;
     [[nodiscard]] double touch_gap(int a, int b) const;
+    [[nodiscard]] double touch_gap(int a, const Vec2& place_a, int b, const Vec2& place_b) const;
+    /// Whether anything moves a body: what the solver knows says it, and lies nearer than the body.
+    [[nodiscard]] bool is_moved(int body) const
+    {
+        return movers_[body].inv_mass > 0.0 || movers_[body].inv_moment > 0.0;
+    }
     [[nodiscard]] bool stays_apart(const RestPair& pair, double within) const;
     void scale_loads_awake(double factor);
 

@@ -9,7 +9,6 @@ void RestEngine::gather_groups(std::span<const int> who)
 {
     // Join bodies that a point connects; a group's root is its lowest body
     for (const int k : who) parent_[k] = k;
-    const auto is_moved = [&](int k) { return movers_[k].inv_mass > 0.0 || movers_[k].inv_moment > 0.0; };
     const auto root = [&](int k) {
         while (parent_[k] != k) k = parent_[k] = parent_[parent_[k]];
         return k;

@@ -211,6 +211,9 @@ void RestEngine::finish_groups(int depth, std::span<const int> pairs)
         } else if (is_exact(group) && meets_strays(group)) {
             cut_ways_short(group, 0.0);
             if (pay_for_rise(group)) hold_back(group);
+        } else if (group.point_count > 0) {
+            // Sweeps that have not come to their end, or go ahead of it, may leave more energy than there was
+            (void)pay_for_rise(group);
         }
         move_group(group);
         if (depth > 0 || is_exact(group)) note_outrun(group);
