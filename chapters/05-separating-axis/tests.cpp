@@ -332,3 +332,31 @@ TEST_CASE("a half-plane carries a box on two corners, a tilted box on one, a dis
     CHECK(disc.contacts[0].separation == -0.25);
     CHECK(disc.contacts[0].point == Vec2(0.0, 0.375));
 }
+
+TEST_CASE("polygons that overlap have a contact, thin and small ones, too")
+{
+    Random random(507);
+    const auto thin = [&] {
+        const Polygon whole = random_convex(random);
+        const double size = std::exp2(random.uniform(-10.0, 0.0));
+        const double height = std::exp2(random.uniform(-10.0, 0.0));
+        std::vector<Vec2> ring;
+        for (const Vec2& v : whole.vertices()) ring.push_back(size * Vec2(v.x(), height * v.y()));
+        return Polygon({ring});
+    };
+    int overlapping = 0;
+    for (int k = 0; k < 40000; ++k) {
+        const Polygon a = thin();
+        const Polygon b = thin();
+        const Pose pose_a = random_pose(random, 0.5 * (a.radius() + b.radius()));
+        const Pose pose_b = random_pose(random, 0.5 * (a.radius() + b.radius()));
+        const double gap = greatest_separation(a, b, relative_pose(pose_a, pose_b)).separation;
+        const double margin = 0x1p-16 * std::max(a.radius(), b.radius());
+        const Manifold manifold = make_manifold(Shape(a), pose_a, Shape(b), pose_b, 2.0 * margin);
+        if (gap >= -1e-12) continue;
+        ++overlapping;
+        CAPTURE(k);
+        CHECK(manifold.count > 0);
+    }
+    CHECK(overlapping > 5000);
+}

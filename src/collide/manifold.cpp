@@ -51,6 +51,11 @@ Manifold swapped(Manifold manifold)
 }
 // [collide.manifold.swapped]
 
+// [collide.manifold.level]
+/// [lengths of the edge] A clipped edge is as low as its lowest vertex if it differs by less.
+constexpr double k_level = 0x1p-16;
+// [collide.manifold.level]
+
 // [collide.manifold.end]
 /// An end of the clipped edge.
 struct ClippedEnd
@@ -118,13 +123,23 @@ Manifold clip(const Polygon& reference, const Pose& world_from_reference, const 
     }
     // [collide.manifold.polygons.cut]
 
+    // [collide.manifold.polygons.lowest]
+    // Where that cut off the vertex that is furthest behind, and what is left lies far above it, take the vertex
+    const auto height = [&](const ClippedEnd& end) { return edge.normal.dot(end.point - start); };
+    const double lowest = std::min(height(low), height(high));
+    if (lowest > 2.0 * std::max(axis.separation, 0.0) + k_level * edge.length) {
+        if (axis.separation > 0.0) return {};
+        low = high = end_at(axis.vertex);
+    }
+    // [collide.manifold.polygons.lowest]
+
     // [collide.manifold.polygons.keep]
     // Keep the ends that reach the reference edge, within the margin
     Manifold manifold;
     const Vec2 normal = world_from_reference.rotation * edge.normal;
     for (const ClippedEnd& end : {low, high}) {
         if (manifold.count == 1 && end.point == low.point) break;
-        const double separation = edge.normal.dot(end.point - start);
+        const double separation = height(end);
         if (separation > margin) continue;
         const std::uint32_t feature = end.is_cut
                                           ? feature_number(Owner::a, end.vertex, facing)

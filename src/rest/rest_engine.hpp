@@ -257,7 +257,7 @@ private:
     [[nodiscard]] bool end_approaches(const Group& group);
     [[nodiscard]] bool set_bounds(Group& group);
     void sweep_large(Group& group);
-    void bound_swept(const Group& group);
+    void bound_swept(const Group& group, bool is_calm);
     void move_as_swept(const Group& group);
     [[nodiscard]] static double greatest_speed(std::span<const Mover> movers, std::span<const double> radius, std::span<const int> members);
     void set_free(const Group& group, double time);

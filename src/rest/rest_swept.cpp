@@ -31,7 +31,7 @@ void RestEngine::sweep_large(Group& group)
     const std::span<const int> members = std::span(members_).subspan(group.first_member, group.member_count);
     const double field = field_speed(group);
     const double before = greatest_speed(before_, radius_, members);
-    bound_swept(group);
+    bound_swept(group, before <= k_calm * field);
     set_free(group, span_);
     GroupSolver::SweepPlan plan;
     plan.sweeps = options_.sweeps;
@@ -80,7 +80,7 @@ void RestEngine::move_as_swept(const Group& group)
 // [rest.swept]
 
 // [rest.swept.bounds]
-void RestEngine::bound_swept(const Group& group)
+void RestEngine::bound_swept(const Group& group, bool is_calm)
 {
     const double field = field_speed(group);
     for (int k = 0; k < group.point_count; ++k) {
@@ -91,6 +91,9 @@ void RestEngine::bound_swept(const Group& group)
         if (moment > 0.0) c.gap = std::max(c.gap, 0.0) - moment * (u + 0.5 * moment * fall_of(c));
         c.left = span_;
         c.bound = -std::max(c.gap, 0.0) / span_;
+        // In a calm group nobody comes to close a gap: what bears over one that a calm speed would close goes on to bear,
+        // or its load would wane for minutes while nothing moves
+        if (is_calm && c.normal > 0.0 && -c.bound <= k_calm * field) c.bound = 0.0;
         c.impact = 0.0;
 
         // Whoever comes to touch is thrown back, unless the field would end that within the step
