@@ -5,11 +5,10 @@
 namespace flying {
 namespace {
 
-// [rest.batches.least]
-[[nodiscard]] inline Four larger(const Four& a, const Four& b) { return a < b ? b : a; }
-[[nodiscard]] inline Four smaller(const Four& a, const Four& b) { return b < a ? b : a; }
-[[nodiscard]] inline Four all(double x) { return Four{x, x, x, x}; }
-// [rest.batches.least]
+// [rest.batches.all]
+/// All four alike. (Handed over by reference: how a function returns four numbers depends on the processor.)
+inline void set_all(Four& four, double x) { four = Four{x, x, x, x}; }
+// [rest.batches.all]
 
 } // namespace
 
@@ -45,7 +44,8 @@ int SweepBatches::batch_from(int turn, int count)
         added.pairs = 0;
         for (int i = 0; i < count; ++i) {
             Points& empty = points_.emplace_back();
-            empty.normal_mass = empty.tangent_mass = all(1.0);
+            set_all(empty.normal_mass, 1.0);
+            set_all(empty.tangent_mass, 1.0);
         }
     }
     if (++batches_[batch].pairs == 4) open[batch] = batch + 1;
@@ -157,7 +157,9 @@ inline void SweepBatches::content(const Batch& batch, Points& c, Motion& a, Moti
     Four v_x = b.v_x - a.v_x;
     Four v_y = b.v_y - a.v_y;
     const Four u_n = (batch.n_x * v_x + batch.n_y * v_y) + (b.spin * c.normal_arm_b - a.spin * c.normal_arm_a);
-    const Four normal = larger(Four{}, c.normal - c.normal_mass * (u_n - c.bound));
+    const Four none{};
+    Four normal = c.normal - c.normal_mass * (u_n - c.bound);
+    normal = none < normal ? normal : none;
     const Four j = normal - c.normal;
     c.normal = normal;
 
@@ -168,7 +170,9 @@ inline void SweepBatches::content(const Batch& batch, Points& c, Motion& a, Moti
     v_y += j * (w * batch.n_y);
     const Four u_t = (batch.n_x * v_y - batch.n_y * v_x) + (spin_b * c.tangent_arm_b - spin_a * c.tangent_arm_a);
     const Four most = batch.friction * normal;
-    const Four tangent = smaller(larger(c.tangent - c.tangent_mass * u_t, -most), most);
+    Four tangent = c.tangent - c.tangent_mass * u_t;
+    tangent = tangent < -most ? -most : tangent;
+    tangent = most < tangent ? most : tangent;
     const Four q = tangent - c.tangent;
     c.tangent = tangent;
 
@@ -259,7 +263,8 @@ void SweepBatches::sweep_ahead(int sweeps)
 void SweepBatches::go_ahead(double share)
 {
     // The way of a sweep, and a share of the way before it
-    const Four part = all(share);
+    Four part;
+    set_all(part, share);
     for (std::size_t i = 0; i < points_.size(); ++i) {
         Points& c = points_[i];
         Way& way = way_[i];
