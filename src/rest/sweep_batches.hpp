@@ -37,7 +37,6 @@ public:
     void get_impulses(std::span<ContactPoint> points) const;
 
 private:
-    // [rest.batches.data]
     /// Four pairs. Where there are fewer, the rest are between bodies that nothing moves.
     struct Batch
     {
@@ -85,7 +84,6 @@ private:
         Four way;
     };
     struct Motion;
-    // [rest.batches.data]
 
     void set_velocities(std::span<const Mover> movers, std::span<const int> members);
     [[nodiscard]] static int first_open(std::vector<int>& open, int turn);
