@@ -114,6 +114,29 @@ inline double rate_of_sweeps(const std::vector<double>& masses, int sweeps)
 }
 // [rest.column.rate]
 
+// [rest.column.second]
+/// How far the uppermost of equal boxes sinks in a second of short steps, with so many
+/// sweeps in each, from no impulses or from those of the step before.  [m]
+inline double sinks_in_a_second(int count, int steps, int sweeps, bool is_warm)
+{
+    Column column = column_of(std::vector<double>(count, 1.0), 0.0);
+    std::vector<SweepPoint> points;
+    for (const ContactPoint& c : column.points) points.push_back(sweep_point(c));
+    double way = 0.0;
+    for (int k = 0; k < steps; ++k) {
+        for (const int member : column.members) column.movers[member].v_y -= 9.81 / steps;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            if (!is_warm) points[i].normal = 0.0;
+            column.points[i].normal = points[i].normal;
+        }
+        warm_start(column.points, column.movers);
+        for (int i = 0; i < sweeps; ++i) sweep(points, column.movers);
+        way -= column.movers.back().v_y / steps;
+    }
+    return way;
+}
+// [rest.column.second]
+
 // [rest.column.solve]
 /// The same column, by the engine's direct solve: error and factorisations.
 struct DirectSolve

@@ -42,6 +42,27 @@ void count_sweeps()
 }
 // [rest.demo.sweeps]
 
+// [rest.demo.warm]
+/// What a second leaves of a stack and of a pyramid, for sweeps shared out in three
+/// ways: from nothing, from the step before, and among four times as many steps.
+void warm_up()
+{
+    std::printf("\nsinks in 1 s     sweeps   from nothing   warm start   4 sub-steps\n");
+    for (const int sweeps : {4, 8, 16, 32}) {
+        std::printf("stack of 10     %7d %12.0e m %10.0e m %11.0e m\n", sweeps,
+                    sinks_in_a_second(10, 60, sweeps, false),
+                    sinks_in_a_second(10, 60, sweeps, true),
+                    sinks_in_a_second(10, 240, sweeps / 4, true));
+    }
+    for (const int sweeps : {4, 8, 16, 32}) {
+        std::printf("pyramid of 55   %7d %12.0e m %10.0e m %11.0e m\n", sweeps,
+                    pyramid_sinks(10, 60, sweeps, false),
+                    pyramid_sinks(10, 60, sweeps, true),
+                    pyramid_sinks(10, 240, sweeps / 4, true));
+    }
+}
+// [rest.demo.warm]
+
 // [rest.demo.stack]
 /// Boxes one on the other: what each lies on bears, in newtons.
 void weigh(int count)
@@ -96,6 +117,7 @@ int main(int argc, char** argv)
     for (const double e : {0.1, 0.3, 0.5, 0.7, 0.8}) let_go(e);
     if (argc > 1) let_go(std::atof(argv[1]));
     count_sweeps();
+    warm_up();
     weigh(argc > 2 ? std::atoi(argv[2]) : 10);
     find_limits();
 }

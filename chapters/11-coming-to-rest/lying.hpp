@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests_bodies.hpp"
@@ -147,6 +148,67 @@ inline RestEngine thrown_disc(double v, double mu, double step = 1.0 / 60.0)
     body.state.velocity = Vec2(v, 0.0);
     return RestEngine({wall(Vec2(0.0, 1.0), 0.0, {0.0, mu}), body}, options);
 }
+
+// [rest.slide_off]
+/// A disc let go on a smooth cylinder, from `start` radians beside its top: the cosine
+/// at which it flew off, as what is left of its speed sideways tells, and what part of
+/// its energy has changed.
+struct SlideOff
+{
+    double cosine = 0.0;
+    double energy_change = 0.0;
+};
+
+inline SlideOff slide_off(double start, double step)
+{
+    const double way = 3.5; // of the disc's centre from the cylinder's [m]
+    const Material smooth{0.0, 0.0};
+    RestBody cylinder{Disc{3.0}, {}, {}, smooth};
+    cylinder.is_static = true;
+    const Vec2 from(way * std::sin(start), way * std::cos(start));
+    RestOptions options;
+    options.step = step;
+    RestEngine engine({cylinder, disc(0.5, from, 1.0, smooth)}, options);
+    const double before = energy(engine);
+    engine.advance(3.0);
+    const double sideways = engine.state(1).velocity.x();
+    return {std::cbrt(sideways * sideways / (k_gravity * way)),
+            energy(engine) / before - 1.0};
+}
+// [rest.slide_off]
+
+// [rest.pyramid]
+/// How far the uppermost box of a pyramid sinks in a second, if the engine sweeps it as
+/// it does a heap.  [m]
+inline double pyramid_sinks(int base, int steps, int sweeps, bool is_warm)
+{
+    const Material material{0.0, 0.5};
+    std::vector<RestBody> bodies = {wall(Vec2(0.0, 1.0), 0.0, material)};
+    for (int row = 0; row < base; ++row) {
+        for (int k = 0; k < base - row; ++k) {
+            const Vec2 centre(1.125 * (k + 0.5 * row), 0.5 + row);
+            bodies.push_back(box(1.0, 1.0, centre, 1.0, material));
+        }
+    }
+    RestOptions options;
+    options.step = 1.0 / steps;
+    options.most_solved = 0;
+    options.sweeps = sweeps;
+    RestEngine engine(bodies, options);
+    for (int k = 0; k < steps; ++k) {
+        engine.step();
+        if (is_warm) continue;
+        RestEngine::Memory memory = engine.memory();
+        for (RestPair& pair : memory.pairs) {
+            std::fill_n(pair.normal, 2, 0.0);
+            std::fill_n(pair.tangent, 2, 0.0);
+        }
+        engine.go_on_from(memory);
+    }
+    const int top = static_cast<int>(bodies.size()) - 1;
+    return bodies[top].state.position.y() - engine.state(top).position.y();
+}
+// [rest.pyramid]
 
 // [rest.rocking]
 /// Share of its spin that a block keeps when it rocks from one corner to the other.

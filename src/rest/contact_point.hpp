@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "rest/rest_tolerance.hpp"
+
 namespace flying {
 
 // [rest.mover]
@@ -45,6 +47,14 @@ struct ContactPoint
     bool lay = false;           ///< was closed when the step began, and is seen at a later moment
 };
 // [rest.contact_point]
+
+// [rest.struck]
+/// Part of what the point bears ends an approach, and more than rounding explains.
+[[nodiscard]] inline bool is_struck(const ContactPoint& c)
+{
+    return c.normal > 0.0 && c.impact > rest_tolerance::k_load * c.normal;
+}
+// [rest.struck]
 
 // [rest.speeds]
 /// Normal velocity of B relative to A.  [m/s]

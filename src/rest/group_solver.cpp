@@ -40,15 +40,16 @@ constexpr std::int64_t k_quick = 3;
     return greatest;
 }
 
-/// What rounding leaves of the content of a group: in proportion to what its greatest impulse does to the lightest it
-/// pushes, for each body through which the load goes.
-[[nodiscard]] double rounding_of(std::span<const ContactPoint> points, std::size_t members)
-{
-    return rest_tolerance::k_content * static_cast<double>(members) * greatest_push(points);
-}
 // [rest.group.rounding]
 
 } // namespace
+
+// [rest.group.rounding_of]
+double rounding_of(std::span<const ContactPoint> points, std::size_t members)
+{
+    return rest_tolerance::k_content * static_cast<double>(members) * greatest_push(points);
+}
+// [rest.group.rounding_of]
 
 // [rest.group.prepare]
 void GroupSolver::prepare(std::span<const int> members, std::span<const ContactPoint> points, std::size_t movers)

@@ -25,6 +25,12 @@ struct SolveCounts
 };
 // [rest.group.counts]
 
+// [rest.group.tolerance]
+/// What rounding leaves of the content of a group: in proportion to what its greatest impulse does to the lightest it
+/// pushes, for each body through which the load goes.  [m/s]
+[[nodiscard]] double rounding_of(std::span<const ContactPoint> points, std::size_t members);
+// [rest.group.tolerance]
+
 // [rest.group.effort]
 enum class Effort
 {

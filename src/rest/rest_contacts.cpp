@@ -167,9 +167,17 @@ double RestEngine::next_closing(const RestPair& pair, const Manifold& manifold, 
         if (moment == 0.0) closing.open[closing.count++] = contact.feature;
         const double fall = fall_at(pair, contact, moment);
         const double time = time_to_close(contact.separation, u, fall, left);
-        if (time <= left) wait = std::min(wait, time);
+        if (time > left || (u > 0.0 && moment == 0.0 && stays_open(pair, closing.closed))) continue;
+        wait = std::min(wait, time);
     }
     return wait;
+}
+
+/// Where the step ends there is a gap still, though it would close by how fast it opens and that changes now: round ones
+/// that go round each other turn out of each other's way.
+bool RestEngine::stays_open(const RestPair& pair, double touch) const
+{
+    return look(pair, pose_at(pair.a, span_), pose_at(pair.b, span_), touch).count == 0;
 }
 
 /// Normal acceleration of B relative to A at a contact, if they go on as they did.

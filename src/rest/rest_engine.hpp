@@ -161,6 +161,7 @@ private:
         int all_points = 0;     ///< with those that this step leaves to the next, which stand after the others
         bool is_exact = true;   ///< solved to rounding, all at once; else swept
         bool is_crowd_solved = false; ///< impacts at the start of the step; places are found already
+        bool has_ways = false;  ///< places are found already, along curves
         bool knows_loads = false; ///< it was found which part of the impulses were impacts
         bool is_content = true; ///< the impulses that were found are right to rounding
     };
@@ -232,6 +233,7 @@ private:
     };
     [[nodiscard]] double next_closing(const RestPair& pair, const Manifold& manifold, double moment,
                                       Closing& closing) const;
+    [[nodiscard]] bool stays_open(const RestPair& pair, double touch) const;
     [[nodiscard]] double fall_at(const RestPair& pair, const Contact& contact, double moment) const;
     [[nodiscard]] double fall_of(const ContactPoint& c) const;
     [[nodiscard]] Vec2 place_at(int body, double moment) const;
@@ -262,14 +264,33 @@ private:
     [[nodiscard]] static double greatest_speed(std::span<const Mover> movers, std::span<const double> radius, std::span<const int> members);
     void set_free(const Group& group, double time);
     void find_impulses(Group& group, double time);
+    [[nodiscard]] bool stood(const Group& group) const;
+    void keep_loads(Group& group, double time);
     [[nodiscard]] double work_of_contacts(const Group& group, double& energy);
     void find_impacts(Group& group);
     void limit_rebound(Group& group);
     void part_where_slip_ends(Group& group);
+    [[nodiscard]] bool follow_curves(Group& group);
+    [[nodiscard]] bool may_bend(const Group& group) const;
+    [[nodiscard]] double top_motion(const Group& group) const;
+    void first_ways(const Group& group);
+    void forget_ways(const Group& group);
+    [[nodiscard]] const Contact* same_contact(const ContactPoint& c, const Manifold& manifold) const;
+    void look_along(const Group& group, double part, std::vector<ContactPoint>& there);
+    /// Of the lines of those that bear, while bodies go their ways.
+    enum class Bend : char { none, some, lost };
+    [[nodiscard]] Bend bend_lines(const Group& group, bool is_corrected);
+    [[nodiscard]] bool strike_first(const Group& group);
+    [[nodiscard]] bool find_mean_velocities(const Group& group);
+    [[nodiscard]] bool see_ends(const Group& group);
+    [[nodiscard]] bool all_close() const;
+    [[nodiscard]] bool end_velocities(const Group& group);
     [[nodiscard]] bool any_slip_ended(const Group& group, double still) const;
     [[nodiscard]] const Mover& start_of_part(int member) const;
     void scale_impulses(const Group& group, double factor);
     void add_part(const Group& group, double time);
+    [[nodiscard]] double solve_rounding(const Group& group) const;
+    [[nodiscard]] double still_speed(const Group& group) const;
     void calm(const Group& group);
     void find_places(const Group& group);
     /// The energy that a group has before and after, and what it has gained beyond the field's work.
@@ -381,6 +402,17 @@ private:
     std::vector<Mover> part_movers_; // at the start of a part of the step
     bool parted_ = false;
     std::vector<ContactPoint> load_points_; // of a group, as the step ends
+    /// Of a group that follows curves.
+    struct Curves
+    {
+        std::vector<ContactPoint> struck; // what is struck when the step begins
+        std::vector<ContactPoint> bent;   // points with the mean of their lines over the step,
+        std::vector<ContactPoint> half;   // those halfway,
+        std::vector<ContactPoint> end;    // and those at its end
+        std::vector<char> is_seen;        // halfway and at the end
+        std::vector<Mover> straight;      // bodies as straight lines leave them
+    };
+    Curves curves_;
     std::vector<double> impacts_; // of the points of a crowd [N s]
     std::vector<Mover> place_movers_;
     std::vector<ContactPoint> place_points_;

@@ -34,9 +34,8 @@ void RestEngine::expect(const Group& group)
     for (int k = 0; k < group.member_count; ++k) expect_flight(members_[group.first_member + k]);
     const std::span<const ContactPoint> points = std::span(points_).subspan(group.first_point, group.point_count);
     const auto moves = [&](int body) { return !bodies_[body].is_static; };
-    const auto struck = [](const ContactPoint& c) { return c.normal > 0.0 && c.impact > rest_tolerance::k_load * c.normal; };
     for (const ContactPoint& c : points) {
-        if (c.normal == 0.0 || struck(c)) continue;
+        if (c.normal == 0.0 || is_struck(c)) continue;
         if (moves(c.a)) expect_same(c.a);
         if (moves(c.b)) expect_same(c.b);
     }
@@ -44,7 +43,7 @@ void RestEngine::expect(const Group& group)
     // Those that were struck will do what their loads make them do; without a field no load outlasts a blow
     struck_.resize(bodies_.size(), 0);
     for (const ContactPoint& c : points) {
-        if (!struck(c)) continue;
+        if (!is_struck(c)) continue;
         for (const int body : {c.a, c.b}) {
             if (!moves(body)) continue;
             expect_flight(body);
@@ -72,6 +71,8 @@ void RestEngine::expect(const Group& group)
 // [rest.places]
 void RestEngine::find_places(const Group& group)
 {
+    if (group.has_ways) return;
+
     // An impact has changed the velocity from its moment on, and not half the step long
     const double dt = span_;
     for (int k = 0; k < group.point_count; ++k) {

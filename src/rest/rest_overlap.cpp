@@ -303,14 +303,14 @@ bool RestEngine::pay_for_rise(const Group& group)
     if (!leans && slow_down(group, gain.gained, common_velocity(group))) return false;
     if (slow_down(group, gain.gained, Vec2::Zero())) return false;
 
-    // Who has nothing left to pay with rises no further than the motion before would have carried it
+    // Who has nothing left to pay with rises no further than the motion before would have carried it, and stays if it stood
     const Gain rest = gain_of(group);
     double lift = 0.0;
     for (int k = 0; k < group.member_count; ++k) {
         const int member = members_[group.first_member + k];
         lift -= bodies_[member].acceleration.dot(shift_[member]) / movers_[member].inv_mass;
     }
-    const double part = rest.gained < lift ? 1.0 - rest.gained / lift : 0.0;
+    const double part = rest.gained < lift && !stood(group) ? 1.0 - rest.gained / lift : 0.0;
     for (int k = 0; k < group.member_count; ++k) {
         const int member = members_[group.first_member + k];
         shift_[member] *= part;

@@ -15,6 +15,12 @@ constexpr int k_most_parted = 12;
 /// Bodies of the largest group that is solved whole however it moves, and whatever it takes; more are a heap.
 constexpr int k_most_whole = 64;
 
+/// [complaints] Impulses that complain less by this factor are worth a change.
+constexpr double k_much_better = 2.0;
+
+/// [speeds that the field gives in a step] Impulses that complain more don't let anyone stand.
+constexpr double k_slight = 0x1p-6;
+
 /// [speeds that the field gives in a step] A tall group that moves no faster stands, or begins to fall.
 constexpr double k_standing = 4.0;
 // [rest.solve.limits]
@@ -73,8 +79,9 @@ void RestEngine::solve_group(Group& group)
         return;
     }
     if (any_bounce) limit_rebound(group);
-    else if (group.point_count <= k_most_parted) part_where_slip_ends(group);
-    find_impacts(group);
+    const bool is_followed = !any_bounce && follow_curves(group);
+    if (!any_bounce && !is_followed && group.point_count <= k_most_parted) part_where_slip_ends(group);
+    if (!is_followed) find_impacts(group);
     calm(group);
 }
 
@@ -96,12 +103,41 @@ void RestEngine::find_impulses(Group& group, double time)
     const std::span<const int> members = std::span(members_).subspan(group.first_member, group.member_count);
     // Whoever stands from the start, and bears for the first time, is worth a search
     const bool is_new =
-        greatest_speed(before_, radius_, members) == 0.0 &&
-        std::all_of(points.begin(), points.end(), [](const ContactPoint& c) { return c.normal == 0.0; });
+        stood(group) && std::all_of(points.begin(), points.end(), [](const ContactPoint& c) { return c.normal == 0.0; });
     const Effort effort = is_heap(group) && !is_new ? Effort::brief : Effort::full;
     group.is_content = solver_.solve(movers_, members, points, rest_tolerance::k_content * top_speed(group), effort);
+    if (!group.is_content && !is_heap(group) && stood(group)) keep_loads(group, time);
 }
 // [rest.solve]
+
+// [rest.solve.keep]
+bool RestEngine::stood(const Group& group) const
+{
+    return greatest_speed(before_, radius_, std::span(members_).subspan(group.first_member, group.member_count)) == 0.0;
+}
+
+/// Of a group that stands, and whose impulses no solve makes right: those of the step before remain, unless the new ones
+/// are much better. So they stop changing, and the group falls asleep. Where any were known and little is wrong they count
+/// as right: parts of the step would find none better.
+void RestEngine::keep_loads(Group& group, double time)
+{
+    const std::span<ContactPoint> points = std::span(points_).subspan(group.first_point, group.point_count);
+    const auto complaint = [&] {
+        set_free(group, time);
+        warm_start(points, movers_);
+        return worst_complaint(points, movers_);
+    };
+    const double after = complaint();
+    load_points_.assign(points.begin(), points.end());
+    for (ContactPoint& c : points) recall_load(c);
+    const double before = complaint();
+    const bool any = std::any_of(points.begin(), points.end(), [](const ContactPoint& c) { return c.normal > 0.0; });
+    group.is_content = any && std::min(before, after) <= k_slight * field_speed(group);
+    if (before <= k_much_better * after) return;
+    std::copy(load_points_.begin(), load_points_.end(), points.begin());
+    (void)complaint();
+}
+// [rest.solve.keep]
 
 // [rest.solve.scales]
 double RestEngine::top_speed(const Group& group) const
@@ -172,19 +208,28 @@ bool RestEngine::set_bounds(Group& group)
 }
 // [rest.bounds]
 
+// [rest.calm.rounding]
+/// Speeds that the impulses' rounding explains.  [m/s]
+double RestEngine::solve_rounding(const Group& group) const
+{
+    const std::span<const ContactPoint> points = std::span(points_).subspan(group.first_point, group.point_count);
+    return rest_tolerance::k_stagnant * rounding_of(points, group.member_count);
+}
+
+/// Below what the field gives in a step by many orders, motion is the solve's rounding.  [m/s]
+double RestEngine::still_speed(const Group& group) const
+{
+    // [rest.calm.still]
+    return rest_tolerance::k_still * field_speed(group) + solve_rounding(group);
+    // [rest.calm.still]
+}
+// [rest.calm.rounding]
+
 // [rest.calm]
 void RestEngine::calm(const Group& group)
 {
-    // Below what the field gives in a step by many orders, motion is the solve's rounding
-    // [rest.calm.still]
-    double greatest = 0.0;
-    for (int k = 0; k < group.point_count; ++k) {
-        const ContactPoint& c = points_[group.first_point + k];
-        greatest = std::max(greatest, c.normal / c.normal_mass);
-    }
-    const double rounding = rest_tolerance::k_stagnant * rest_tolerance::k_content * group.member_count * greatest;
-    const double still = rest_tolerance::k_still * field_speed(group) + rounding;
-    // [rest.calm.still]
+    const double rounding = solve_rounding(group);
+    const double still = still_speed(group);
     bool all_still = true;
     for (int k = 0; k < group.member_count; ++k) {
         const int member = members_[group.first_member + k];

@@ -239,7 +239,8 @@ TEST_CASE("a thrown block stops after v^2/(2 mu g), to 1e-12 m, and lies")
 
 TEST_CASE("planks stand at 1 - 1e-9 of the harmonic overhang, to the bit, and fall at 1 + 1e-9")
 {
-    // Six are not as sharp: they fell at 1 - 1e-9, and stood at 1 + 1e-8
+    // Six are not as sharp. At 1 - 1e-9 the first solve isn't content and leaves 1e-7 m/s, with which they fall; at
+    // 1 + 1e-8 its rounding is worth more energy than what they gain in a step, and each step is paid for by all of it
     for (const int count : {1, 2, 3, 4, 5}) {
         for (const double more : {-1e-6, -1e-9, 1e-9, 1e-6}) {
             World world = world_of(planks(count, 1.0 + more));
@@ -254,48 +255,6 @@ TEST_CASE("planks stand at 1 - 1e-9 of the harmonic overhang, to the bit, and fa
     World falls = world_of(planks(5, 1.0 + 1e-6));
     run(falls, 10.0);
     CHECK(way_of(falls, 5) > 1.0);
-}
-
-TEST_CASE("a disc leaves a smooth cylinder at two thirds of the cosine, at first order in the step")
-{
-    // Let go at rest; what is left of the speed sideways when it flies tells where it left
-    const double rho = 3.5;
-    const double start = 0.1;
-    Scene scene = slope(0.0, 0.0, 0.0);
-    scene.world.box.reset();
-    scene.bodies = {still(disc(3.0, {0.0, 0.0})), disc(0.5, {rho * std::sin(start), rho * std::cos(start)})};
-    for (const double per_second : {60.0, 240.0, 960.0}) {
-        World world = with_step(scene, 1.0 / per_second);
-        run(world, 4.0);
-        CHECK(world.mover(1) == World::Mover::events);
-        const double sideways = world.state(1).velocity.x();
-        const double cosine = std::cbrt(sideways * sideways / (k_g * rho)) / std::cos(start);
-        INFO("per second " << per_second << ": " << cosine);
-        CHECK(std::abs(cosine - 2.0 / 3.0) <= 0.1 / per_second); // measured: 0.074, 0.085 and 0.033 of a step
-    }
-}
-
-TEST_CASE("a ladder between smooth wall and floor leaves the wall at two thirds of its height, at first order in the step")
-{
-    // From there on nothing pushes it sideways; a millionth of its length is its width
-    const double length = 4.0;
-    const double width = 1e-6;
-    const double start = 1.2;
-    Scene scene = slope(0.0, 0.0, 0.0);
-    scene.world.box = BoxDef{{0.0, 0.0}, {100.0, 100.0}};
-    scene.bodies = {rectangle(length, width,
-                              {0.5 * length * std::cos(start) + 0.5 * width * std::sin(start),
-                               0.5 * length * std::sin(start) + 0.5 * width * std::cos(start)})};
-    scene.bodies[0].angle = -start;
-    const double expected = std::pow(std::sin(start), 1.5) * std::sqrt(k_g * length) / 3.0;
-    for (const double per_second : {60.0, 240.0, 960.0}) {
-        World world = with_step(scene, 1.0 / per_second);
-        run(world, 0.9); // not yet down
-        CHECK(world.state(0).position.y() < 2.0 / 3.0 * scene.bodies[0].position.y());
-        CHECK(world.state(0).position.y() > 0.3 * scene.bodies[0].position.y());
-        INFO("per second " << per_second);
-        CHECK(std::abs(world.state(0).velocity.x() / expected - 1.0) <= 0.25 / per_second); // measured: 0.13 to 0.19
-    }
 }
 
 TEST_CASE("who leans on something from the start is handed over at once, and nobody else")
