@@ -10,7 +10,7 @@ namespace {
 
 // [rest.curves.limits]
 /// Points of the largest group whose lines of push are followed along its ways.
-constexpr int k_most_followed = 8;
+constexpr int k_most_followed = 16;
 /// [1, or sizes] A line of push that changes by less within a step is straight.
 constexpr double k_straight = 0x1p-36;
 /// [speeds that the field gives in a step] Slip beyond this is a slide.
