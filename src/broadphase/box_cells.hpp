@@ -8,7 +8,7 @@
 namespace flying {
 
 // [box_cells.class]
-/// Boxes sorted into cells, to be asked for those that share a point with another.
+/// Boxes sorted into cells, to be asked for those that share a point with another box, or with each other.
 ///
 /// Cells are about as wide as the boxes, and no more than twice as many: work grows with the number of boxes, unless a
 /// few are much larger than the rest.
@@ -46,6 +46,27 @@ public:
         }
         return true;
     }
+
+    // [box_cells.pairs]
+    /// Call visit(one, two) once for every two entries whose boxes share a point.
+    template <typename Visit>
+    void for_each_pair(Visit&& visit) const
+    {
+        if (entries_.empty()) return;
+        for (int cell = 0; cell < columns_ * rows_; ++cell) {
+            for (int i = starts_[cell]; i < starts_[cell + 1]; ++i) {
+                const Entry& one = entries_[members_[i]];
+                for (int k = i + 1; k < starts_[cell + 1]; ++k) {
+                    const Entry& two = entries_[members_[k]];
+                    if (!overlap(one.box, two.box)) continue;
+                    // Two may meet in several cells; one of them holds the lower left corner of what they share
+                    const Place corner = place_of(one.box.min.cwiseMax(two.box.min));
+                    if (corner.row * columns_ + corner.column == cell) visit(one, two);
+                }
+            }
+        }
+    }
+    // [box_cells.pairs]
 
 private:
     struct Place

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 #include "response/impact.hpp"
 
@@ -69,30 +70,29 @@ bool PairList::update(std::span<const RestBody> bodies, std::span<const Collisio
 }
 // [rest.pairs.update]
 
-// [rest.pairs.sweep]
+// [rest.pairs.partners]
 void PairList::find_partners(std::span<const RestBody> bodies)
 {
-    // Sweep over the boxes of all that have one
+    // Sort the boxes of all that have one into cells
     const int count = static_cast<int>(bodies.size());
-    boxed_.clear();
+    std::vector<BoxCells::Entry> entries;
+    entries.reserve(bodies.size());
     for (int k = 0; k < count; ++k) {
-        if (!bodies[k].is_active || std::holds_alternative<HalfPlane>(bodies[k].shape)) continue;
-        boxed_.push_back({k, bodies[k].is_static, boxes_[k]});
+        if (bodies[k].is_active && !std::holds_alternative<HalfPlane>(bodies[k].shape)) entries.push_back({boxes_[k], k});
     }
-    sweep_.line_up(boxed_);
+    cells_.sort(std::move(entries));
     found_.clear();
-    sweep_.for_each_pair([&](int a, int b) {
-        found_.emplace_back(a, b);
-        return true;
+    cells_.for_each_pair([&](const BoxCells::Entry& one, const BoxCells::Entry& two) {
+        if (bodies[one.body].is_static && bodies[two.body].is_static) return;
+        found_.emplace_back(std::min(one.body, two.body), std::max(one.body, two.body));
     });
 
     // Walls without end meet whoever reaches into them
     for (int w = 0; w < count; ++w) {
         const auto* wall = std::get_if<HalfPlane>(&bodies[w].shape);
         if (!wall || !bodies[w].is_active) continue;
-        for (const BoxedBody& other : boxed_) {
-            const int k = other.body;
-            if (!other.is_static && overlap(other.box, *wall)) found_.emplace_back(std::min(w, k), std::max(w, k));
+        for (const auto& [box, k] : cells_.entries()) {
+            if (!bodies[k].is_static && overlap(box, *wall)) found_.emplace_back(std::min(w, k), std::max(w, k));
         }
     }
 
@@ -108,7 +108,7 @@ void PairList::find_partners(std::span<const RestBody> bodies)
         std::sort(partners_.begin() + partner_start_[k], partners_.begin() + partner_start_[k + 1]);
     }
 }
-// [rest.pairs.sweep]
+// [rest.pairs.partners]
 
 // [rest.pairs.merge]
 void PairList::add_pairs(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes)

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "broadphase/sweep.hpp"
+#include "broadphase/box_cells.hpp"
 #include "collide/separation.hpp"
 #include "geometry/aabb.hpp"
 #include "rest/near_points.hpp"
@@ -79,8 +79,7 @@ private:
     bool valid_ = false;
     std::vector<Home> homes_;
     std::vector<Aabb> boxes_;
-    std::vector<BoxedBody> boxed_; // all that have a box and take part
-    Sweep sweep_;
+    BoxCells cells_; // of all that have a box and take part
     std::vector<int> partner_start_;
     std::vector<int> partners_;
     std::vector<std::pair<int, int>> found_;

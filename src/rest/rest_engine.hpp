@@ -245,6 +245,7 @@ private:
     [[nodiscard]] bool wake_touched();
     void wake_all_with(int group);
     void gather_groups(std::span<const int> who);
+    void lay_out_points();
     void solve_group(Group& group);
     [[nodiscard]] static bool is_crowd(const Group& group);
     [[nodiscard]] static bool is_heap(const Group& group);

@@ -47,25 +47,37 @@ void RestEngine::gather_groups(std::span<const int> who)
     for (Group& group : groups_) {
         group.first_member = members;
         group.first_point = points;
+        group.all_points = group.point_count;
         members += group.member_count;
         points += group.point_count;
-        group.member_count = group.point_count = 0;
+        group.member_count = 0;
     }
 
     // Lay them out, each group in the order of its bodies and pairs
     members_.resize(members);
-    points_.resize(points);
     for (const int k : who) {
         Group& group = groups_[slot_[root(k)]];
         members_[group.first_member + group.member_count++] = k;
     }
-    for (std::size_t k = 0; k < found_.size(); ++k) {
-        Group& group = groups_[slots_[k]];
-        points_[group.first_point + group.point_count++] = found_[k];
-        group.all_points = group.point_count;
-    }
+    lay_out_points();
     counts_.groups += static_cast<std::int64_t>(groups_.size());
     counts_.points += points;
+}
+
+/// Points by groups, from those that were found, which are used up.
+void RestEngine::lay_out_points()
+{
+    const int count = static_cast<int>(found_.size());
+    if (count > 0 && groups_[slots_[0]].point_count == count) { // all of one group, in order
+        points_.swap(found_);
+        return;
+    }
+    points_.resize(found_.size());
+    for (Group& group : groups_) group.point_count = 0;
+    for (int k = 0; k < count; ++k) {
+        Group& group = groups_[slots_[k]];
+        points_[group.first_point + group.point_count++] = found_[k];
+    }
 }
 // [rest.groups]
 

@@ -105,10 +105,13 @@ void RestEngine::list_awake()
 // [rest.step.back]
 void RestEngine::save_pairs()
 {
-    // Only pairs with points have anything to remember
+    // Only pairs with points have anything to remember, and nobody goes back but where a group that is solved whole outran
+    // its reach
     saved_pairs_.clear();
+    const auto may_outrun = [](const Group& group) { return is_exact(group) && group.point_count > 0; };
+    if (std::none_of(groups_.begin(), groups_.end(), may_outrun)) return;
     int last = -1;
-    for (const ContactPoint& c : found_) {
+    for (const ContactPoint& c : points_) {
         if (c.pair != last) saved_pairs_.emplace_back(c.pair, pairs_.pairs()[c.pair]);
         last = c.pair;
     }
