@@ -65,6 +65,8 @@ public:
     struct SweepPlan
     {
         int sweeps = 8;
+        int most_sweeps = 0;     ///< looking ahead: as many where fewer don't bring a sweep's changes below `enough`
+        double enough = 0.0;     ///< [J]
         int push_sweeps = 0;     ///< after, that push overlap apart
         double push_share = 0.0; ///< of an overlap that they take off
         double time = 0.0;       ///< that the step lasts [s]

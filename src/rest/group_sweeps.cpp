@@ -25,13 +25,16 @@ void GroupSolver::sweep_group(std::span<Mover> movers, std::span<const int> memb
             (is_far ? far_ : swept_).push_back(static_cast<int>(k));
         }
         batches_.lay_out(points, swept_, movers, members);
-        if (plan.looks_ahead) batches_.sweep_ahead(plan.sweeps);
-        else batches_.sweep_to_and_fro(plan.sweeps);
+        if (plan.looks_ahead) {
+            counts_.sweeps += batches_.sweep_ahead({plan.sweeps, std::max(plan.sweeps, plan.most_sweeps), plan.enough});
+        } else {
+            batches_.sweep_to_and_fro(plan.sweeps);
+            counts_.sweeps += plan.sweeps;
+        }
         batches_.get_impulses(points);
         batches_.get_velocities(movers, members);
         sweep_far(points, movers);
         for (const int member : members) pushed[member] = movers[member];
-        counts_.sweeps += plan.sweeps;
         ++counts_.unsolved;
     }
     if (plan.push_sweeps > 0) push_apart(members, points, plan, pushed);

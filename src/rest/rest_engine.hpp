@@ -18,6 +18,7 @@ struct RestOptions
     bool sleeps = true;       ///< groups that a step leaves as they are, to the bit, are left out of the next
     int most_solved = 400;    ///< bodies in the largest group that is solved to rounding; more are swept
     int sweeps = 8;           ///< over larger groups
+    int most_sweeps = 64;     ///< over those that have more to change, as where a pile lands
     int push_sweeps = 4;      ///< over larger groups, that push overlap apart
     double (*seconds)() = nullptr; ///< a clock, lent to measure the stages; null to measure nothing [s]
 };
@@ -262,6 +263,9 @@ private:
     void sweep_large(Group& group);
     void bound_swept(const Group& group, bool is_calm);
     void move_as_swept(const Group& group);
+    void bear_less(const Group& group);
+    [[nodiscard]] Vec2 push_of(int member) const;
+    [[nodiscard]] double energy_of_fall(const Group& group) const;
     [[nodiscard]] static double greatest_speed(std::span<const Mover> movers, std::span<const double> radius, std::span<const int> members);
     void set_free(const Group& group, double time);
     void find_impulses(Group& group, double time);

@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "rest/rest_engine.hpp"
+#include "rest/rest_tolerance.hpp"
 
 namespace flying {
 namespace {
@@ -16,6 +18,8 @@ constexpr double k_content_enough = 0x1p-2;
 constexpr double k_slow = 4.0;
 /// [greatest speeds] Points that would have to close faster than that wait for the end of the sweeps.
 constexpr double k_far = 2.0;
+/// [energies of fall] What a sweep's changes are worth when there are enough of them.
+constexpr double k_enough = 0x1p-10;
 /// Share of an overlap that one step takes off.
 constexpr double k_push_share = 0.25;
 // [rest.swept.limits]
@@ -36,6 +40,8 @@ void RestEngine::sweep_large(Group& group)
     GroupSolver::SweepPlan plan;
     plan.sweeps = options_.sweeps;
     plan.looks_ahead = true;
+    plan.most_sweeps = options_.most_sweeps;
+    plan.enough = k_enough * energy_of_fall(group);
     plan.far_from_closing = k_far * std::max(before, field);
     plan.time = span_;
     plan.tolerance = k_content_enough * k_calm * field;
@@ -54,6 +60,7 @@ void RestEngine::sweep_large(Group& group)
             place_movers_[member] = mover;
         }
     }
+    bear_less(group);
     move_as_swept(group);
 }
 
@@ -68,16 +75,95 @@ double RestEngine::greatest_speed(std::span<const Mover> movers, std::span<const
     return top;
 }
 
-void RestEngine::move_as_swept(const Group& group)
+/// What free fall through one step brings, from rest, twice over; infinite without a field, where nothing presses on.
+double RestEngine::energy_of_fall(const Group& group) const
 {
-    for (int k = 0; k < group.member_count; ++k) {
-        const int member = members_[group.first_member + k];
-        const Mover& pushed = place_movers_[member];
-        shift_[member] = span_ * Vec2(pushed.v_x, pushed.v_y);
-        turn_[member] = span_ * pushed.spin;
+    double sum = 0.0;
+    for (const int member : std::span(members_).subspan(group.first_member, group.member_count)) {
+        sum += (span_ * bodies_[member].acceleration).squaredNorm() / movers_[member].inv_mass;
     }
+    return sum > 0.0 ? sum : std::numeric_limits<double>::infinity();
 }
 // [rest.swept]
+
+// [rest.swept.less]
+/// Sweeps that go on from what bore too much lift a heap. With no impulses it would fall through the step, and lose
+/// energy by that; with some share of them it neither gains nor loses any.
+void RestEngine::bear_less(const Group& group)
+{
+    // [rest.swept.less.share]
+    // With a share s of the impulses the energy grows by  square s^2 + linear s + constant
+    double square = 0.0;   // [J]
+    double linear = 0.0;   // [J]
+    double constant = 0.0; // [J]
+    double before = 0.0;
+    const std::span<const int> members = std::span(members_).subspan(group.first_member, group.member_count);
+    for (const int member : members) {
+        const Mover& old = before_[member];
+        const Mover& now = movers_[member];
+        const Vec2 velocity(old.v_x, old.v_y);
+        const Vec2 fall = span_ * bodies_[member].acceleration;
+        const Vec2 change = Vec2(now.v_x, now.v_y) - velocity - fall;
+        const double spin = now.spin - old.spin;
+        square += 0.5 * (change.squaredNorm() / now.inv_mass + spin * spin / now.inv_moment);
+        linear += velocity.dot(change) / now.inv_mass + old.spin * spin / now.inv_moment;
+        constant -= 0.5 * fall.squaredNorm() / now.inv_mass;
+        before += 0.5 * (velocity.squaredNorm() / now.inv_mass + old.spin * old.spin / now.inv_moment);
+    }
+    const double scale = before + square - constant;
+    if (!(square + linear + constant > rest_tolerance::k_rounding * scale)) return;
+    const double root = std::sqrt(linear * linear - 4.0 * square * constant);
+    const double share = linear > 0.0 ? -2.0 * constant / (linear + root) : (root - linear) / (2.0 * square);
+    // [rest.swept.less.share]
+
+    for (ContactPoint& c : std::span(points_).subspan(group.first_point, group.point_count)) {
+        c.normal *= share;
+        c.tangent *= share;
+    }
+    for (const int member : members) {
+        const Mover& old = before_[member];
+        const Vec2 fall = span_ * bodies_[member].acceleration;
+        Mover& now = movers_[member];
+        Mover& pushed = place_movers_[member];
+        const Mover all = now;
+        now.v_x = (old.v_x + fall.x()) + share * (all.v_x - (old.v_x + fall.x()));
+        now.v_y = (old.v_y + fall.y()) + share * (all.v_y - (old.v_y + fall.y()));
+        now.spin = old.spin + share * (all.spin - old.spin);
+        pushed.v_x += now.v_x - all.v_x;
+        pushed.v_y += now.v_y - all.v_y;
+        pushed.spin += now.spin - all.spin;
+    }
+}
+// [rest.swept.less]
+
+// [rest.swept.move]
+void RestEngine::move_as_swept(const Group& group)
+{
+    const std::span<const int> members = std::span(members_).subspan(group.first_member, group.member_count);
+    double lift = 0.0; // work against the field, of what pushes overlap apart [J]
+    for (const int member : members) {
+        const Mover& now = movers_[member];
+        shift_[member] = span_ * Vec2(now.v_x, now.v_y);
+        turn_[member] = span_ * now.spin;
+        lift -= span_ * bodies_[member].acceleration.dot(push_of(member)) / now.inv_mass;
+    }
+
+    // It may cost no more energy than the sweeps have taken
+    const double share = lift > 0.0 ? std::clamp(-gain_of(group).gained / lift, 0.0, 1.0) : 1.0;
+    for (const int member : members) {
+        shift_[member] += (span_ * share) * push_of(member);
+        turn_[member] += (span_ * share) * (place_movers_[member].spin - movers_[member].spin);
+    }
+}
+
+/// By which a body's place moves beyond its velocity.  [m/s]
+Vec2 RestEngine::push_of(int member) const
+{
+    const Mover& now = movers_[member];
+    const Mover& pushed = place_movers_[member];
+    return Vec2(pushed.v_x - now.v_x, pushed.v_y - now.v_y);
+}
+// [rest.swept.move]
 
 // [rest.swept.bounds]
 void RestEngine::bound_swept(const Group& group, bool is_calm)

@@ -232,19 +232,21 @@ void SweepBatches::sweep_to_and_fro(int sweeps)
 // [rest.batches.ahead]
 /// Of what one sweep takes off little, many would take off alike. Wherever a sweep changes more than the last, the
 /// directions are forgotten (Silcowitz, Niebe and Erleben, A nonsmooth nonlinear conjugate gradient method, 2010).
-void SweepBatches::sweep_ahead(int sweeps)
+int SweepBatches::sweep_ahead(const Ahead& ahead)
 {
     way_.assign(points_.size(), Way{});
     drift_.assign(bodies_.size(), Drift{});
     double last = 0.0;
-    for (int k = 0; k < sweeps; ++k) {
+    for (int k = 0;; ++k) {
         for (std::size_t i = 0; i < points_.size(); ++i) {
             way_[i].old_normal = points_[i].normal;
             way_[i].old_tangent = points_[i].tangent;
         }
         for (std::size_t i = 0; i < bodies_.size(); ++i) drift_[i].old = bodies_[i].motion;
         sweep();
-        if (k + 1 == sweeps) break; // what a sweep leaves lies in Coulomb's cones; what goes ahead may not
+        // What a sweep leaves lies in Coulomb's cones; what goes ahead may not
+        const int sweeps = k + 1;
+        if (sweeps >= ahead.most || (sweeps >= ahead.least && last <= ahead.enough)) return sweeps;
 
         Four sum{};
         for (std::size_t i = 0; i < points_.size(); ++i) {

@@ -25,8 +25,15 @@ public:
     void sweep_back();
     /// Sweeps, the first to the end of the list, the next back to its beginning, and so on.
     void sweep_to_and_fro(int sweeps);
-    /// Sweeps that go on in the direction of those before, as conjugate gradients do.
-    void sweep_ahead(int sweeps);
+    /// How many sweeps that go on in the direction of those before, as conjugate gradients do.
+    struct Ahead
+    {
+        int least = 8;
+        int most = 8;        ///< >= least
+        double enough = 0.0; ///< once a sweep's changes are worth less, those beyond the least may end [J]
+    };
+    /// Returns how many it made. A sweep's changes are worth the sum of their squares over the effective masses.
+    int sweep_ahead(const Ahead& ahead);
 
     /// From here on other impulses, from none, without friction, of the points that were laid out: where one overlaps,
     /// so that it parts by `share` of that within `time` at least.
