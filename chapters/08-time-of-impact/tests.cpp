@@ -8,6 +8,7 @@
 #include "geometry/polygon.hpp"
 #include "math/random.hpp"
 #include "motion/flight.hpp"
+#include "support/effort.hpp"
 #include "support/random_polygons.hpp"
 #include "support/receipts.hpp"
 #include "toi/predict.hpp"
@@ -304,7 +305,7 @@ TEST_CASE("no first touch is missed or late, against dense sampling of the dista
 TEST_CASE("asking in pieces, and looking before the circles meet, changes no bit")
 {
     Random random(8);
-    for (int k = 0; k < 400; ++k) {
+    for (int k = 0; k < tried(400); ++k) {
         const Shape a = random_shape(random);
         const Shape b = random_shape(random);
         Flyer fa = random_flyer(random, Vec2(-2.2, random.uniform(-1.0, 1.0)));

@@ -8,6 +8,7 @@
 #include "math/random.hpp"
 #include "rest/rest_engine.hpp"
 #include "rest_trial.hpp"
+#include "support/effort.hpp"
 
 using namespace flying;
 using namespace flying::stress;
@@ -65,7 +66,8 @@ double energy_of(const RestEngine& engine)
 TEST_CASE("random scenes at rest: energy never rises, nobody is lost, nothing becomes no number or ends with overlap")
 {
     // The first of the scenes of ./course stress rest, which goes on for as many as one likes
-    for (std::uint64_t seed = 1; seed <= 45; ++seed) {
+    const std::uint64_t count = flying::testing::tried(45);
+    for (std::uint64_t seed = 1; seed <= count; ++seed) {
         const RestScene scene = make_rest_scene(seed);
         CAPTURE(seed);
         CAPTURE(scene.label);
