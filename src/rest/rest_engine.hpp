@@ -329,6 +329,7 @@ private:
     [[nodiscard]] Vec2 common_velocity(const Group& group) const;
     [[nodiscard]] bool slow_down(const Group& group, double by, const Vec2& common);
     void hold_back(const Group& group);
+    [[nodiscard]] bool stood_alike(int member) const;
     void move_group(const Group& group);
     void set_arms(ContactPoint& point, const Vec2& normal, const Vec2& r_a, const Vec2& r_b) const;
     [[nodiscard]] double field_speed(const Group& group) const;

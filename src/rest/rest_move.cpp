@@ -104,6 +104,14 @@ void RestEngine::find_places(const Group& group)
 // [rest.places]
 
 // [rest.move]
+/// A body had no motion when the step began either, and what is expected of it now was expected then.
+bool RestEngine::stood_alike(int member) const
+{
+    const Saved& old = saved_[member];
+    return old.state.velocity.isZero(0.0) && old.state.spin == 0.0 && old.pull == pull_[member] &&
+           old.turn_pull == turn_pull_[member] && old.in_crowd == in_crowd_[member];
+}
+
 void RestEngine::move_group(const Group& group)
 {
     // Remember what the points bore
@@ -132,7 +140,7 @@ void RestEngine::move_group(const Group& group)
         const Mover& now = movers_[member];
         const Vec2& way = shift_[member];
         same = same && way.x() == 0.0 && way.y() == 0.0 && turn_[member] == 0.0 && now.v_x == 0.0 && now.v_y == 0.0 &&
-               now.spin == 0.0;
+               now.spin == 0.0 && stood_alike(member);
         state.position += way;
         state.angle += turn_[member];
         state.velocity = Vec2(now.v_x, now.v_y);
