@@ -33,6 +33,7 @@ generated=(
     "pile --seed 21 --until 5"
     "pile --seed 25 --shape polygon --count 60 --until 8 | --engine rest"
     "pile --seed 26 --shape disc --count 80 --until 8"
+    "pile --seed 28 --count 450 --restitution 0 --until 3 | --engine rest"
     "gas --seed 27 --shape polygon --count 30 --gravity 0 -9.81 --restitution 0.5 --friction 0.4 --until 10"
 )
 

@@ -37,12 +37,12 @@ expect() { # status last-line programs...
         failures=$((failures + 1))
     fi
 }
-expect 0 "19 scenes agree, 0 differ" ./one ./another
-expect 1 "18 scenes agree, 1 differ" ./one ./another ./other-hash
-expect 1 "2 scenes agree, 17 differ" ./one ./other-scene
-expect 1 "0 scenes agree, 19 differ" ./one ./fails
-expect 1 "0 scenes agree, 19 differ" ./fails ./fails
-expect 1 "0 scenes agree, 19 differ" ./silent ./silent
+expect 0 "20 scenes agree, 0 differ" ./one ./another
+expect 1 "19 scenes agree, 1 differ" ./one ./another ./other-hash
+expect 1 "2 scenes agree, 18 differ" ./one ./other-scene
+expect 1 "0 scenes agree, 20 differ" ./one ./fails
+expect 1 "0 scenes agree, 20 differ" ./fails ./fails
+expect 1 "0 scenes agree, 20 differ" ./silent ./silent
 expect 2 "compare_hashes.sh: at least two programs; found 1" ./one
 expect 2 "compare_hashes.sh: not a program: ./none" ./one ./none
 ((failures == 0))
