@@ -38,15 +38,6 @@ void check_order(const std::vector<double>& errors, double factor)
     }
 }
 
-World with_step(const Scene& scene, double step)
-{
-    WorldOptions options;
-    options.step = step;
-    Expected<World> world = World::make(scene, options);
-    REQUIRE(world.has_value());
-    return std::move(world).value();
-}
-
 /// A block that rocks on its corners without sliding (Housner, 1963), by its exact equation: theta'' = -p^2 sin(alpha -
 /// theta) from one corner to the other.
 struct Rocking

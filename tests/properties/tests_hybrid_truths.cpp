@@ -41,15 +41,6 @@ Scene ramp(double tilt, double friction, double width, double height)
     return scene;
 }
 
-World with_step(const Scene& scene, double step)
-{
-    WorldOptions options;
-    options.step = step;
-    Expected<World> world = World::make(scene, options);
-    REQUIRE(world.has_value());
-    return std::move(world).value();
-}
-
 double way_of(const World& world, int body)
 {
     return (world.state(body).position - world.scene().bodies[static_cast<std::size_t>(body)].position).norm();

@@ -50,6 +50,16 @@ inline World world_of(const Scene& scene, EngineChoice engine = EngineChoice::au
     return std::move(world).value();
 }
 
+/// The same, where it is moved by steps, by those of so many seconds.
+inline World with_step(const Scene& scene, double step)
+{
+    WorldOptions options;
+    options.step = step;
+    Expected<World> world = World::make(scene, options);
+    REQUIRE(world.has_value());
+    return std::move(world).value();
+}
+
 /// The same, moved by exact events alone.
 inline World events_of(const Scene& scene, const std::vector<std::string>& without = {})
 {
