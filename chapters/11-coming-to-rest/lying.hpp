@@ -64,7 +64,7 @@ enum class Fate
 
 inline Fate left_alone(RestEngine& engine)
 {
-    const int last = static_cast<int>(engine.bodies().size()) - 1;
+    const int last = engine.body_count() - 1;
     const BodyState start = engine.state(last);
     while (engine.time() < 2.0) {
         engine.step();

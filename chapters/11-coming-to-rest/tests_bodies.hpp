@@ -56,7 +56,8 @@ inline std::vector<RestBody> stack(int count, const Material& material = {0.0, 0
 inline double energy(const RestEngine& engine)
 {
     double sum = 0.0;
-    for (const RestBody& body : engine.bodies()) {
+    for (int k = 0; k < engine.body_count(); ++k) {
+        const RestBody& body = engine.body(k);
         if (body.is_static) continue;
         const BodyState& s = body.state;
         const double mass = 1.0 / body.inertia.inv_mass;

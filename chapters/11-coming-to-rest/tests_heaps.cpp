@@ -166,9 +166,11 @@ TEST_CASE("a tall heap that lands goes on to move until it lies, and isn't crush
     int hung = 0;     // those after which somebody has moved
     for (int k = 0; k < 60 * 8; ++k) {
         engine.step();
-        const bool stands = std::all_of(engine.bodies().begin(), engine.bodies().end(), [](const RestBody& body) {
-            return body.state.velocity.isZero(0.0) && body.state.spin == 0.0;
-        });
+        bool stands = true;
+        for (int i = 0; i < engine.body_count(); ++i) {
+            const BodyState& state = engine.body(i).state;
+            stands = stands && state.velocity.isZero(0.0) && state.spin == 0.0;
+        }
         if (!stands) hung += standing;
         standing = stands ? standing + 1 : 0;
     }

@@ -73,13 +73,15 @@ void RestEngine::find_clear(double within, std::vector<char>& clear) const
     clear.assign(bodies_.size(), 0);
     for (std::size_t k = 0; k < bodies_.size(); ++k) {
         const RestBody& body = bodies_[k];
-        clear[k] = body.is_active && !body.is_static && !asleep_[k] ? 1 : 0;
+        clear[order_[k]] = body.is_active && !body.is_static && !asleep_[k] ? 1 : 0;
     }
     for (const RestPair& pair : pairs_.pairs()) {
-        if (!clear[pair.a] && !clear[pair.b]) continue;
+        char& clear_a = clear[order_[pair.a]];
+        char& clear_b = clear[order_[pair.b]];
+        if (!clear_a && !clear_b) continue;
         bool loaded = false;
         for (int k = 0; k < pair.count; ++k) loaded = loaded || pair.normal[k] > 0.0;
-        if (loaded || !stays_apart(pair, within)) clear[pair.a] = clear[pair.b] = 0;
+        if (loaded || !stays_apart(pair, within)) clear_a = clear_b = 0;
     }
 }
 
@@ -132,7 +134,7 @@ bool RestEngine::stays_apart(const RestPair& pair, double within) const
 // [rest.memory]
 RestEngine::Memory RestEngine::memory() const
 {
-    Memory memory{time(), {}, {pairs_.pairs().begin(), pairs_.pairs().end()}, max_overlap_};
+    Memory memory{time(), order_, {}, {pairs_.pairs().begin(), pairs_.pairs().end()}, max_overlap_};
     for (std::size_t k = 0; k < bodies_.size(); ++k) {
         memory.bodies.push_back({bodies_[k].state, pull_[k], turn_pull_[k], reach_[k],
                                  asleep_[k] ? sleep_group_[k] : -1, bodies_[k].is_active, in_crowd_[k] != 0});
@@ -142,6 +144,11 @@ RestEngine::Memory RestEngine::memory() const
 
 void RestEngine::go_on_from(const Memory& memory)
 {
+    if (memory.order != order_) {
+        std::vector<RestBody> bodies;
+        for (const int place : place_) bodies.push_back(bodies_[place]);
+        *this = RestEngine(std::move(bodies), options_, memory.time, memory.order);
+    }
     set_time(memory.time);
     sleepers_ = -1;
     max_overlap_ = memory.max_overlap;

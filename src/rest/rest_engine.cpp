@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 #include "math/hash.hpp"
+#include "rest/body_order.hpp"
 #include "rest/rest_tolerance.hpp"
 
 namespace flying {
@@ -44,9 +47,19 @@ namespace {
 
 // [rest.engine.setup]
 RestEngine::RestEngine(std::vector<RestBody> bodies, const RestOptions& options, double time)
-    : bodies_(std::move(bodies)), options_(options), start_(time)
+    : RestEngine(bodies, options, time, order_in_memory(bodies, options.most_solved))
 {
-    const std::size_t count = bodies_.size();
+}
+
+RestEngine::RestEngine(std::vector<RestBody> bodies, const RestOptions& options, double time, std::vector<int> order)
+    : order_(std::move(order)), options_(options), start_(time)
+{
+    const std::size_t count = bodies.size();
+    place_.resize(count);
+    for (std::size_t k = 0; k < count; ++k) {
+        bodies_.push_back(std::move(bodies[order_[k]]));
+        place_[order_[k]] = static_cast<int>(k);
+    }
     for (RestBody& body : bodies_) {
         body.state.time = time;
         shapes_.push_back(make_collision_shape(body.shape));
@@ -142,8 +155,9 @@ double RestEngine::touch_gap(int a, const Vec2& place_a, int b, const Vec2& plac
 // [rest.engine.touch_gap]
 
 // [rest.engine.change]
-void RestEngine::set_state(int body, const BodyState& state)
+void RestEngine::set_state(int number, const BodyState& state)
 {
+    const int body = place_[number];
     bodies_[body].state = state;
     bodies_[body].state.time = time();
     set_pose(body, pose_of(state));
@@ -153,8 +167,9 @@ void RestEngine::set_state(int body, const BodyState& state)
     wake_all_with(body);
 }
 
-void RestEngine::set_active(int body, bool active)
+void RestEngine::set_active(int number, bool active)
 {
+    const int body = place_[number];
     if (bodies_[body].is_active == active) return;
     wake_all_with(body);
     bodies_[body].is_active = active;
@@ -192,11 +207,18 @@ std::vector<RestContact> RestEngine::contacts() const
         for (int k = 0; k < pair.count; ++k) {
             for (int i = 0; i < manifold.count; ++i) {
                 if (manifold.contacts[i].feature != pair.feature[k]) continue;
-                result.push_back({pair.a, pair.b, manifold.contacts[i].normal, manifold.contacts[i].separation,
-                                  pair.normal[k] / options_.step, pair.tangent[k] / options_.step});
+                RestContact& contact = result.emplace_back(order_[pair.a], order_[pair.b], manifold.contacts[i].normal,
+                                                           manifold.contacts[i].separation,
+                                                           pair.normal[k] / options_.step, pair.tangent[k] / options_.step);
+                if (contact.a < contact.b) continue;
+                std::swap(contact.a, contact.b);
+                contact.normal = -contact.normal;
             }
         }
     }
+    std::stable_sort(result.begin(), result.end(), [](const RestContact& one, const RestContact& two) {
+        return std::tie(one.a, one.b) < std::tie(two.a, two.b);
+    });
     return result;
 }
 // [rest.engine.contacts]
@@ -211,14 +233,14 @@ std::vector<int> RestEngine::groups() const
         return k;
     };
     for (const RestContact& contact : contacts()) {
-        if (bodies_[contact.a].is_static || bodies_[contact.b].is_static) continue;
-        if (contact.normal_force == 0.0 && contact.gap > touch_gap(contact.a, contact.b)) continue;
+        if (body(contact.a).is_static || body(contact.b).is_static) continue;
+        if (contact.normal_force == 0.0 && contact.gap > touch_gap(place_[contact.a], place_[contact.b])) continue;
         const int one = root(contact.a);
         const int two = root(contact.b);
         group[std::max(one, two)] = std::min(one, two);
     }
     for (int k = 0; k < static_cast<int>(group.size()); ++k) {
-        group[k] = bodies_[k].is_static || !bodies_[k].is_active ? -1 : root(k);
+        group[k] = body(k).is_static || !body(k).is_active ? -1 : root(k);
     }
     return group;
 }
@@ -228,8 +250,8 @@ std::vector<int> RestEngine::groups() const
 std::uint64_t RestEngine::hash() const
 {
     Hash hash;
-    for (const RestBody& body : bodies_) {
-        const BodyState& s = body.state;
+    for (const int place : place_) {
+        const BodyState& s = bodies_[place].state;
         for (const double x : {s.position.x(), s.position.y(), s.angle, s.velocity.x(), s.velocity.y(), s.spin})
             hash.add(x);
     }

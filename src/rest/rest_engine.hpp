@@ -97,10 +97,11 @@ public:
     /// Moment that the steps have reached.  [s]
     [[nodiscard]] double time() const { return start_ + static_cast<double>(steps_) * options_.step; }
 
-    [[nodiscard]] std::span<const RestBody> bodies() const { return bodies_; }
+    [[nodiscard]] int body_count() const { return static_cast<int>(bodies_.size()); }
+    [[nodiscard]] const RestBody& body(int body) const { return bodies_[place_[body]]; }
     [[nodiscard]] BodyState state(int body) const
     {
-        BodyState state = bodies_[body].state;
+        BodyState state = bodies_[place_[body]].state;
         state.time = time();
         return state;
     }
@@ -127,6 +128,7 @@ public:
             bool in_crowd = false;
         };
         double time = 0.0;
+        std::vector<int> order; ///< which body each of `bodies` is; all numbers in here are places in that list
         std::vector<Body> bodies;
         std::vector<RestPair> pairs;
         double max_overlap = 0.0;
@@ -139,9 +141,9 @@ public:
     /// For each body, the number of its group: bodies that touch, by whatever chain of moving bodies, share one, which
     /// is its lowest body. -1 for static bodies and those not active.
     [[nodiscard]] std::vector<int> groups() const;
-    [[nodiscard]] bool is_asleep(int body) const { return asleep_[body] != 0; }
+    [[nodiscard]] bool is_asleep(int body) const { return asleep_[place_[body]] != 0; }
     /// The last step changed nothing of the body.
-    [[nodiscard]] bool is_still(int body) const { return still_[body] != 0; }
+    [[nodiscard]] bool is_still(int body) const { return still_[place_[body]] != 0; }
 
     [[nodiscard]] const RestCounts& counts() const { return counts_; }
     [[nodiscard]] const SolveCounts& solve_counts() const { return solver_.counts(); }
@@ -153,6 +155,8 @@ public:
     [[nodiscard]] std::uint64_t hash() const;
 
 private:
+    RestEngine(std::vector<RestBody> bodies, const RestOptions& options, double time, std::vector<int> order);
+
     struct Group
     {
         int first_member = 0;
@@ -345,7 +349,9 @@ private:
     void scale_loads_awake(double factor);
 
     // [rest.engine.data]
-    std::vector<RestBody> bodies_;
+    std::vector<RestBody> bodies_; // as they lie in memory (rest/body_order.hpp), as all that follows
+    std::vector<int> order_;       // of each of them, the number by which it is known outside
+    std::vector<int> place_;       // of each such number, its place
     RestOptions options_;
     double start_ = 0.0;
     std::int64_t steps_ = 0;

@@ -10,6 +10,11 @@ namespace {
 inline void set_all(Four& four, double x) { four = Four{x, x, x, x}; }
 // [rest.batches.all]
 
+// [rest.batches.apart]
+/// Batches from one pair of a body to its next: a batch that doesn't wait for the one before it is swept beside it.
+constexpr int k_apart = 3;
+// [rest.batches.apart]
+
 } // namespace
 
 // [rest.batches.turns]
@@ -25,29 +30,34 @@ int SweepBatches::first_open(std::vector<int>& open, int turn)
     return turn;
 }
 
+void SweepBatches::add_batch(int count)
+{
+    const int batch = static_cast<int>(batches_.size());
+    open_[count - 1].push_back(batch + 1);
+    std::vector<int>& other = open_[2 - count];
+    other.push_back(batch + 1);
+    other[batch] = batch + 1;
+    const int nobody = static_cast<int>(bodies_.size()) - 1;
+    Batch& added = batches_.emplace_back();
+    std::fill(added.a, added.a + 4, nobody);
+    std::fill(added.b, added.b + 4, nobody);
+    added.first = static_cast<int>(points_.size());
+    added.count = count;
+    added.pairs = 0;
+    for (int i = 0; i < count; ++i) {
+        Points& empty = points_.emplace_back();
+        set_all(empty.normal_mass, 1.0);
+        set_all(empty.tangent_mass, 1.0);
+    }
+}
+
 /// The first batch from a turn on that has room for a pair of so many points; a new one at the end where none has.
 int SweepBatches::batch_from(int turn, int count)
 {
+    while (static_cast<int>(batches_.size()) < turn) add_batch(count);
     std::vector<int>& open = open_[count - 1];
     const int batch = first_open(open, turn);
-    if (batch == static_cast<int>(batches_.size())) {
-        open.push_back(batch + 1);
-        std::vector<int>& other = open_[2 - count];
-        other.push_back(batch + 1);
-        other[batch] = batch + 1;
-        const int nobody = static_cast<int>(bodies_.size()) - 1;
-        Batch& added = batches_.emplace_back();
-        std::fill(added.a, added.a + 4, nobody);
-        std::fill(added.b, added.b + 4, nobody);
-        added.first = static_cast<int>(points_.size());
-        added.count = count;
-        added.pairs = 0;
-        for (int i = 0; i < count; ++i) {
-            Points& empty = points_.emplace_back();
-            set_all(empty.normal_mass, 1.0);
-            set_all(empty.tangent_mass, 1.0);
-        }
-    }
+    if (batch == static_cast<int>(batches_.size())) add_batch(count);
     if (++batches_[batch].pairs == 4) open[batch] = batch + 1;
     return batch;
 }
@@ -75,7 +85,7 @@ void SweepBatches::lay_out(std::span<const ContactPoint> points, std::span<const
         const int a = place_of(c.a, movers);
         const int b = place_of(c.b, movers);
         const int turn = batch_from(std::max(turns_[a], turns_[b]), count);
-        turns_[a] = turns_[b] = turn + 1;
+        turns_[a] = turns_[b] = turn + k_apart;
         turns_.back() = 0; // what can't move is never in the way
         Batch& batch = batches_[turn];
         const int lane = batch.pairs - 1;
@@ -151,7 +161,7 @@ struct SweepBatches::Motion
     Four inv_mass;
 };
 
-inline void SweepBatches::content(const Batch& batch, Points& c, Motion& a, Motion& b)
+inline void SweepBatches::content(const Batch& batch, Points& c, Motion& a, Motion& b, Change& change)
 {
     // The plain sweep's sums, in its order
     Four v_x = b.v_x - a.v_x;
@@ -184,11 +194,14 @@ inline void SweepBatches::content(const Batch& batch, Points& c, Motion& a, Moti
     b.v_x += b.inv_mass * p_x;
     b.v_y += b.inv_mass * p_y;
     b.spin = spin_b + batch.inv_moment_b * (q * c.tangent_arm_b);
+    change.normal = j;
+    change.tangent = q;
 }
 // [rest.batches.content]
 
 // [rest.batches.sweep]
-inline void SweepBatches::sweep_batch(const Batch& batch, bool backwards)
+template <typename Note>
+inline void SweepBatches::sweep_batch(const Batch& batch, bool backwards, Note&& note)
 {
     Four row[4];
     Motion a;
@@ -199,7 +212,10 @@ inline void SweepBatches::sweep_batch(const Batch& batch, bool backwards)
     turn(row, b.v_x, b.v_y, b.spin, b.inv_mass);
 
     for (int k = 0; k < batch.count; ++k) {
-        content(batch, points_[batch.first + (backwards ? batch.count - 1 - k : k)], a, b);
+        const int point = batch.first + (backwards ? batch.count - 1 - k : k);
+        Change change;
+        content(batch, points_[point], a, b, change);
+        note(point, change);
     }
 
     const Four of_a[4] = {a.v_x, a.v_y, a.spin, a.inv_mass};
@@ -212,12 +228,12 @@ inline void SweepBatches::sweep_batch(const Batch& batch, bool backwards)
 
 void SweepBatches::sweep()
 {
-    for (const Batch& batch : batches_) sweep_batch(batch, false);
+    for (const Batch& batch : batches_) sweep_batch(batch, false, [](int, const Change&) {});
 }
 
 void SweepBatches::sweep_back()
 {
-    for (std::size_t k = batches_.size(); k > 0; --k) sweep_batch(batches_[k - 1], true);
+    for (std::size_t k = batches_.size(); k > 0; --k) sweep_batch(batches_[k - 1], true, [](int, const Change&) {});
 }
 
 void SweepBatches::sweep_to_and_fro(int sweeps)
@@ -236,25 +252,20 @@ int SweepBatches::sweep_ahead(const Ahead& ahead)
 {
     way_.assign(points_.size(), Way{});
     drift_.assign(bodies_.size(), Drift{});
+    for (std::size_t i = 0; i < bodies_.size(); ++i) drift_[i].old = bodies_[i].motion;
     double last = 0.0;
     for (int k = 0;; ++k) {
-        for (std::size_t i = 0; i < points_.size(); ++i) {
-            way_[i].old_normal = points_[i].normal;
-            way_[i].old_tangent = points_[i].tangent;
+        Four sum{};
+        for (const Batch& batch : batches_) {
+            sweep_batch(batch, false, [&](int point, const Change& change) {
+                const Points& c = points_[point];
+                way_[point].last = change;
+                sum += change.normal * change.normal / c.normal_mass + change.tangent * change.tangent / c.tangent_mass;
+            });
         }
-        for (std::size_t i = 0; i < bodies_.size(); ++i) drift_[i].old = bodies_[i].motion;
-        sweep();
         // What a sweep leaves lies in Coulomb's cones; what goes ahead may not
         const int sweeps = k + 1;
         if (sweeps >= ahead.most || (sweeps >= ahead.least && last <= ahead.enough)) return sweeps;
-
-        Four sum{};
-        for (std::size_t i = 0; i < points_.size(); ++i) {
-            const Points& c = points_[i];
-            const Four normal = c.normal - way_[i].old_normal;
-            const Four tangent = c.tangent - way_[i].old_tangent;
-            sum += normal * normal / c.normal_mass + tangent * tangent / c.tangent_mass;
-        }
         const double now = (sum[0] + sum[1]) + (sum[2] + sum[3]);
         const double share = k > 0 && last > 0.0 ? now / last : 0.0;
         last = now;
@@ -270,19 +281,21 @@ void SweepBatches::go_ahead(double share)
     for (std::size_t i = 0; i < points_.size(); ++i) {
         Points& c = points_[i];
         Way& way = way_[i];
-        const Four normal = c.normal - way.old_normal;
-        const Four tangent = c.tangent - way.old_tangent;
-        c.normal += part * way.normal;
-        c.tangent += part * way.tangent;
-        way.normal = part * way.normal + normal;
-        way.tangent = part * way.tangent + tangent;
+        const Four normal = part * way.so_far.normal;
+        const Four tangent = part * way.so_far.tangent;
+        c.normal += normal;
+        c.tangent += tangent;
+        way.so_far.normal = normal + way.last.normal;
+        way.so_far.tangent = tangent + way.last.tangent;
     }
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
         Four& motion = bodies_[i].motion;
         Drift& drift = drift_[i];
         const Four change = motion - drift.old;
-        motion += part * drift.way;
-        drift.way = part * drift.way + change;
+        const Four way = part * drift.way;
+        motion += way;
+        drift.way = way + change;
+        drift.old = motion;
     }
 }
 // [rest.batches.ahead]

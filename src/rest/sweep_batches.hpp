@@ -76,30 +76,35 @@ private:
     {
         Four motion;
     };
-    /// Impulses before a sweep, and the way that sweeps have led them.  [N s]
-    struct Way
+    /// Of the impulses of one point of each of the four.  [N s]
+    struct Change
     {
-        Four old_normal;
-        Four old_tangent;
         Four normal;
         Four tangent;
+    };
+    struct Way
+    {
+        Change last;   ///< by the last sweep
+        Change so_far; ///< by all sweeps since directions were forgotten
     };
     /// The same of a body's velocity.
     struct Drift
     {
-        Four old;
+        Four old; ///< before the last sweep
         Four way;
     };
     struct Motion;
 
     void set_velocities(std::span<const Mover> movers, std::span<const int> members);
     [[nodiscard]] static int first_open(std::vector<int>& open, int turn);
+    void add_batch(int count);
     [[nodiscard]] int batch_from(int turn, int count);
     [[nodiscard]] int place_of(int body, std::span<const Mover> movers) const;
     void set_lane(Batch& batch, int lane, std::span<const ContactPoint> points, std::span<const int> which,
                   std::span<const Mover> movers);
-    static void content(const Batch& batch, Points& points, Motion& a, Motion& b);
-    void sweep_batch(const Batch& batch, bool backwards);
+    static void content(const Batch& batch, Points& points, Motion& a, Motion& b, Change& change);
+    template <typename Note>
+    void sweep_batch(const Batch& batch, bool backwards, Note&& note);
     void go_ahead(double share);
 
     std::vector<Batch> batches_;

@@ -368,7 +368,7 @@ BodyState Hybrid::state(const EventEngine& engine, int body, double time) const
 // [hybrid.energy]
 double Hybrid::energy(int body, const BodyState& state) const
 {
-    const Inertia& inertia = rest_.bodies()[body].inertia;
+    const Inertia& inertia = rest_.body(body).inertia;
     if (inertia.inv_mass == 0.0) return 0.0;
     const double shift = state.velocity.squaredNorm() / inertia.inv_mass;
     const double turn = state.spin * state.spin / inertia.inv_moment_of_inertia;

@@ -99,7 +99,7 @@ void Hybrid::join_islands(int one, int two)
 /// Where a body that rests may get within a whole step, as it moves now.
 Aabb Hybrid::way_of(int k) const
 {
-    const RestBody& body = rest_.bodies()[k];
+    const RestBody& body = rest_.body(k);
     const double speed = body.state.velocity.norm() + std::abs(body.state.spin) * radius_[k];
     const double way = setting_.step * (speed + setting_.step * setting_.gravity.norm()) + k_near * radius_[k];
     const bool is_disc = std::holds_alternative<Disc>(body.shape); // which looks the same from everywhere

@@ -121,9 +121,9 @@ void lay_to_sleep(PileComparison& result, const Scene& scene, const Case& of)
         resting.step();
         ++steps;
         moving = asleep = 0;
-        for (std::size_t k = 0; k < engine.bodies().size(); ++k) {
-            moving += engine.bodies()[k].is_static ? 0 : 1;
-            asleep += engine.is_asleep(static_cast<int>(k)) ? 1 : 0;
+        for (int k = 0; k < engine.body_count(); ++k) {
+            moving += engine.body(k).is_static ? 0 : 1;
+            asleep += engine.is_asleep(k) ? 1 : 0;
         }
     } while (asleep < moving && steps < of.most_to_rest);
     result.asleep_after = static_cast<double>(asleep) / std::max(1, moving);

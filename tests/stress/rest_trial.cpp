@@ -93,7 +93,8 @@ bool place(Random& random, const RestScene& scene, const std::vector<CollisionSh
 double energy_of(const RestEngine& engine, const RestScene& scene)
 {
     double sum = 0.0;
-    for (const RestBody& body : engine.bodies()) {
+    for (int k = 0; k < engine.body_count(); ++k) {
+        const RestBody& body = engine.body(k);
         if (body.is_static) continue;
         const BodyState& s = body.state;
         const double mass = 1.0 / body.inertia.inv_mass;
@@ -107,7 +108,8 @@ double energy_of(const RestEngine& engine, const RestScene& scene)
 double energy_to_give(const RestEngine& engine, const RestScene& scene)
 {
     double sum = energy_of(engine, scene);
-    for (const RestBody& body : engine.bodies()) {
+    for (int k = 0; k < engine.body_count(); ++k) {
+        const RestBody& body = engine.body(k);
         if (body.is_static) continue;
         const Vec2 g = body.acceleration;
         const Vec2 size = scene.high - scene.low;
@@ -124,22 +126,22 @@ struct Measured
 
 void measure_overlap(const RestEngine& engine, const Measured& measured, int step, RestFindings& findings)
 {
-    const std::span<const RestBody> bodies = engine.bodies();
     findings.end_overlap = 0.0;
-    for (std::size_t a = 0; a < bodies.size(); ++a) {
-        for (std::size_t b = a + 1; b < bodies.size(); ++b) {
-            if (bodies[a].is_static && bodies[b].is_static) continue;
+    for (int a = 0; a < engine.body_count(); ++a) {
+        for (int b = a + 1; b < engine.body_count(); ++b) {
+            if (engine.body(a).is_static && engine.body(b).is_static) continue;
+            const BodyState& state_a = engine.body(a).state;
+            const BodyState& state_b = engine.body(b).state;
             const double reach = measured.radius[a] + measured.radius[b];
-            if ((bodies[a].state.position - bodies[b].state.position).squaredNorm() > reach * reach) continue;
-            const double gap = separation(measured.shapes[a], pose_of(bodies[a].state), measured.shapes[b],
-                                          pose_of(bodies[b].state));
+            if ((state_a.position - state_b.position).squaredNorm() > reach * reach) continue;
+            const double gap = separation(measured.shapes[a], pose_of(state_a), measured.shapes[b], pose_of(state_b));
             const double depth = -gap / std::min(measured.radius[a], measured.radius[b]);
             findings.end_overlap = std::max(findings.end_overlap, depth);
             if (!(depth > findings.overlap)) continue;
             findings.overlap = depth;
             findings.overlap_step = step;
-            findings.overlap_a = static_cast<int>(a);
-            findings.overlap_b = static_cast<int>(b);
+            findings.overlap_a = a;
+            findings.overlap_b = b;
         }
     }
 }
@@ -231,7 +233,8 @@ RestFindings run_rest_scene(const RestScene& scene, int look_every)
         least = std::min(least, now);
         if (k % look_every == 0 || k + 1 == scene.steps) measure_overlap(engine, measured, k, findings);
     }
-    for (const RestBody& body : engine.bodies()) {
+    for (int k = 0; k < engine.body_count(); ++k) {
+        const RestBody& body = engine.body(k);
         if (body.is_static) continue;
         const Vec2& x = body.state.position;
         const bool inside = x.x() > scene.low.x() && x.x() < scene.high.x() && x.y() > scene.low.y() &&

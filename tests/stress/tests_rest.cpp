@@ -51,7 +51,8 @@ std::vector<RestBody> crowd(int side, double room, double speed, const Vec2& fie
 double energy_of(const RestEngine& engine)
 {
     double sum = 0.0;
-    for (const RestBody& body : engine.bodies()) {
+    for (int k = 0; k < engine.body_count(); ++k) {
+        const RestBody& body = engine.body(k);
         if (body.is_static) continue;
         const BodyState& s = body.state;
         sum += 0.5 * s.velocity.squaredNorm() / body.inertia.inv_mass;

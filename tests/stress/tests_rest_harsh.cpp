@@ -40,14 +40,15 @@ RestBody fixed(const Shape& shape, const Vec2& position, const Material& materia
 double deepest(const RestEngine& engine)
 {
     double worst = 0.0;
-    const std::span<const RestBody> bodies = engine.bodies();
     std::vector<CollisionShape> shapes;
-    for (const RestBody& body : bodies) shapes.push_back(make_collision_shape(body.shape));
-    for (std::size_t a = 0; a < bodies.size(); ++a) {
-        for (std::size_t b = a + 1; b < bodies.size(); ++b) {
-            if (bodies[a].is_static && bodies[b].is_static) continue;
-            const double gap = separation(shapes[a], pose_of(bodies[a].state), shapes[b], pose_of(bodies[b].state));
-            worst = std::max(worst, -gap / std::min(bounding_radius(bodies[a].shape), bounding_radius(bodies[b].shape)));
+    for (int k = 0; k < engine.body_count(); ++k) shapes.push_back(make_collision_shape(engine.body(k).shape));
+    for (int k = 0; k < engine.body_count(); ++k) {
+        for (int i = k + 1; i < engine.body_count(); ++i) {
+            const RestBody& a = engine.body(k);
+            const RestBody& b = engine.body(i);
+            if (a.is_static && b.is_static) continue;
+            const double gap = separation(shapes[k], pose_of(a.state), shapes[i], pose_of(b.state));
+            worst = std::max(worst, -gap / std::min(bounding_radius(a.shape), bounding_radius(b.shape)));
         }
     }
     return worst;
@@ -70,8 +71,8 @@ TEST_CASE("who lies still while others have a step made anew still lies on the g
         CAPTURE(strike);
         for (int k = 0; k < 6; ++k) {
             engine.step();
-            CHECK(engine.bodies()[1].state.position.y() == 0.5);
-            CHECK(engine.bodies()[1].state.velocity.y() == 0.0);
+            CHECK(engine.body(1).state.position.y() == 0.5);
+            CHECK(engine.body(1).state.velocity.y() == 0.0);
         }
         CHECK(engine.counts().repeated > 0);
     }
