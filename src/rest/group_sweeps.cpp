@@ -11,7 +11,7 @@ void GroupSolver::sweep_group(std::span<Mover> movers, std::span<const int> memb
                               const SweepPlan& plan, std::span<Mover> pushed)
 {
     warm_start(points, movers);
-    if (worst_complaint(points, movers) <= plan.tolerance) {
+    if (are_content(points, movers, plan.tolerance)) {
         for (const int member : members) pushed[member] = movers[member];
         ++counts_.accepted;
     } else {

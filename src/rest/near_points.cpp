@@ -154,7 +154,10 @@ Manifold near_points(const NearSide& a, const NearSide& b, double margin, NearMe
 {
     const auto* polygon_a = std::get_if<Polygon>(&a.shape);
     const auto* polygon_b = std::get_if<Polygon>(&b.shape);
-    if (!polygon_a || !polygon_b) return near_points(a, b, margin);
+    if (!polygon_a || !polygon_b) {
+        const bool has_cuts = !a.real.empty() || !b.real.empty();
+        return has_cuts ? near_points(a, b, margin) : make_manifold(a.shape, a.pose, b.shape, b.pose, margin);
+    }
     const Pose a_from_b = relative_pose(a.pose, b.pose);
     if (!memory.knows_edges) memory.edges = best_edges(*polygon_a, *polygon_b, a_from_b);
     const Axis axis = greater_of(memory.edges, *polygon_a, *polygon_b, a_from_b);

@@ -153,8 +153,7 @@ double RestEngine::next_closing(const RestPair& pair, const Manifold& manifold, 
             if (moment == 0.0) closing.lay[closing.lay_count++] = contact.feature;
             continue;
         }
-        const double field =
-            span_ * std::max(bodies_[pair.a].acceleration.norm(), bodies_[pair.b].acceleration.norm());
+        const double field = span_ * std::max(field_size_[pair.a], field_size_[pair.b]);
         const auto velocity = [&](int index) {
             const BodyState& s = bodies_[index].state;
             const Vec2 r = contact.point - place_at(index, moment);

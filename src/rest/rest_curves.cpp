@@ -286,7 +286,7 @@ bool RestEngine::find_mean_velocities(const Group& group)
     // [rest.curves.half]
     // Half of the field and half of the impulses lead to the mean of the velocities
     for (const int member : members) {
-        const Vec2 gain = 0.5 * span_ * bodies_[member].acceleration;
+        const Vec2 gain = 0.5 * span_ * field_[member];
         const Mover& old = part_movers_[member];
         Mover& mean = movers_[member];
         mean = old;

@@ -65,6 +65,8 @@ RestEngine::RestEngine(std::vector<RestBody> bodies, const RestOptions& options,
         shapes_.push_back(make_collision_shape(body.shape));
         real_edges_.push_back(real_edges(body.shape, shapes_.back()));
         radius_.push_back(bounding_radius(body.shape));
+        field_.push_back(body.acceleration);
+        field_size_.push_back(body.acceleration.norm());
         turning_.push_back(body.is_static || std::holds_alternative<Disc>(body.shape) ? 0.0 : radius_.back());
         poses_.push_back(pose_of(body.state));
         movers_.push_back(mover_of(body));
@@ -101,7 +103,7 @@ RestEngine::RestEngine(std::vector<RestBody> bodies, const RestOptions& options,
 // [rest.engine.expect_flight]
 void RestEngine::expect_flight(int body)
 {
-    pull_[body] = bodies_[body].is_static ? Vec2(Vec2::Zero()) : bodies_[body].acceleration;
+    pull_[body] = is_moved(body) ? field_[body] : Vec2(Vec2::Zero());
     turn_pull_[body] = 0.0;
 }
 // [rest.engine.expect_flight]
@@ -122,7 +124,7 @@ void RestEngine::measure_reach(std::span<const int> who)
     for (const int k : who) {
         const RestBody& body = bodies_[k];
         const double speed = body.state.velocity.norm() + std::abs(body.state.spin) * radius_[k];
-        reach_[k] = std::max(dt * (speed + dt * body.acceleration.norm()), outrun_[k]) + rest_tolerance::k_watch * radius_[k];
+        reach_[k] = std::max(dt * (speed + dt * field_size_[k]), outrun_[k]) + rest_tolerance::k_watch * radius_[k];
         // What would carry a body beyond its reach in a part of a step was no load: it was taken from a shorter one
         const double more = 0.5 * (dt * dt) * (pull_[k].norm() + std::abs(turn_pull_[k]) * radius_[k]);
         const double room = reach_[k] - dt * speed;

@@ -359,6 +359,8 @@ private:
     std::vector<CollisionShape> shapes_;
     std::vector<std::vector<std::vector<char>>> real_edges_; // of each body and part, as NearSide has it
     std::vector<double> radius_; // bounding radii [m]
+    std::vector<Vec2> field_;       // accelerations that the field gives [m/s^2]
+    std::vector<double> field_size_; // their sizes
     std::vector<double> turning_; // how far a turn may bring any point of each: the same, 0 for discs [m]
     std::vector<double> reach_;  // how far each may get in a step [m]
     std::vector<double> outrun_; // of those that an impact has made faster than that: how far they may get now [m]

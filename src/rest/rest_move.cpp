@@ -33,11 +33,10 @@ void RestEngine::expect(const Group& group)
     // Bodies that bear a load will do what they did in this step
     for (int k = 0; k < group.member_count; ++k) expect_flight(members_[group.first_member + k]);
     const std::span<const ContactPoint> points = std::span(points_).subspan(group.first_point, group.point_count);
-    const auto moves = [&](int body) { return !bodies_[body].is_static; };
     for (const ContactPoint& c : points) {
         if (c.normal == 0.0 || is_struck(c)) continue;
-        if (moves(c.a)) expect_same(c.a);
-        if (moves(c.b)) expect_same(c.b);
+        if (is_moved(c.a)) expect_same(c.a);
+        if (is_moved(c.b)) expect_same(c.b);
     }
 
     // Those that were struck will do what their loads make them do; without a field no load outlasts a blow
@@ -45,7 +44,7 @@ void RestEngine::expect(const Group& group)
     for (const ContactPoint& c : points) {
         if (!is_struck(c)) continue;
         for (const int body : {c.a, c.b}) {
-            if (!moves(body)) continue;
+            if (!is_moved(body)) continue;
             expect_flight(body);
             struck_[body] = 1;
         }

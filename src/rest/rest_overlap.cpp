@@ -201,7 +201,7 @@ bool RestEngine::is_sane(const Group& group) const
         const Mover& now = movers_[member];
         const double speeds = std::abs(old.v_x) + std::abs(old.v_y) + std::abs(now.v_x) + std::abs(now.v_y);
         const double spins = std::abs(old.spin) + std::abs(now.spin);
-        const double field = span_ * bodies_[member].acceleration.cwiseAbs().sum();
+        const double field = span_ * field_[member].cwiseAbs().sum();
         const double most = span_ * (speeds + spins * radius_[member] + field);
         const double way = shift_[member].norm() + std::abs(turn_[member]) * radius_[member];
         if (!(way <= k_sane_way * most + rest_tolerance::k_touch * radius_[member])) return false;
@@ -276,9 +276,9 @@ RestEngine::Gain RestEngine::gain_of(const Group& group) const
             0.5 * ((old.v_x * old.v_x + old.v_y * old.v_y) / old.inv_mass + old.spin * old.spin / old.inv_moment);
         const double after =
             0.5 * ((now.v_x * now.v_x + now.v_y * now.v_y) / now.inv_mass + now.spin * now.spin / now.inv_moment);
-        const double work = bodies_[member].acceleration.dot(shift_[member]) / now.inv_mass;
+        const double work = field_[member].dot(shift_[member]) / now.inv_mass;
         gain.gained += (after - before) - work;
-        const Vec2& field = bodies_[member].acceleration;
+        const Vec2& field = field_[member];
         const double through_field = field.cwiseProduct(shift_[member]).cwiseAbs().sum();
         const double in_a_step = (span_ * field).squaredNorm(); // the solve's rounding is in proportion to it
         gain.scale += after + before + (through_field + in_a_step) / now.inv_mass;
@@ -298,7 +298,7 @@ bool RestEngine::pay_for_rise(const Group& group)
     bool leans = false;
     for (int k = 0; k < group.point_count; ++k) {
         const ContactPoint& c = points_[group.first_point + k];
-        leans = leans || (c.normal > 0.0 && (bodies_[c.a].is_static || bodies_[c.b].is_static));
+        leans = leans || (c.normal > 0.0 && (!is_moved(c.a) || !is_moved(c.b)));
     }
     if (!leans && slow_down(group, gain.gained, common_velocity(group))) return false;
     if (slow_down(group, gain.gained, Vec2::Zero())) return false;
@@ -308,7 +308,7 @@ bool RestEngine::pay_for_rise(const Group& group)
     double lift = 0.0;
     for (int k = 0; k < group.member_count; ++k) {
         const int member = members_[group.first_member + k];
-        lift -= bodies_[member].acceleration.dot(shift_[member]) / movers_[member].inv_mass;
+        lift -= field_[member].dot(shift_[member]) / movers_[member].inv_mass;
     }
     const double part = rest.gained < lift && !stood(group) ? 1.0 - rest.gained / lift : 0.0;
     for (int k = 0; k < group.member_count; ++k) {

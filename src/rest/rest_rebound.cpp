@@ -44,8 +44,8 @@ void RestEngine::find_impacts(Group& group)
     for (const int member : members) {
         Mover& mover = movers_[member];
         part_movers_[member] = mover;
-        mover.v_x += span_ * bodies_[member].acceleration.x();
-        mover.v_y += span_ * bodies_[member].acceleration.y();
+        mover.v_x += span_ * field_[member].x();
+        mover.v_y += span_ * field_[member].y();
     }
     const double rounding = rest_tolerance::k_content * top_speed(group);
     group.knows_loads = solver_.solve(movers_, members, load_points_, rounding);
@@ -67,8 +67,8 @@ double RestEngine::work_of_contacts(const Group& group, double& energy)
     for (int k = 0; k < group.member_count; ++k) {
         const int member = members_[group.first_member + k];
         const Mover& now = movers_[member];
-        const Vec2 free(before_[member].v_x + span_ * bodies_[member].acceleration.x(),
-                        before_[member].v_y + span_ * bodies_[member].acceleration.y());
+        const Vec2 free(before_[member].v_x + span_ * field_[member].x(),
+                        before_[member].v_y + span_ * field_[member].y());
         const double shift = free.squaredNorm() / now.inv_mass;
         const double turn = before_[member].spin * before_[member].spin / now.inv_moment;
         const double shift_after = (now.v_x * now.v_x + now.v_y * now.v_y) / now.inv_mass;

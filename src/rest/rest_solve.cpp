@@ -91,8 +91,8 @@ void RestEngine::set_free(const Group& group, double time)
         const int member = members_[group.first_member + k];
         Mover& mover = movers_[member];
         mover = start_of_part(member);
-        mover.v_x += time * bodies_[member].acceleration.x();
-        mover.v_y += time * bodies_[member].acceleration.y();
+        mover.v_x += time * field_[member].x();
+        mover.v_y += time * field_[member].y();
     }
 }
 
@@ -150,7 +150,7 @@ double RestEngine::field_speed(const Group& group) const
 {
     double top = 0.0;
     for (int k = 0; k < group.member_count; ++k) {
-        const Vec2& g = bodies_[members_[group.first_member + k]].acceleration;
+        const Vec2& g = field_[members_[group.first_member + k]];
         top = std::max({top, std::abs(g.x()), std::abs(g.y())});
     }
     return span_ * top;

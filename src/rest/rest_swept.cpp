@@ -80,7 +80,7 @@ double RestEngine::energy_of_fall(const Group& group) const
 {
     double sum = 0.0;
     for (const int member : std::span(members_).subspan(group.first_member, group.member_count)) {
-        sum += (span_ * bodies_[member].acceleration).squaredNorm() / movers_[member].inv_mass;
+        sum += (span_ * field_[member]).squaredNorm() / movers_[member].inv_mass;
     }
     return sum > 0.0 ? sum : std::numeric_limits<double>::infinity();
 }
@@ -102,7 +102,7 @@ void RestEngine::bear_less(const Group& group)
         const Mover& old = before_[member];
         const Mover& now = movers_[member];
         const Vec2 velocity(old.v_x, old.v_y);
-        const Vec2 fall = span_ * bodies_[member].acceleration;
+        const Vec2 fall = span_ * field_[member];
         const Vec2 change = Vec2(now.v_x, now.v_y) - velocity - fall;
         const double spin = now.spin - old.spin;
         square += 0.5 * (change.squaredNorm() / now.inv_mass + spin * spin / now.inv_moment);
@@ -122,7 +122,7 @@ void RestEngine::bear_less(const Group& group)
     }
     for (const int member : members) {
         const Mover& old = before_[member];
-        const Vec2 fall = span_ * bodies_[member].acceleration;
+        const Vec2 fall = span_ * field_[member];
         Mover& now = movers_[member];
         Mover& pushed = place_movers_[member];
         const Mover all = now;
@@ -145,7 +145,7 @@ void RestEngine::move_as_swept(const Group& group)
         const Mover& now = movers_[member];
         shift_[member] = span_ * Vec2(now.v_x, now.v_y);
         turn_[member] = span_ * now.spin;
-        lift -= span_ * bodies_[member].acceleration.dot(push_of(member)) / now.inv_mass;
+        lift -= span_ * field_[member].dot(push_of(member)) / now.inv_mass;
     }
 
     // It may cost no more energy than the sweeps have taken

@@ -18,12 +18,6 @@ constexpr int k_apart = 3;
 } // namespace
 
 // [rest.batches.turns]
-int SweepBatches::place_of(int body, std::span<const Mover> movers) const
-{
-    const bool moves = movers[body].inv_mass > 0.0 || movers[body].inv_moment > 0.0;
-    return moves ? place_[body] : static_cast<int>(bodies_.size()) - 1;
-}
-
 int SweepBatches::first_open(std::vector<int>& open, int turn)
 {
     while (open[turn] != turn) turn = open[turn] = open[open[turn]];
@@ -67,7 +61,7 @@ int SweepBatches::batch_from(int turn, int count)
 void SweepBatches::lay_out(std::span<const ContactPoint> points, std::span<const int> which,
                            std::span<const Mover> movers, std::span<const int> members)
 {
-    place_.resize(movers.size());
+    place_.assign(movers.size(), static_cast<int>(members.size())); // nobody's
     for (std::size_t k = 0; k < members.size(); ++k) place_[members[k]] = static_cast<int>(k);
     bodies_.assign(members.size() + 1, Body{});
     set_velocities(movers, members);
@@ -82,8 +76,8 @@ void SweepBatches::lay_out(std::span<const ContactPoint> points, std::span<const
         const ContactPoint& c = points[which[k]];
         int count = 1;
         while (count < 2 && k + count < which.size() && points[which[k + count]].pair == c.pair) ++count;
-        const int a = place_of(c.a, movers);
-        const int b = place_of(c.b, movers);
+        const int a = place_[c.a];
+        const int b = place_[c.b];
         const int turn = batch_from(std::max(turns_[a], turns_[b]), count);
         turns_[a] = turns_[b] = turn + k_apart;
         turns_.back() = 0; // what can't move is never in the way
@@ -99,8 +93,8 @@ void SweepBatches::set_lane(Batch& batch, int lane, std::span<const ContactPoint
                             std::span<const Mover> movers)
 {
     const ContactPoint& c = points[which[0]];
-    batch.a[lane] = place_of(c.a, movers);
-    batch.b[lane] = place_of(c.b, movers);
+    batch.a[lane] = place_[c.a];
+    batch.b[lane] = place_[c.b];
     batch.n_x[lane] = c.n_x;
     batch.n_y[lane] = c.n_y;
     batch.inv_moment_a[lane] = movers[c.a].inv_moment;
@@ -200,17 +194,26 @@ inline void SweepBatches::content(const Batch& batch, Points& c, Motion& a, Moti
 // [rest.batches.content]
 
 // [rest.batches.sweep]
+// (Without loops, so that what is fetched need not be put down in between.)
+inline void SweepBatches::fetch(const int (&who)[4], Motion& motion) const
+{
+    const Four rows[4] = {bodies_[who[0]].motion, bodies_[who[1]].motion, bodies_[who[2]].motion, bodies_[who[3]].motion};
+    turn(rows, motion.v_x, motion.v_y, motion.spin, motion.inv_mass);
+}
+
+inline void SweepBatches::put_back(const int (&who)[4], const Motion& motion)
+{
+    const Four columns[4] = {motion.v_x, motion.v_y, motion.spin, motion.inv_mass};
+    turn(columns, bodies_[who[0]].motion, bodies_[who[1]].motion, bodies_[who[2]].motion, bodies_[who[3]].motion);
+}
+
 template <typename Note>
 inline void SweepBatches::sweep_batch(const Batch& batch, bool backwards, Note&& note)
 {
-    Four row[4];
     Motion a;
     Motion b;
-    for (int k = 0; k < 4; ++k) row[k] = bodies_[batch.a[k]].motion;
-    turn(row, a.v_x, a.v_y, a.spin, a.inv_mass);
-    for (int k = 0; k < 4; ++k) row[k] = bodies_[batch.b[k]].motion;
-    turn(row, b.v_x, b.v_y, b.spin, b.inv_mass);
-
+    fetch(batch.a, a);
+    fetch(batch.b, b);
     for (int k = 0; k < batch.count; ++k) {
         const int point = batch.first + (backwards ? batch.count - 1 - k : k);
         Change change;
@@ -218,12 +221,8 @@ inline void SweepBatches::sweep_batch(const Batch& batch, bool backwards, Note&&
         note(point, change);
     }
 
-    const Four of_a[4] = {a.v_x, a.v_y, a.spin, a.inv_mass};
-    turn(of_a, row[0], row[1], row[2], row[3]);
-    for (int k = 0; k < 4; ++k) bodies_[batch.a[k]].motion = row[k];
-    const Four of_b[4] = {b.v_x, b.v_y, b.spin, b.inv_mass};
-    turn(of_b, row[0], row[1], row[2], row[3]);
-    for (int k = 0; k < 4; ++k) bodies_[batch.b[k]].motion = row[k];
+    put_back(batch.a, a);
+    put_back(batch.b, b);
 }
 
 void SweepBatches::sweep()

@@ -99,10 +99,11 @@ private:
     [[nodiscard]] static int first_open(std::vector<int>& open, int turn);
     void add_batch(int count);
     [[nodiscard]] int batch_from(int turn, int count);
-    [[nodiscard]] int place_of(int body, std::span<const Mover> movers) const;
     void set_lane(Batch& batch, int lane, std::span<const ContactPoint> points, std::span<const int> which,
                   std::span<const Mover> movers);
     static void content(const Batch& batch, Points& points, Motion& a, Motion& b, Change& change);
+    void fetch(const int (&who)[4], Motion& motion) const;
+    void put_back(const int (&who)[4], const Motion& motion);
     template <typename Note>
     void sweep_batch(const Batch& batch, bool backwards, Note&& note);
     void go_ahead(double share);
@@ -112,7 +113,7 @@ private:
     std::vector<int> lane_of_; // of each point laid out: 4 times its Points, and the lane
     std::vector<int> which_;
     std::vector<Body> bodies_; // the members, and at the end one that nothing moves
-    std::vector<int> place_;   // of each mover
+    std::vector<int> place_;   // of each mover; of those that can't move, nobody's
     std::vector<int> turns_;   // of each body: the batch after the last that it is in
     std::vector<int> open_[2]; // for pairs of one point, and of two: of each batch, one from it on that may have room
     std::vector<Way> way_;

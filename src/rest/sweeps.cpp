@@ -89,23 +89,34 @@ void sweep_back(std::span<SweepPoint> points, std::span<Mover> movers)
 // [rest.sweep]
 
 // [rest.complaint]
-double worst_complaint(std::span<const ContactPoint> points,
-                       std::span<const Mover> movers)
+namespace {
+
+double complaint(const ContactPoint& c, const Mover& a, const Mover& b)
+{
+    const double excess = normal_speed(c, a, b) - c.bound;
+    const double normal = std::max(0.0, c.normal - c.normal_mass * excess);
+    const double along_normal = std::abs(normal - c.normal) / c.normal_mass;
+
+    const double most = c.friction * c.normal;
+    const double slip = tangent_speed(c, a, b);
+    const double tangent = std::clamp(c.tangent - c.tangent_mass * slip, -most, most);
+    return std::max(along_normal, std::abs(tangent - c.tangent) / c.tangent_mass);
+}
+
+} // namespace
+
+double worst_complaint(std::span<const ContactPoint> points, std::span<const Mover> movers)
 {
     double worst = 0.0;
-    for (const ContactPoint& c : points) {
-        const Mover& a = movers[c.a];
-        const Mover& b = movers[c.b];
-        const double excess = normal_speed(c, a, b) - c.bound;
-        const double normal = std::max(0.0, c.normal - c.normal_mass * excess);
-        worst = std::max(worst, std::abs(normal - c.normal) / c.normal_mass);
-
-        const double most = c.friction * c.normal;
-        const double slip = tangent_speed(c, a, b);
-        const double tangent = std::clamp(c.tangent - c.tangent_mass * slip, -most, most);
-        worst = std::max(worst, std::abs(tangent - c.tangent) / c.tangent_mass);
-    }
+    for (const ContactPoint& c : points) worst = std::max(worst, complaint(c, movers[c.a], movers[c.b]));
     return worst;
+}
+
+bool are_content(std::span<const ContactPoint> points, std::span<const Mover> movers, double tolerance)
+{
+    return std::none_of(points.begin(), points.end(), [&](const ContactPoint& c) {
+        return complaint(c, movers[c.a], movers[c.b]) > tolerance;
+    });
 }
 // [rest.complaint]
 

@@ -15,6 +15,8 @@ void warm_start(std::span<const ContactPoint> points, std::span<Mover> movers);
 // [rest.complaint.declared]
 /// How far the worst point is from content: the change of its velocity that it would ask for.  [m/s]
 [[nodiscard]] double worst_complaint(std::span<const ContactPoint> points, std::span<const Mover> movers);
+/// None asks for more than `tolerance`.  [m/s]
+[[nodiscard]] bool are_content(std::span<const ContactPoint> points, std::span<const Mover> movers, double tolerance);
 // [rest.complaint.declared]
 
 // [rest.sweep_point]
