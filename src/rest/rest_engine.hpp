@@ -215,6 +215,7 @@ private:
     void note_outrun(const Group& group);
     [[nodiscard]] bool is_sane(const Group& group) const;
     void finish_groups(int depth, std::span<const int> pairs);
+    [[nodiscard]] bool may_be_parted(const Group& group, int depth) const;
     [[nodiscard]] bool is_to_be_parted(const Group& group, int depth, double overlap) const;
     void note_again(const Group& group, Again& again);
     void find_pairs_of(Again& again, std::span<const int> pairs);
@@ -313,6 +314,7 @@ private:
     [[nodiscard]] double overlap_at_start(const Group& group) const;
     [[nodiscard]] double first_impact(const Group& group) const;
     [[nodiscard]] bool is_fair(const Group& group, double overlap) const;
+    [[nodiscard]] bool rises(const Group& group) const;
     [[nodiscard]] bool may_overlap(const ContactPoint& c) const;
     [[nodiscard]] double look_at_end(const Group& group);
     [[nodiscard]] double look_at_pair(int pair);

@@ -259,8 +259,14 @@ bool RestEngine::is_fair(const Group& group, double overlap) const
         const int member = members_[group.first_member + k];
         if (!(std::abs(turn_[member]) * turning_[member] <= k_fair_turn * radius_[member])) return false;
     }
+    return !rises(group);
+}
+
+/// By more than slowing down may end.
+bool RestEngine::rises(const Group& group) const
+{
     const Gain gain = gain_of(group);
-    return gain.gained <= k_fair_rise * gain.scale;
+    return !(gain.gained <= k_fair_rise * gain.scale);
 }
 // [rest.overlap.fair]
 

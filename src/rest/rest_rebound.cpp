@@ -32,28 +32,33 @@ void RestEngine::find_impacts(Group& group)
     group.knows_loads = points.size() == 1;
     if (is_crowd(group) || group.knows_loads || std::none_of(points.begin(), points.end(), struck)) return;
 
-    // Go on for as long again as the step ends: whoever bears then, and is not thrown back, keeps its normal speed
+    // Go on for as long again as the step ends: whoever bears then, and is not thrown back, keeps its normal speed. A gap
+    // that closes evenly until the end of the step leaves all of its impulse to the load, and that goes on as it is
     part_movers_.resize(movers_.size());
     load_points_.assign(points.begin(), points.end());
-    for (ContactPoint& c : load_points_) {
-        const bool is_thrown = c.impact > 0.0 && c.bound != 0.0;
-        const bool bears = c.normal > 0.0 && !is_thrown;
-        c.bound = bears ? normal_speed(c, movers_[c.a], movers_[c.b]) : -std::numeric_limits<double>::infinity();
-        if (!bears) c.normal = c.tangent = 0.0;
-    }
+    const auto at_end = [&](int body) -> const Mover& { return is_moved(body) ? part_movers_[body] : movers_[body]; };
+    const auto closes = [&](const ContactPoint& c) { return c.impact == 0.0 && c.gap > touch_gap(c.a, c.b); };
     for (const int member : members) {
         Mover& mover = movers_[member];
         part_movers_[member] = mover;
         mover.v_x += span_ * field_[member].x();
         mover.v_y += span_ * field_[member].y();
     }
+    for (ContactPoint& c : load_points_) {
+        const bool is_thrown = c.impact > 0.0 && c.bound != 0.0;
+        const bool goes_on = closes(c);
+        const bool bears = c.normal > 0.0 && !is_thrown && !goes_on;
+        const double share = span_ / c.left;
+        if (goes_on) push(c, share * c.normal, share * c.tangent, movers_[c.a], movers_[c.b]);
+        c.bound = bears ? normal_speed(c, at_end(c.a), at_end(c.b)) : -std::numeric_limits<double>::infinity();
+        if (!bears) c.normal = c.tangent = 0.0;
+    }
     const double rounding = rest_tolerance::k_content * top_speed(group);
     group.knows_loads = solver_.solve(movers_, members, load_points_, rounding);
     for (const int member : members) movers_[member] = part_movers_[member];
     for (std::size_t k = 0; k < points.size() && group.knows_loads; ++k) {
-        // A gap that closes evenly until the end of the step leaves all of its impulse to the load
         ContactPoint& c = points[k];
-        if (c.impact == 0.0 && c.gap > touch_gap(c.a, c.b)) continue;
+        if (closes(c)) continue;
         c.impact = c.normal - load_points_[k].normal * (c.left / span_);
     }
 }

@@ -207,7 +207,13 @@ void RestEngine::finish_groups(int depth, std::span<const int> pairs)
                 solve_crowd(group);
                 overlap = look_at_end(group);
             }
+            // What is pushed apart may be lifted by more than it can pay for
+            const bool is_pushed = overlap > 0.0;
             overlap = put_apart(group, overlap);
+            if (is_pushed && !is_crowd(group) && may_be_parted(group, depth) && rises(group)) {
+                note_again(group, again);
+                continue;
+            }
             note_strays(group, depth);
             cut_ways_short(group, overlap);
             if (pay_for_rise(group)) hold_back(group);
@@ -226,7 +232,7 @@ void RestEngine::finish_groups(int depth, std::span<const int> pairs)
 // [rest.step.finish]
 
 // [rest.step.again]
-bool RestEngine::is_to_be_parted(const Group& group, int depth, double overlap) const
+bool RestEngine::may_be_parted(const Group& group, int depth) const
 {
     const int most = is_crowd(group) ? k_deepest_of_crowd : k_deepest;
     if (depth >= most || group.member_count > options_.most_solved) return false;
@@ -239,6 +245,12 @@ bool RestEngine::is_to_be_parted(const Group& group, int depth, double overlap) 
         });
         if (is_shortest || !goes_far) return false;
     }
+    return true;
+}
+
+bool RestEngine::is_to_be_parted(const Group& group, int depth, double overlap) const
+{
+    if (!may_be_parted(group, depth)) return false;
 
     // Parts of a step of a crowd are parted for much overlap only: each solves for all of the crowd
     if (is_crowd(group) && depth > 0) return !is_sane(group) || overlap > k_most_overlap;
