@@ -126,10 +126,12 @@ Manifold clip(const Polygon& reference, const Pose& world_from_reference, const 
     // [collide.manifold.polygons.lowest]
     // Where that cut off the vertex that is furthest behind, and what is left lies far above it, take the vertex
     const auto height = [&](const ClippedEnd& end) { return edge.normal.dot(end.point - start); };
-    const double lowest = std::min(height(low), height(high));
-    if (lowest > 2.0 * std::max(axis.separation, 0.0) + k_level * edge.length) {
+    double height_of_low = height(low);
+    double height_of_high = height(high);
+    if (std::min(height_of_low, height_of_high) > 2.0 * std::max(axis.separation, 0.0) + k_level * edge.length) {
         if (axis.separation > 0.0) return {};
         low = high = end_at(axis.vertex);
+        height_of_low = height_of_high = height(low);
     }
     // [collide.manifold.polygons.lowest]
 
@@ -137,16 +139,16 @@ Manifold clip(const Polygon& reference, const Pose& world_from_reference, const 
     // Keep the ends that reach the reference edge, within the margin
     Manifold manifold;
     const Vec2 normal = world_from_reference.rotation * edge.normal;
-    for (const ClippedEnd& end : {low, high}) {
-        if (manifold.count == 1 && end.point == low.point) break;
-        const double separation = height(end);
-        if (separation > margin) continue;
+    const auto keep = [&](const ClippedEnd& end, double separation) {
+        if (separation > margin) return;
         const std::uint32_t feature = end.is_cut
                                           ? feature_number(Owner::a, end.vertex, facing)
                                           : feature_number(Owner::b, end.vertex, axis.edge);
         add(manifold,
             contact_at(world_from_reference * end.point, normal, separation, feature));
-    }
+    };
+    keep(low, height_of_low);
+    if (manifold.count == 0 || high.point != low.point) keep(high, height_of_high);
     // [collide.manifold.polygons.keep]
     return manifold;
 }

@@ -108,26 +108,30 @@ void look_at_corners(const NearSide& side, const NearSide& other, std::uint32_t 
 // [rest.near.nearest]
 
 // [rest.near.sides]
-/// What is left of a manifold of two parts without the points that stand on cuts, and what is near beside it.
-[[nodiscard]] Manifold over_sides(const NearSide& a, const NearSide& b, double margin, Manifold manifold)
+/// Leaves of a manifold of two parts what doesn't stand on cuts, and adds what is near beside it.
+void keep_to_sides(const NearSide& a, const NearSide& b, double margin, Manifold& manifold)
 {
     const bool are_polygons = std::holds_alternative<Polygon>(a.shape) && std::holds_alternative<Polygon>(b.shape);
-    const auto nearest = [&] {
-        Manifold result;
+    const auto add_nearest = [&] {
         const Nearest found = nearest_points(a, b);
         if (!found.on_cut && found.square > 0.0 && found.contact.separation <= margin)
-            result.contacts[result.count++] = found.contact;
-        return result;
+            manifold.contacts[manifold.count++] = found.contact;
     };
-    if (manifold.count == 0 && are_polygons) return nearest();
-    if (manifold.count == 0 || (a.real.empty() && b.real.empty())) return manifold;
+    if (manifold.count == 0) {
+        if (are_polygons) add_nearest();
+        return;
+    }
+    if (a.real.empty() && b.real.empty()) return;
     const Vec2 normal = manifold.contacts[0].normal;
-    if (!leads_through_cut(a, normal) && !leads_through_cut(b, -normal)) return manifold;
+    if (!leads_through_cut(a, normal) && !leads_through_cut(b, -normal)) return;
     const bool overlaps = std::any_of(manifold.contacts, manifold.contacts + manifold.count,
                                       [](const Contact& contact) { return contact.separation < 0.0; });
     manifold.count = 0;
     // Beyond the ends of a cut, as in a notch, something else is nearest
-    if (!overlaps) return are_polygons ? nearest() : manifold;
+    if (!overlaps) {
+        if (are_polygons) add_nearest();
+        return;
+    }
 
     // Out over a side, by the shortest way
     const Contact out_of_a = shortest_way_out(a, b);
@@ -136,7 +140,6 @@ void look_at_corners(const NearSide& side, const NearSide& other, std::uint32_t 
     out_of_b.feature |= 1u;
     const Contact& best = out_of_b.separation > out_of_a.separation ? out_of_b : out_of_a;
     if (std::isfinite(best.separation)) manifold.contacts[manifold.count++] = best;
-    return manifold;
 }
 // [rest.near.sides]
 
@@ -145,7 +148,9 @@ void look_at_corners(const NearSide& side, const NearSide& other, std::uint32_t 
 // [rest.near]
 Manifold near_points(const NearSide& a, const NearSide& b, double margin)
 {
-    return over_sides(a, b, margin, make_manifold(a.shape, a.pose, b.shape, b.pose, margin));
+    Manifold manifold = make_manifold(a.shape, a.pose, b.shape, b.pose, margin);
+    keep_to_sides(a, b, margin, manifold);
+    return manifold;
 }
 // [rest.near]
 
@@ -164,7 +169,9 @@ Manifold near_points(const NearSide& a, const NearSide& b, double margin, NearMe
     memory.separation = axis.separation;
     memory.knows_edges = memory.knows_separation = true;
     if (axis.separation > margin) return {}; // and no two points are nearer than that
-    return over_sides(a, b, margin, make_manifold(*polygon_a, a.pose, *polygon_b, b.pose, a_from_b, axis, margin));
+    Manifold manifold = make_manifold(*polygon_a, a.pose, *polygon_b, b.pose, a_from_b, axis, margin);
+    keep_to_sides(a, b, margin, manifold);
+    return manifold;
 }
 // [rest.near.memory]
 

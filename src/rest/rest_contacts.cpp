@@ -87,14 +87,17 @@ void RestEngine::collide_pair(int index)
     const double clear = part_a.radius + part_b.radius + margin;
     const Vec2 way =
         (pose_b.position - pose_a.position) + (pose_b.rotation * part_b.centre - pose_a.rotation * part_a.centre);
-    Manifold manifold;
-    if (!(way.squaredNorm() > clear * clear)) manifold = look_again(pair, margin);
-
-    // A gap that would close within the step is looked at when it does; bodies turn, so that one look may not do
+    if (way.squaredNorm() > clear * clear) {
+        pair.count = 0;
+        return;
+    }
+    Manifold manifold = look_again(pair, margin);
     if (manifold.count == 0) {
         pair.count = 0;
         return;
     }
+
+    // A gap that would close within the step is looked at when it does; bodies turn, so that one look may not do
     Closing closing{{0, 0}, 0, {0, 0}, 0, touch_gap(pair.a, pose_a.position, pair.b, pose_b.position)};
     double moment = 0.0;
     bool overlaps = false;
@@ -205,12 +208,15 @@ void RestEngine::add_points(int index, const Manifold& manifold, double moment)
     const int own = is_moved(pair.a) ? pair.a : pair.b;
     const double size = std::min(radius_[pair.a], radius_[pair.b]);
     const PairLoads before = pair;
+    // Arms lead from where the centres are at the moment
+    const Vec2 place_a = place_at(pair.a, moment);
+    const Vec2 place_b = place_at(pair.b, moment);
+    const Rotation own_from_world = inverse(poses_[own].rotation);
     pair.count = 0;
     for (int k = 0; k < manifold.count; ++k) {
         const Contact& contact = manifold.contacts[k];
-        // Arms lead from where the centres are at the moment
-        const Vec2 r_a = contact.point - place_at(pair.a, moment);
-        const Vec2 r_b = contact.point - place_at(pair.b, moment);
+        const Vec2 r_a = contact.point - place_a;
+        const Vec2 r_b = contact.point - place_b;
         ContactPoint& point = found_.emplace_back();
         point.a = pair.a;
         point.b = pair.b;
@@ -223,7 +229,7 @@ void RestEngine::add_points(int index, const Manifold& manifold, double moment)
         point.friction = pair.friction;
         point.restitution = pair.restitution;
         set_arms(point, contact.normal, r_a, r_b);
-        const Vec2 place = inverse(poses_[own].rotation) * (own == pair.a ? r_a : r_b);
+        const Vec2 place = own_from_world * (own == pair.a ? r_a : r_b);
         const int known = known_point(before, point.feature, place, rest_tolerance::k_same_place * size);
         if (known >= 0) {
             point.normal = before.normal[known];
