@@ -207,8 +207,8 @@ void RestEngine::finish_groups(int depth, std::span<const int> pairs)
                 solve_crowd(group);
                 overlap = look_at_end(group);
             }
-            // What is pushed apart may be lifted by more than it can pay for
-            const bool is_pushed = overlap > 0.0;
+            // What came to overlap in this step, and is pushed apart, may be lifted by more than it can pay for
+            const bool is_pushed = overlap > 0.0 && overlap > overlap_at_start(group);
             overlap = put_apart(group, overlap);
             if (is_pushed && !is_crowd(group) && may_be_parted(group, depth) && rises(group)) {
                 note_again(group, again);
