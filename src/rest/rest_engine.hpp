@@ -250,7 +250,10 @@ private:
     [[nodiscard]] Manifold look(const RestPair& pair, const Pose& pose_a, const Pose& pose_b, double margin) const;
     [[nodiscard]] bool wake_touched();
     void wake_all_with(int group);
+    [[nodiscard]] int root_of(int body);
+    void join(const ContactPoint& point);
     void gather_groups(std::span<const int> who);
+    void part_slow(std::span<const int> who);
     void lay_out_points();
     void solve_group(Group& group);
     [[nodiscard]] static bool is_crowd(const Group& group);
@@ -406,6 +409,7 @@ private:
     std::vector<double> turn_before_;
     std::vector<int> parent_; // of each body, towards the lowest of its group
     std::vector<int> slot_;
+    std::vector<int> parts_; // bodies of groups that may part
     std::vector<int> slots_; // of each point that was found
     std::vector<char> asleep_;
     bool none_sleeps_ = false;
