@@ -4,12 +4,15 @@
 #include <fstream>
 #include <functional>
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "../support/sketch.hpp"
+#include "scene/read.hpp"
 #include "column.hpp"
 #include "lying.hpp"
+#include "world/world.hpp"
 #include "wrong_rest.hpp"
 
 using namespace flying;
@@ -215,6 +218,45 @@ void draw_roll(const std::string& folder)
     s.words(at(1.15, 0) + Vec2(0, 28), "time, s", Anchor::right, k_soft, 16.0);
 }
 
+void draw_bodies(Sketch& s, const World& world, const Vec2& corner, double scale)
+{
+    for (int k = 0; k < world.body_count(); ++k) {
+        const Pose pose = pose_of(world.state(k));
+        std::vector<Vec2> outline;
+        for (const Vec2& vertex : std::get<Polygon>(world.shape(k)).vertices()) {
+            const Vec2 at = pose * vertex;
+            outline.push_back(corner + scale * Vec2(at.x(), 8.0 - at.y()));
+        }
+        const bool is_static = world.scene().bodies[k].is_static;
+        s.polygon(outline, is_static ? pale(k_soft, 0.35) : pale(k_ochre, 0.4), k_ink, 2.0);
+    }
+    s.path({corner, corner + scale * Vec2(8, 0), corner + scale * Vec2(8, 8), corner + scale * Vec2(0, 8), corner}, k_ink, 2.4);
+}
+
+/// The original's polygons as they begin, and as they lie.
+void draw_original(const std::string& folder)
+{
+    Scene scene = read_scene_file(std::string(FLYING_SCENES) + "/original-polygons-gravity.toml").value();
+    scene.world.restitution = 0.5;
+    scene.world.friction = 0.4;
+    World world = std::move(World::make(scene, {})).value();
+    const auto moves = [&] {
+        for (int k = 0; k < world.body_count(); ++k) {
+            if (!world.state(k).velocity.isZero(0.0) || world.state(k).spin != 0.0) return true;
+        }
+        return false;
+    };
+    Sketch s(folder + "/original.svg", 700, 380);
+    draw_bodies(s, world, Vec2(20, 20), 40.0);
+    s.words(Vec2(180, 364), "at the start", Anchor::middle, k_soft, 17.0);
+    double time = 0.0;
+    for (; moves() && time < 60.0; time += 0.1) {
+        if (world.advance(time + 0.1)) throw std::runtime_error("the run of the original's polygons failed");
+    }
+    draw_bodies(s, world, Vec2(360, 20), 40.0);
+    s.words(Vec2(520, 364), text_of("nothing moves from %.1f s on", time), Anchor::middle, k_soft, 17.0);
+}
+
 /// The hopping ball beside its closed form.
 void record_zeno(const std::string& folder)
 {
@@ -267,6 +309,7 @@ int main(int argc, char** argv)
     draw_planks(folder);
     draw_jitter(folder);
     draw_roll(folder);
+    draw_original(folder);
     record_zeno(folder);
     record_topple(folder);
 }
