@@ -209,9 +209,10 @@ std::vector<RestContact> RestEngine::contacts() const
         for (int k = 0; k < pair.count; ++k) {
             for (int i = 0; i < manifold.count; ++i) {
                 if (manifold.contacts[i].feature != pair.feature[k]) continue;
-                RestContact& contact = result.emplace_back(order_[pair.a], order_[pair.b], manifold.contacts[i].normal,
-                                                           manifold.contacts[i].separation,
-                                                           pair.normal[k] / options_.step, pair.tangent[k] / options_.step);
+                result.push_back({order_[pair.a], order_[pair.b], manifold.contacts[i].normal,
+                                  manifold.contacts[i].separation, pair.normal[k] / options_.step,
+                                  pair.tangent[k] / options_.step});
+                RestContact& contact = result.back();
                 if (contact.a < contact.b) continue;
                 std::swap(contact.a, contact.b);
                 contact.normal = -contact.normal;
