@@ -3,6 +3,7 @@
 #include <array>
 #include <atomic>
 #include <csignal>
+#include <string_view>
 #include <unistd.h>
 
 namespace flying {
@@ -14,12 +15,20 @@ static_assert(std::atomic<const char*>::is_always_lock_free && std::atomic<int>:
 std::atomic<int> g_signal{0};
 std::array<std::atomic<const char*>, 16> g_temporaries{};
 
+/// What a handler may print: formatting may allocate, and so may not be called here.
+void say(std::string_view line)
+{
+    // Where standard error is closed, nobody is there to be told
+    [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, line.data(), line.size());
+}
+
 void note(int signal)
 {
     if (g_signal.exchange(signal) == 0) return;
     for (const auto& path : g_temporaries) {
         if (const char* name = path.load()) unlink(name);
     }
+    say("flying: stopped at once; unfinished files are removed\n");
     _exit(128 + signal);
 }
 

@@ -119,23 +119,47 @@ TEST_CASE("standard output that can't take a scene is a failure")
 
 TEST_CASE("a signal stops a run, takes its files away and gives status 128 and the signal's number")
 {
-    // A shell without job control makes the programs it puts behind deaf to Ctrl-C; env gives them their hearing back
+    // A shell without job control makes the programs it puts behind deaf to Ctrl-C; env gives them their hearing back.
+    // In the foreground, timeout sends its signal once; else again to the group, in which the program then is, too, and
+    // whether it has seen the first by then is up to the machine
     struct Case
     {
         std::string signal;
         int status;
     };
     for (const Case& one : {Case{"INT", 130}, Case{"TERM", 143}}) {
-        CAPTURE(one.signal);
-        const Folder folder;
-        REQUIRE(folder.run("$FLYING generate gas --count 200 --until 1e7 > s.toml").status == 0);
-        const Outcome outcome =
-            folder.run("timeout --preserve-status -s " + one.signal +
-                       " 1 env --default-signal=INT $FLYING simulate s.toml --trace t.ndjson --every 1 "
-                       "--report r.json");
-        CAPTURE(outcome.errors);
-        CHECK(outcome.status == one.status);
-        CHECK(contains(outcome.errors, "nothing was written"));
-        CHECK(folder.names() == Names{"s.toml"});
+        for (const bool once : {true, false}) {
+            CAPTURE(one.signal);
+            CAPTURE(once);
+            const Folder folder;
+            REQUIRE(folder.run("$FLYING generate gas --count 200 --until 1e7 > s.toml").status == 0);
+            const Outcome outcome =
+                folder.run("timeout --preserve-status " + std::string(once ? "--foreground " : "") + "-s " +
+                           one.signal + " 1 env --default-signal=INT $FLYING simulate s.toml --trace t.ndjson " +
+                           "--every 1 --report r.json");
+            CAPTURE(outcome.errors);
+            CHECK(outcome.status == one.status);
+            if (once) {
+                CHECK(contains(outcome.errors, "s; nothing was written"));
+            } else {
+                CHECK(contains(outcome.errors, "flying: stopped at "));
+            }
+            CHECK(folder.names() == Names{"s.toml"});
+        }
     }
+}
+
+TEST_CASE("a second signal ends a run at once, takes its files away and says so")
+{
+    // It is held once its trace is begun, so that both wait for it when it goes on: it handles one right after the other,
+    // or within, and never comes to its own end
+    const Folder folder;
+    REQUIRE(folder.run("$FLYING generate gas --count 200 --until 1e7 > s.toml").status == 0);
+    const Outcome outcome = folder.run(
+        "bash -c '$FLYING simulate s.toml --trace t.ndjson --every 1 & "
+        "while test $(ls -A | wc -l) = 1; do sleep 0.05; done; kill -STOP $!; kill -TERM $!; kill -HUP $!; kill -CONT $!; wait $!'");
+    CAPTURE(outcome.errors);
+    CHECK((outcome.status == 129 || outcome.status == 143));
+    CHECK(outcome.errors == "flying: stopped at once; unfinished files are removed\n");
+    CHECK(folder.names() == Names{"s.toml"});
 }
