@@ -74,27 +74,29 @@ bool same_bits(double x, double y) { return std::bit_cast<std::uint64_t>(x) == s
 TEST_CASE("sweeps over batches find the bits of the plain sweep, whoever shares bodies with whom")
 {
     std::uint64_t seed = 1;
-    const std::pair<int, int> sizes[] = {{1, 3}, {2, 1}, {3, 40}, {30, 200}, {400, 900}};
+    const std::pair<int, int> sizes[] = {{1, 3}, {2, 1}, {3, 40}, {3, 300}, {30, 200}, {400, 900}};
     for (const auto& [bodies, pairs] : sizes) {
         for (int repeat = 0; repeat < 20; ++repeat) {
             CAPTURE(seed);
             Tangle t = tangle(seed++, bodies, pairs);
+            SweepBatches batches;
+            batches.lay_out(t.points, t.which, t.movers, t.members);
+            const std::vector<int> order = batches.order();
+            CHECK(std::is_permutation(order.begin(), order.end(), t.which.begin(), t.which.end()));
             std::vector<Mover> movers = t.movers;
             std::vector<SweepPoint> plain;
-            for (const int k : t.which) plain.push_back(sweep_point(t.points[k]));
+            for (const int k : order) plain.push_back(sweep_point(t.points[k]));
             for (int k = 0; k < 5; ++k) {
                 if (k % 2 == 0) sweep(plain, movers);
                 else sweep_back(plain, movers);
             }
 
-            SweepBatches batches;
-            batches.lay_out(t.points, t.which, t.movers, t.members);
             batches.sweep_to_and_fro(5);
             batches.get_impulses(t.points);
             batches.get_velocities(t.movers, t.members);
             bool same = true;
             for (std::size_t k = 0; k < plain.size(); ++k) {
-                const ContactPoint& c = t.points[t.which[k]];
+                const ContactPoint& c = t.points[order[k]];
                 same = same && same_bits(c.normal, plain[k].normal) && same_bits(c.tangent, plain[k].tangent);
             }
             for (const int k : t.members) {

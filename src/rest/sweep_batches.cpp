@@ -1,6 +1,8 @@
 #include "rest/sweep_batches.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <numeric>
 
 namespace flying {
 namespace {
@@ -10,52 +12,82 @@ namespace {
 inline void set_all(Four& four, double x) { four = Four{x, x, x, x}; }
 // [rest.batches.all]
 
-// [rest.batches.apart]
-/// Batches from one pair of a body to its next: a batch that doesn't wait for the one before it is swept beside it.
-constexpr int k_apart = 3;
-// [rest.batches.apart]
+// [rest.batches.colours]
+/// Bodies have a bit for each. A pair that finds none left, on a body that more than so many lean on, gets one of its own.
+constexpr int k_colours = 64;
+/// Pairs that are coloured together. The more, the fuller the batches; the fewer, the less is swept out of the list's order.
+constexpr std::size_t k_part = 512;
+// [rest.batches.colours]
 
 } // namespace
 
-// [rest.batches.turns]
-int SweepBatches::first_open(std::vector<int>& open, int turn)
+// [rest.batches.colour]
+/// The first colour that neither body has a pair of.
+int SweepBatches::colour_of(const Run& run)
 {
-    while (open[turn] != turn) turn = open[turn] = open[open[turn]];
-    return turn;
+    const int colour = std::countr_one(used_[run.a] | used_[run.b]);
+    if (colour == k_colours) {
+        in_kind_.resize(in_kind_.size() + 2);
+        return static_cast<int>(in_kind_.size()) / 2 - 1;
+    }
+    const std::uint64_t bit = std::uint64_t{1} << colour;
+    used_[run.a] |= bit;
+    used_[run.b] |= bit;
+    used_.back() = 0; // what can't move is never in the way
+    return colour;
 }
 
-void SweepBatches::add_batch(int count)
+/// Runs of the next part, each with its kind.
+void SweepBatches::colour_part(std::span<const ContactPoint> points, std::size_t from)
 {
-    const int batch = static_cast<int>(batches_.size());
-    open_[count - 1].push_back(batch + 1);
-    std::vector<int>& other = open_[2 - count];
-    other.push_back(batch + 1);
-    other[batch] = batch + 1;
-    const int nobody = static_cast<int>(bodies_.size()) - 1;
-    Batch& added = batches_.emplace_back();
-    std::fill(added.a, added.a + 4, nobody);
-    std::fill(added.b, added.b + 4, nobody);
-    added.first = static_cast<int>(points_.size());
-    added.count = count;
-    added.pairs = 0;
-    for (int i = 0; i < count; ++i) {
-        Points& empty = points_.emplace_back();
-        set_all(empty.normal_mass, 1.0);
-        set_all(empty.tangent_mass, 1.0);
+    for (const Run& run : runs_) used_[run.a] = used_[run.b] = 0;
+    runs_.clear();
+    in_kind_.assign(2 * k_colours, 0);
+    for (std::size_t k = from; k < which_.size() && runs_.size() < k_part;) {
+        const ContactPoint& c = points[which_[k]];
+        const int count = k + 1 < which_.size() && points[which_[k + 1]].pair == c.pair ? 2 : 1;
+        Run run{static_cast<int>(k), count, place_[c.a], place_[c.b], 0};
+        run.kind = 2 * colour_of(run) + (count - 1);
+        ++in_kind_[run.kind];
+        runs_.push_back(run);
+        k += count;
     }
 }
+// [rest.batches.colour]
 
-/// The first batch from a turn on that has room for a pair of so many points; a new one at the end where none has.
-int SweepBatches::batch_from(int turn, int count)
+// [rest.batches.add]
+/// Batches for so many pairs of so many points each.
+void SweepBatches::add_batches(int pairs, int count)
 {
-    while (static_cast<int>(batches_.size()) < turn) add_batch(count);
-    std::vector<int>& open = open_[count - 1];
-    const int batch = first_open(open, turn);
-    if (batch == static_cast<int>(batches_.size())) add_batch(count);
-    if (++batches_[batch].pairs == 4) open[batch] = batch + 1;
-    return batch;
+    if (pairs == 0) return;
+    const int from = batch_count_;
+    batch_count_ += (pairs + 7) / 8;
+    if (batch_count_ > static_cast<int>(batches_.size())) batches_.resize(2 * batch_count_);
+    for (int k = from; k < batch_count_; ++k) {
+        batches_[k].first = point_count_;
+        batches_[k].count = count;
+        point_count_ += 2 * count;
+    }
+    if (point_count_ > static_cast<int>(points_.size())) points_.resize(2 * point_count_);
+    if (pairs % 8 != 0) clear(batches_[batch_count_ - 1]);
 }
-// [rest.batches.turns]
+
+/// Nobody pushes nobody.
+void SweepBatches::clear(Batch& batch)
+{
+    const int nobody = static_cast<int>(bodies_.size()) - 1;
+    for (Row& row : batch.rows) {
+        row = Row{};
+        std::fill(row.a, row.a + 4, nobody);
+        std::fill(row.b, row.b + 4, nobody);
+    }
+    for (int k = batch.first; k < batch.first + 2 * batch.count; ++k) {
+        points_[k] = Points{};
+        set_all(points_[k].normal_mass, 1.0);
+        set_all(points_[k].tangent_mass, 1.0);
+    }
+}
+// [rest.batches.add]
 
 // [rest.batches.lay]
 void SweepBatches::lay_out(std::span<const ContactPoint> points, std::span<const int> which,
@@ -65,44 +97,61 @@ void SweepBatches::lay_out(std::span<const ContactPoint> points, std::span<const
     for (std::size_t k = 0; k < members.size(); ++k) place_[members[k]] = static_cast<int>(k);
     bodies_.assign(members.size() + 1, Body{});
     set_velocities(movers, members);
-    turns_.assign(members.size() + 1, 0);
-    batches_.clear();
-    points_.clear();
-    for (std::vector<int>& open : open_) open.assign(1, 0);
     which_.assign(which.begin(), which.end());
     lane_of_.resize(which.size());
-
-    for (std::size_t k = 0; k < which.size();) {
-        const ContactPoint& c = points[which[k]];
-        int count = 1;
-        while (count < 2 && k + count < which.size() && points[which[k + count]].pair == c.pair) ++count;
-        const int a = place_[c.a];
-        const int b = place_[c.b];
-        const int turn = batch_from(std::max(turns_[a], turns_[b]), count);
-        turns_[a] = turns_[b] = turn + k_apart;
-        turns_.back() = 0; // what can't move is never in the way
-        Batch& batch = batches_[turn];
-        const int lane = batch.pairs - 1;
-        set_lane(batch, lane, points, which.subspan(k, count), movers);
-        for (int i = 0; i < count; ++i) lane_of_[k + i] = 4 * (batch.first + i) + lane;
-        k += count;
-    }
+    runs_.clear();
+    used_.assign(bodies_.size(), 0);
+    batch_count_ = 0;
+    point_count_ = 0;
+    for (std::size_t k = 0; k < which.size();) k = lay_out_part(k, points, movers);
 }
 
-void SweepBatches::set_lane(Batch& batch, int lane, std::span<const ContactPoint> points, std::span<const int> which,
+/// Returns where the next part begins.
+std::size_t SweepBatches::lay_out_part(std::size_t from, std::span<const ContactPoint> points,
+                                       std::span<const Mover> movers)
+{
+    colour_part(points, from);
+    places_.clear();
+    for (std::size_t kind = 0; kind < in_kind_.size(); ++kind) {
+        places_.push_back(8 * batch_count_);
+        add_batches(in_kind_[kind], 1 + kind % 2);
+    }
+    for (const Run& run : runs_) {
+        const int place = places_[run.kind]++;
+        Batch& batch = batches_[place / 8];
+        const int pair = place % 8;
+        set_lane(batch, pair, points, std::span(which_).subspan(run.first, run.count), movers);
+        for (int i = 0; i < run.count; ++i) lane_of_[run.first + i] = 4 * (batch.first + 2 * i) + pair;
+    }
+    return runs_.back().first + runs_.back().count;
+}
+
+std::vector<int> SweepBatches::order() const
+{
+    // The first points of all pairs of a batch, then the second ones: pairs of a batch know nothing of each other
+    std::vector<int> order(which_.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [&](int i, int j) { return lane_of_[i] < lane_of_[j]; });
+    for (int& k : order) k = which_[k];
+    return order;
+}
+
+void SweepBatches::set_lane(Batch& batch, int pair, std::span<const ContactPoint> points, std::span<const int> which,
                             std::span<const Mover> movers)
 {
     const ContactPoint& c = points[which[0]];
-    batch.a[lane] = place_[c.a];
-    batch.b[lane] = place_[c.b];
-    batch.n_x[lane] = c.n_x;
-    batch.n_y[lane] = c.n_y;
-    batch.inv_moment_a[lane] = movers[c.a].inv_moment;
-    batch.inv_moment_b[lane] = movers[c.b].inv_moment;
-    batch.friction[lane] = c.friction;
+    Row& row = batch.rows[pair / 4];
+    const int lane = pair % 4;
+    row.a[lane] = place_[c.a];
+    row.b[lane] = place_[c.b];
+    row.n_x[lane] = c.n_x;
+    row.n_y[lane] = c.n_y;
+    row.inv_moment_a[lane] = movers[c.a].inv_moment;
+    row.inv_moment_b[lane] = movers[c.b].inv_moment;
+    row.friction[lane] = c.friction;
     for (int i = 0; i < batch.count; ++i) {
         const ContactPoint& from = points[which[i]];
-        Points& to = points_[batch.first + i];
+        Points& to = points_[batch.first + 2 * i + pair / 4];
         to.normal_arm_a[lane] = from.normal_arm_a;
         to.normal_arm_b[lane] = from.normal_arm_b;
         to.tangent_arm_a[lane] = from.tangent_arm_a;
@@ -155,12 +204,12 @@ struct SweepBatches::Motion
     Four inv_mass;
 };
 
-inline void SweepBatches::content(const Batch& batch, Points& c, Motion& a, Motion& b, Change& change)
+[[gnu::always_inline]] inline void SweepBatches::content(const Row& row, Points& c, Motion& a, Motion& b, Change& change)
 {
     // The plain sweep's sums, in its order
     Four v_x = b.v_x - a.v_x;
     Four v_y = b.v_y - a.v_y;
-    const Four u_n = (batch.n_x * v_x + batch.n_y * v_y) + (b.spin * c.normal_arm_b - a.spin * c.normal_arm_a);
+    const Four u_n = (row.n_x * v_x + row.n_y * v_y) + (b.spin * c.normal_arm_b - a.spin * c.normal_arm_a);
     const Four none{};
     Four normal = c.normal - c.normal_mass * (u_n - c.bound);
     normal = none < normal ? normal : none;
@@ -168,26 +217,26 @@ inline void SweepBatches::content(const Batch& batch, Points& c, Motion& a, Moti
     c.normal = normal;
 
     const Four w = a.inv_mass + b.inv_mass;
-    const Four spin_a = a.spin - batch.inv_moment_a * (j * c.normal_arm_a);
-    const Four spin_b = b.spin + batch.inv_moment_b * (j * c.normal_arm_b);
-    v_x += j * (w * batch.n_x);
-    v_y += j * (w * batch.n_y);
-    const Four u_t = (batch.n_x * v_y - batch.n_y * v_x) + (spin_b * c.tangent_arm_b - spin_a * c.tangent_arm_a);
-    const Four most = batch.friction * normal;
+    const Four spin_a = a.spin - row.inv_moment_a * (j * c.normal_arm_a);
+    const Four spin_b = b.spin + row.inv_moment_b * (j * c.normal_arm_b);
+    v_x += j * (w * row.n_x);
+    v_y += j * (w * row.n_y);
+    const Four u_t = (row.n_x * v_y - row.n_y * v_x) + (spin_b * c.tangent_arm_b - spin_a * c.tangent_arm_a);
+    const Four most = row.friction * normal;
     Four tangent = c.tangent - c.tangent_mass * u_t;
     tangent = tangent < -most ? -most : tangent;
     tangent = most < tangent ? most : tangent;
     const Four q = tangent - c.tangent;
     c.tangent = tangent;
 
-    const Four p_x = j * batch.n_x - q * batch.n_y;
-    const Four p_y = j * batch.n_y + q * batch.n_x;
+    const Four p_x = j * row.n_x - q * row.n_y;
+    const Four p_y = j * row.n_y + q * row.n_x;
     a.v_x -= a.inv_mass * p_x;
     a.v_y -= a.inv_mass * p_y;
-    a.spin = spin_a - batch.inv_moment_a * (q * c.tangent_arm_a);
+    a.spin = spin_a - row.inv_moment_a * (q * c.tangent_arm_a);
     b.v_x += b.inv_mass * p_x;
     b.v_y += b.inv_mass * p_y;
-    b.spin = spin_b + batch.inv_moment_b * (q * c.tangent_arm_b);
+    b.spin = spin_b + row.inv_moment_b * (q * c.tangent_arm_b);
     change.normal = j;
     change.tangent = q;
 }
@@ -207,40 +256,45 @@ inline void SweepBatches::put_back(const int (&who)[4], const Motion& motion)
     turn(columns, bodies_[who[0]].motion, bodies_[who[1]].motion, bodies_[who[2]].motion, bodies_[who[3]].motion);
 }
 
-template <typename Note>
-inline void SweepBatches::sweep_batch(const Batch& batch, bool backwards, Note&& note)
+template <typename Content>
+inline void SweepBatches::sweep_batch(const Batch& batch, bool backwards, Content&& content_of)
 {
-    Motion a;
-    Motion b;
-    fetch(batch.a, a);
-    fetch(batch.b, b);
+    const Row& one = batch.rows[0];
+    const Row& other = batch.rows[1];
+    Motion one_a;
+    Motion one_b;
+    Motion other_a;
+    Motion other_b;
+    fetch(one.a, one_a);
+    fetch(one.b, one_b);
+    fetch(other.a, other_a);
+    fetch(other.b, other_b);
     for (int k = 0; k < batch.count; ++k) {
-        const int point = batch.first + (backwards ? batch.count - 1 - k : k);
-        Change change;
-        content(batch, points_[point], a, b, change);
-        note(point, change);
+        const int point = batch.first + 2 * (backwards ? batch.count - 1 - k : k);
+        content_of(one, point, one_a, one_b);
+        content_of(other, point + 1, other_a, other_b);
     }
 
-    put_back(batch.a, a);
-    put_back(batch.b, b);
+    put_back(one.a, one_a);
+    put_back(one.b, one_b);
+    put_back(other.a, other_a);
+    put_back(other.b, other_b);
 }
 
-void SweepBatches::sweep()
+void SweepBatches::sweep(bool backwards)
 {
-    for (const Batch& batch : batches_) sweep_batch(batch, false, [](int, const Change&) {});
-}
-
-void SweepBatches::sweep_back()
-{
-    for (std::size_t k = batches_.size(); k > 0; --k) sweep_batch(batches_[k - 1], true, [](int, const Change&) {});
+    for (int k = 0; k < batch_count_; ++k) {
+        const Batch& batch = batches_[backwards ? batch_count_ - 1 - k : k];
+        sweep_batch(batch, backwards, [&](const Row& row, int point, Motion& a, Motion& b) __attribute__((always_inline)) {
+            Change change;
+            content(row, points_[point], a, b, change);
+        });
+    }
 }
 
 void SweepBatches::sweep_to_and_fro(int sweeps)
 {
-    for (int k = 0; k < sweeps; ++k) {
-        if (k % 2 == 0) sweep();
-        else sweep_back();
-    }
+    for (int k = 0; k < sweeps; ++k) sweep(k % 2 == 1);
 }
 // [rest.batches.sweep]
 
@@ -249,49 +303,51 @@ void SweepBatches::sweep_to_and_fro(int sweeps)
 /// directions are forgotten (Silcowitz, Niebe and Erleben, A nonsmooth nonlinear conjugate gradient method, 2010).
 int SweepBatches::sweep_ahead(const Ahead& ahead)
 {
-    way_.assign(points_.size(), Way{});
-    drift_.assign(bodies_.size(), Drift{});
-    for (std::size_t i = 0; i < bodies_.size(); ++i) drift_[i].old = bodies_[i].motion;
+    way_.assign(point_count_, Way{});
+    drift_.resize(bodies_.size());
+    for (std::size_t i = 0; i < bodies_.size(); ++i) drift_[i] = {bodies_[i].motion, Four{}};
+    Four share{};
     double last = 0.0;
-    for (int k = 0;; ++k) {
+    for (int sweeps = 1;; ++sweeps) {
         Four sum{};
-        for (const Batch& batch : batches_) {
-            sweep_batch(batch, false, [&](int point, const Change& change) {
-                const Points& c = points_[point];
-                way_[point].last = change;
-                sum += change.normal * change.normal / c.normal_mass + change.tangent * change.tangent / c.tangent_mass;
+        for (int k = 0; k < batch_count_; ++k) {
+            sweep_batch(batches_[k], false, [&](const Row& row, int point, Motion& a, Motion& b) __attribute__((always_inline)) {
+                Way& way = way_[point];
+                go_ahead(points_[point], way, share);
+                Change& change = way.last;
+                content(row, points_[point], a, b, change);
+                sum += (change.normal * change.normal + change.tangent * change.tangent) * (a.inv_mass + b.inv_mass);
             });
         }
         // What a sweep leaves lies in Coulomb's cones; what goes ahead may not
-        const int sweeps = k + 1;
         if (sweeps >= ahead.most || (sweeps >= ahead.least && last <= ahead.enough)) return sweeps;
         const double now = (sum[0] + sum[1]) + (sum[2] + sum[3]);
-        const double share = k > 0 && last > 0.0 ? now / last : 0.0;
+        const double part = sweeps > 1 && last > 0.0 ? now / last : 0.0;
         last = now;
-        go_ahead(share <= 1.0 ? share : 0.0);
+        set_all(share, part <= 1.0 ? part : 0.0);
+        go_ahead(share);
     }
 }
 
-void SweepBatches::go_ahead(double share)
+/// The way of a sweep, and a share of the way before it: of the impulses of a point
+[[gnu::always_inline]] inline void SweepBatches::go_ahead(Points& c, Way& way, const Four& share)
 {
-    // The way of a sweep, and a share of the way before it
-    Four part;
-    set_all(part, share);
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-        Points& c = points_[i];
-        Way& way = way_[i];
-        const Four normal = part * way.so_far.normal;
-        const Four tangent = part * way.so_far.tangent;
-        c.normal += normal;
-        c.tangent += tangent;
-        way.so_far.normal = normal + way.last.normal;
-        way.so_far.tangent = tangent + way.last.tangent;
-    }
+    const Four normal = share * way.so_far.normal;
+    const Four tangent = share * way.so_far.tangent;
+    c.normal += normal;
+    c.tangent += tangent;
+    way.so_far.normal = normal + way.last.normal;
+    way.so_far.tangent = tangent + way.last.tangent;
+}
+
+/// and of all velocities.
+void SweepBatches::go_ahead(const Four& share)
+{
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
         Four& motion = bodies_[i].motion;
         Drift& drift = drift_[i];
         const Four change = motion - drift.old;
-        const Four way = part * drift.way;
+        const Four way = share * drift.way;
         motion += way;
         drift.way = way + change;
         drift.old = motion;
@@ -302,8 +358,8 @@ void SweepBatches::go_ahead(double share)
 // [rest.batches.push]
 void SweepBatches::begin_push(std::span<const ContactPoint> points, double share, double time)
 {
-    for (Batch& batch : batches_) batch.friction = Four{};
-    for (Points& c : points_) c.normal = c.tangent = Four{};
+    for (Batch& batch : std::span(batches_).first(batch_count_)) batch.rows[0].friction = batch.rows[1].friction = Four{};
+    for (Points& c : std::span(points_).first(point_count_)) c.normal = c.tangent = Four{};
     for (std::size_t k = 0; k < which_.size(); ++k) {
         const ContactPoint& c = points[which_[k]];
         if (c.gap < 0.0) points_[lane_of_[k] / 4].bound[lane_of_[k] % 4] = share * -c.gap / time;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -9,9 +10,9 @@
 namespace flying {
 
 // [rest.batches.class]
-/// The points of a large group, laid out in batches of four pairs that are swept side by side. A pair comes into the
-/// first batch with room after those of all pairs before it that share a moving body with it. So every pair finds what it
-/// would find in its place in the list: the bits are those of the plain sweep.
+/// The points of a large group, laid out in batches of pairs that are swept side by side: two rows of four. Pairs that
+/// share a moving body have different colours; all of one colour are swept before any of the next, in any order, as none
+/// of them knows of another. The bits are those of the plain sweep over the points in that order.
 class SweepBatches
 {
 public:
@@ -20,9 +21,9 @@ public:
     /// members  all bodies of theirs that can move
     void lay_out(std::span<const ContactPoint> points, std::span<const int> which, std::span<const Mover> movers,
                  std::span<const int> members);
+    /// The points that were laid out, in the order in which a plain sweep would take them.
+    [[nodiscard]] std::vector<int> order() const;
 
-    void sweep();
-    void sweep_back();
     /// Sweeps, the first to the end of the list, the next back to its beginning, and so on.
     void sweep_to_and_fro(int sweeps);
     /// How many sweeps that go on in the direction of those before, as conjugate gradients do.
@@ -32,7 +33,8 @@ public:
         int most = 8;        ///< >= least
         double enough = 0.0; ///< once a sweep's changes are worth less, those beyond the least may end [J]
     };
-    /// Returns how many it made. A sweep's changes are worth the sum of their squares over the effective masses.
+    /// Returns how many it made. A sweep's changes are worth what they would move from rest, without its turning: the sum
+    /// of their squares, over the masses of both bodies.
     int sweep_ahead(const Ahead& ahead);
 
     /// From here on other impulses, from none, without friction, of the points that were laid out: where one overlaps,
@@ -45,20 +47,24 @@ public:
 
 private:
     /// Four pairs. Where there are fewer, the rest are between bodies that nothing moves.
-    struct Batch
+    struct Row
     {
         int a[4]; // places in bodies_
         int b[4];
-        int first; // of its points
-        int count; // points of each pair: the k-th of all four are one Points
-        int pairs; // that there are
         Four n_x;
         Four n_y;
         Four inv_moment_a;
         Four inv_moment_b;
         Four friction;
     };
-    /// One point of each of the four.
+    /// While one row waits for what it has just asked for, the processor goes on with the other.
+    struct Batch
+    {
+        Row rows[2];
+        int first; // of its points
+        int count; // points of each pair: the k-th of each row are one Points, those of the rows side by side
+    };
+    /// One point of each of four pairs.
     struct Points
     {
         Four normal_arm_a;
@@ -85,7 +91,7 @@ private:
     struct Way
     {
         Change last;   ///< by the last sweep
-        Change so_far; ///< by all sweeps since directions were forgotten
+        Change so_far; ///< by those before, since directions were forgotten
     };
     /// The same of a body's velocity.
     struct Drift
@@ -96,26 +102,44 @@ private:
     struct Motion;
 
     void set_velocities(std::span<const Mover> movers, std::span<const int> members);
-    [[nodiscard]] static int first_open(std::vector<int>& open, int turn);
-    void add_batch(int count);
-    [[nodiscard]] int batch_from(int turn, int count);
-    void set_lane(Batch& batch, int lane, std::span<const ContactPoint> points, std::span<const int> which,
+    struct Run;
+    [[nodiscard]] int colour_of(const Run& run);
+    std::size_t lay_out_part(std::size_t from, std::span<const ContactPoint> points, std::span<const Mover> movers);
+    void colour_part(std::span<const ContactPoint> points, std::size_t from);
+    void add_batches(int pairs, int count);
+    void set_lane(Batch& batch, int pair, std::span<const ContactPoint> points, std::span<const int> which,
                   std::span<const Mover> movers);
-    static void content(const Batch& batch, Points& points, Motion& a, Motion& b, Change& change);
+    void clear(Batch& batch);
+    static void content(const Row& row, Points& points, Motion& a, Motion& b, Change& change);
+    static void go_ahead(Points& points, Way& way, const Four& share);
+    void go_ahead(const Four& share);
     void fetch(const int (&who)[4], Motion& motion) const;
     void put_back(const int (&who)[4], const Motion& motion);
-    template <typename Note>
-    void sweep_batch(const Batch& batch, bool backwards, Note&& note);
-    void go_ahead(double share);
+    void sweep(bool backwards);
+    template <typename Content>
+    void sweep_batch(const Batch& batch, bool backwards, Content&& content);
 
-    std::vector<Batch> batches_;
-    std::vector<Points> points_;
+    std::vector<Batch> batches_; // the first batch_count_, and what is kept of earlier ones
+    std::vector<Points> points_; // point_count_
+    int batch_count_ = 0;
+    int point_count_ = 0;
     std::vector<int> lane_of_; // of each point laid out: 4 times its Points, and the lane
     std::vector<int> which_;
     std::vector<Body> bodies_; // the members, and at the end one that nothing moves
     std::vector<int> place_;   // of each mover; of those that can't move, nobody's
-    std::vector<int> turns_;   // of each body: the batch after the last that it is in
-    std::vector<int> open_[2]; // for pairs of one point, and of two: of each batch, one from it on that may have room
+    /// One or two points of a pair, swept one after the other.
+    struct Run
+    {
+        int first; // of which_
+        int count;
+        int a; // places in bodies_
+        int b;
+        int kind; // 2 for each colour before its own, and 1 where it has two points
+    };
+    std::vector<Run> runs_;
+    std::vector<std::uint64_t> used_; // of each body: a bit for each colour of its pairs in this part
+    std::vector<int> in_kind_; // of each kind: runs
+    std::vector<int> places_;  // of each kind: 8 times the batch of the next run, and the pair in that
     std::vector<Way> way_;
     std::vector<Drift> drift_;
 };
