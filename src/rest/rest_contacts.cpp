@@ -207,40 +207,38 @@ void RestEngine::add_points(int index, const Manifold& manifold, double moment)
     RestPair& pair = pairs_.pairs()[index];
     const int own = is_moved(pair.a) ? pair.a : pair.b;
     const double size = std::min(radius_[pair.a], radius_[pair.b]);
-    const PairLoads before = pair;
     // Arms lead from where the centres are at the moment
     const Vec2 place_a = place_at(pair.a, moment);
     const Vec2 place_b = place_at(pair.b, moment);
     const Rotation own_from_world = inverse(poses_[own].rotation);
-    pair.count = 0;
+    PairLoads now;
+    now.count = manifold.count;
     for (int k = 0; k < manifold.count; ++k) {
         const Contact& contact = manifold.contacts[k];
         const Vec2 r_a = contact.point - place_a;
         const Vec2 r_b = contact.point - place_b;
-        ContactPoint& point = found_.emplace_back();
-        point.a = pair.a;
-        point.b = pair.b;
-        point.pair = index;
-        point.feature = contact.feature;
-        point.gap = contact.separation;
-        point.left = span_ - moment;
-        if (moment > 0.0 && point.gap <= rest_tolerance::k_closed * size) point.gap = std::min(point.gap, 0.0);
-        max_overlap_ = moment > 0.0 ? max_overlap_ : std::max(max_overlap_, -contact.separation);
-        point.friction = pair.friction;
-        point.restitution = pair.restitution;
-        set_arms(point, contact.normal, r_a, r_b);
         const Vec2 place = own_from_world * (own == pair.a ? r_a : r_b);
-        const int known = known_point(before, point.feature, place, rest_tolerance::k_same_place * size);
-        if (known >= 0) {
-            point.normal = before.normal[known];
-            point.tangent = before.tangent[known];
-        }
-        pair.feature[k] = point.feature;
-        pair.place[k] = place;
-        pair.normal[k] = point.normal;
-        pair.tangent[k] = point.tangent;
-        ++pair.count;
+        const int known = known_point(pair, contact.feature, place, rest_tolerance::k_same_place * size);
+        now.feature[k] = contact.feature;
+        now.place[k] = place;
+        now.normal[k] = known >= 0 ? pair.normal[known] : 0.0;
+        now.tangent[k] = known >= 0 ? pair.tangent[known] : 0.0;
+
+        const bool is_closed = moment > 0.0 && contact.separation <= rest_tolerance::k_closed * size;
+        found_.push_back({.a = pair.a,
+                          .b = pair.b,
+                          .pair = index,
+                          .feature = contact.feature,
+                          .friction = pair.friction,
+                          .restitution = pair.restitution,
+                          .gap = is_closed ? std::min(contact.separation, 0.0) : contact.separation,
+                          .normal = now.normal[k],
+                          .tangent = now.tangent[k],
+                          .left = span_ - moment});
+        set_arms(found_.back(), contact.normal, r_a, r_b);
+        max_overlap_ = moment > 0.0 ? max_overlap_ : std::max(max_overlap_, -contact.separation);
     }
+    static_cast<PairLoads&>(pair) = now;
 }
 
 void RestEngine::set_arms(ContactPoint& c, const Vec2& n, const Vec2& r_a, const Vec2& r_b) const

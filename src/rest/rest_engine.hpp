@@ -226,6 +226,7 @@ private:
     void expect_flight(int body);
     void expect_same(int body);
     void expect(const Group& group);
+    void expect_loads(std::span<const ContactPoint> points);
     void collide();
     void collide_pair(int pair);
     /// The points of a pair that were open when the step began, those that lay, and below which gap they count as closed.
@@ -251,7 +252,7 @@ private:
     [[nodiscard]] bool wake_touched();
     void wake_all_with(int group);
     [[nodiscard]] int root_of(int body);
-    void join(const ContactPoint& point);
+    bool join(const ContactPoint& point);
     void gather_groups(std::span<const int> who);
     void part_slow(std::span<const int> who);
     void lay_out_points();
@@ -373,6 +374,13 @@ private:
     bool has_outrun_ = false;
     std::vector<Saved> saved_; // of those awake, as the step has found them
     std::vector<std::pair<int, PairLoads>> saved_pairs_; // with their places in the list
+    struct SavedLoads
+    {
+        int pair = 0;
+        double normal[2] = {0.0, 0.0};  // [N s]
+        double tangent[2] = {0.0, 0.0}; // [N s]
+    };
+    std::vector<SavedLoads> saved_loads_; // of pairs of groups that are swept
     std::vector<int> awake_;     // ascending
     std::vector<Pose> poses_;
     struct Travel
@@ -416,7 +424,8 @@ private:
     std::vector<char> wakes_; // of each body: awake, and can move
     std::int64_t sleepers_ = -1; // where nobody is awake: how many sleep
     std::vector<char> still_;
-    std::vector<char> struck_; // bodies of a group, while it is found what they will do
+    std::vector<char> borne_;  // bodies of a group that bear a load, and those that were struck,
+    std::vector<char> struck_; // while it is found what they will do
     std::vector<char> in_crowd_; // the body's group was one in the last step
     std::vector<int> sleep_group_;   // of each sleeping body
     std::vector<Mover> part_movers_; // at the start of a part of the step

@@ -22,11 +22,13 @@ int RestEngine::root_of(int body)
     return body;
 }
 
-void RestEngine::join(const ContactPoint& point)
+/// True where the two were of different groups.
+bool RestEngine::join(const ContactPoint& point)
 {
     const int one = root_of(point.a);
     const int two = root_of(point.b);
     parent_[std::max(one, two)] = std::min(one, two);
+    return one != two;
 }
 
 void RestEngine::gather_groups(std::span<const int> who)
@@ -37,7 +39,7 @@ void RestEngine::gather_groups(std::span<const int> who)
     for (const ContactPoint& point : found_) {
         if (point.pair == last) continue;
         last = point.pair;
-        if (is_moved(point.a) && is_moved(point.b)) join(point);
+        if (is_moved(point.a) && is_moved(point.b)) (void)join(point);
     }
     part_slow(who);
 
@@ -105,13 +107,17 @@ void RestEngine::part_slow(std::span<const int> who)
         const double u = normal_speed(c, before_[c.a], before_[c.b]);
         return c.gap + time * (std::min(u, 0.0) + 0.5 * time * std::min(fall_of(c), 0.0)) <= touch_gap(c.a, c.b);
     };
+    const auto groups = std::count_if(parts_.begin(), parts_.end(), [&](int k) { return parent_[k] == k; });
     for (const int k : parts_) is_inside_[k] = 1;
     for (const int k : parts_) parent_[k] = k;
     const auto is_between = [&](const ContactPoint& c) { return is_inside_[c.a] != 0 && is_inside_[c.b] != 0; };
+    auto parts = static_cast<std::ptrdiff_t>(parts_.size());
     for (const ContactPoint& point : found_) {
-        if (is_between(point) && holds(point)) join(point);
+        if (is_between(point) && holds(point) && join(point)) --parts;
     }
-    std::erase_if(found_, [&](const ContactPoint& c) { return is_between(c) && root_of(c.a) != root_of(c.b); });
+    if (parts > groups) {
+        std::erase_if(found_, [&](const ContactPoint& c) { return is_between(c) && root_of(c.a) != root_of(c.b); });
+    }
     for (const int k : parts_) is_inside_[k] = 0;
 }
 

@@ -30,28 +30,36 @@ void RestEngine::expect_same(int body)
 
 void RestEngine::expect(const Group& group)
 {
-    // Bodies that bear a load will do what they did in this step
-    for (int k = 0; k < group.member_count; ++k) expect_flight(members_[group.first_member + k]);
+    // Bodies that bear a load will do what they did in this step; but those that were struck what their loads make them do
+    borne_.resize(bodies_.size(), 0);
+    struck_.resize(bodies_.size(), 0);
+    const std::span<const int> members = std::span(members_).subspan(group.first_member, group.member_count);
     const std::span<const ContactPoint> points = std::span(points_).subspan(group.first_point, group.point_count);
+    bool any_struck = false;
     for (const ContactPoint& c : points) {
-        if (c.normal == 0.0 || is_struck(c)) continue;
-        if (is_moved(c.a)) expect_same(c.a);
-        if (is_moved(c.b)) expect_same(c.b);
+        if (c.normal == 0.0) continue;
+        const bool is_blow = is_struck(c);
+        any_struck = any_struck || is_blow;
+        std::vector<char>& marks = is_blow ? struck_ : borne_;
+        if (is_moved(c.a)) marks[c.a] = 1;
+        if (is_moved(c.b)) marks[c.b] = 1;
+    }
+    for (const int member : members) {
+        if (borne_[member] && !struck_[member]) expect_same(member);
+        else expect_flight(member);
     }
 
-    // Those that were struck will do what their loads make them do; without a field no load outlasts a blow
-    struck_.resize(bodies_.size(), 0);
+    // Without a field no load outlasts a blow
+    const bool any_loads = any_struck && group.knows_loads && field_speed(group) > 0.0;
+    if (any_loads) expect_loads(points);
+    for (const int member : members) borne_[member] = struck_[member] = 0;
+}
+
+/// Of those that were struck.
+void RestEngine::expect_loads(std::span<const ContactPoint> points)
+{
     for (const ContactPoint& c : points) {
-        if (!is_struck(c)) continue;
-        for (const int body : {c.a, c.b}) {
-            if (!is_moved(body)) continue;
-            expect_flight(body);
-            struck_[body] = 1;
-        }
-    }
-    const bool any_loads = group.knows_loads && field_speed(group) > 0.0;
-    for (const ContactPoint& c : points) {
-        if (!any_loads || (!struck_[c.a] && !struck_[c.b])) continue;
+        if (!struck_[c.a] && !struck_[c.b]) continue;
         const double load = load_of(c);
         if (load == 0.0) continue;
         Mover a{0.0, 0.0, 0.0, movers_[c.a].inv_mass, movers_[c.a].inv_moment};
@@ -63,7 +71,6 @@ void RestEngine::expect(const Group& group)
             turn_pull_[body] += gain.spin;
         }
     }
-    for (int k = 0; k < group.member_count; ++k) struck_[members_[group.first_member + k]] = 0;
 }
 // [rest.move.expect]
 

@@ -173,17 +173,18 @@ void RestEngine::bound_swept(const Group& group, bool is_calm)
         // Gaps as they are when the step begins: all of it passes with the velocities that it ends with
         ContactPoint& c = points_[group.first_point + k];
         const double moment = span_ - c.left;
-        const double u = normal_speed(c, before_[c.a], before_[c.b]);
+        const bool bears = c.normal > 0.0;
+        const double u = bears && moment == 0.0 ? 0.0 : normal_speed(c, before_[c.a], before_[c.b]); // where it is asked for
         if (moment > 0.0) c.gap = std::max(c.gap, 0.0) - moment * (u + 0.5 * moment * fall_of(c));
         c.left = span_;
         c.bound = -std::max(c.gap, 0.0) / span_;
         // In a calm group nobody comes to close a gap: what bears over one that a calm speed would close goes on to bear,
         // or its load would wane for minutes while nothing moves
-        if (is_calm && c.normal > 0.0 && -c.bound <= k_calm * field) c.bound = 0.0;
+        if (is_calm && bears && -c.bound <= k_calm * field) c.bound = 0.0;
         c.impact = 0.0;
 
         // Whoever comes to touch is thrown back, unless the field would end that within the step
-        const bool comes = u < 0.0 && c.normal == 0.0 && c.gap + span_ * u < 0.0;
+        const bool comes = !bears && u < 0.0 && c.gap + span_ * u < 0.0;
         if (!comes) continue;
         const double rebound = -c.restitution * u;
         const bool rests = 2.0 * rebound <= field;
