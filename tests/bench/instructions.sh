@@ -52,7 +52,7 @@ for pid in "${pids[@]}"; do wait "$pid"; done
 
 if [[ -n $reason ]]; then
     {
-        printf '{\n  "date": "%s",\n  "reason": "%s",\n  "compiler": "g++ %s, -O2, generic x86-64",\n  "instructions": {\n' \
+        printf '{\n  "date": "%s",\n  "reason": "%s",\n  "compiler": "g++ %s, -O3, generic x86-64",\n  "instructions": {\n' \
             "$(date -u +%F)" "${reason//\"/\'}" "$compiler"
         for k in "${!scenes[@]}"; do
             printf '    "%s": %s%s\n' "${scenes[k]}" "$(<"$folder/${scenes[k]}.count")" \

@@ -68,7 +68,7 @@ int main(int argc, char** argv)
     if (wants("growth")) results.growths = measure_growth(all ? Extent::full : Extent::brief, tell);
     if (wants("piles")) {
         write_results(results, out);
-        results.piles = measure_piles(all ? Extent::full : Extent::brief, std::max(3, repeats), tell);
+        results.piles = measure_piles(all ? Extent::full : Extent::brief, std::max(15, repeats), tell);
     }
     write_results(results, out);
     tell("");
