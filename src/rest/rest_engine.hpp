@@ -374,13 +374,6 @@ private:
     bool has_outrun_ = false;
     std::vector<Saved> saved_; // of those awake, as the step has found them
     std::vector<std::pair<int, PairLoads>> saved_pairs_; // with their places in the list
-    struct SavedLoads
-    {
-        int pair = 0;
-        double normal[2] = {0.0, 0.0};  // [N s]
-        double tangent[2] = {0.0, 0.0}; // [N s]
-    };
-    std::vector<SavedLoads> saved_loads_; // of pairs of groups that are swept
     std::vector<int> awake_;     // ascending
     std::vector<Pose> poses_;
     struct Travel

@@ -39,7 +39,7 @@ void RestEngine::gather_groups(std::span<const int> who)
     for (const ContactPoint& point : found_) {
         if (point.pair == last) continue;
         last = point.pair;
-        if (is_moved(point.a) && is_moved(point.b)) (void)join(point);
+        if (is_moved(point.a) && is_moved(point.b)) join(point);
     }
     part_slow(who);
 

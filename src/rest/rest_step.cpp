@@ -106,20 +106,14 @@ void RestEngine::list_awake()
 void RestEngine::save_pairs()
 {
     // Only pairs with points have anything to remember, and nobody goes back but where a group that is solved whole outran
-    // its reach. Until then, nothing but their loads changes in other groups
+    // its reach
     saved_pairs_.clear();
-    saved_loads_.clear();
     const auto may_outrun = [](const Group& group) { return is_exact(group) && group.point_count > 0; };
     if (std::none_of(groups_.begin(), groups_.end(), may_outrun)) return;
-    for (const Group& group : groups_) {
-        int last = -1;
-        for (const ContactPoint& c : std::span(points_).subspan(group.first_point, group.all_points)) {
-            if (c.pair == last) continue;
-            last = c.pair;
-            const RestPair& pair = pairs_.pairs()[c.pair];
-            if (is_exact(group)) saved_pairs_.emplace_back(c.pair, pair);
-            else saved_loads_.push_back({c.pair, {pair.normal[0], pair.normal[1]}, {pair.tangent[0], pair.tangent[1]}});
-        }
+    int last = -1;
+    for (const ContactPoint& c : points_) {
+        if (c.pair != last) saved_pairs_.emplace_back(c.pair, pairs_.pairs()[c.pair]);
+        last = c.pair;
     }
 }
 
@@ -144,11 +138,6 @@ void RestEngine::go_back()
         sleep_group_[k] = -1;
     }
     for (const auto& [index, loads] : saved_pairs_) static_cast<PairLoads&>(pairs_.pairs()[index]) = loads;
-    for (const SavedLoads& loads : saved_loads_) {
-        RestPair& pair = pairs_.pairs()[loads.pair];
-        std::copy_n(loads.normal, 2, pair.normal);
-        std::copy_n(loads.tangent, 2, pair.tangent);
-    }
     ++counts_.repeated;
 }
 // [rest.step.back]

@@ -10,7 +10,7 @@
 namespace flying {
 
 // [rest.batches.class]
-/// The points of a large group, laid out in batches of pairs that are swept side by side: two rows of four. Pairs that
+/// The points of a group that is swept, in batches of pairs that are swept side by side: two rows of four. Pairs that
 /// share a moving body have different colours; all of one colour are swept before any of the next, in any order, as none
 /// of them knows of another. (A long list is coloured in parts, and swept part by part.) The bits are those of the plain
 /// sweep over the points in that order.
