@@ -15,7 +15,9 @@ namespace flying {
 /// measured along the reference edge's normal. Everything else makes one contact, a polygon on a half-plane up to two:
 /// its lowest vertices.
 ///
-/// a, b                        discs, convex polygons, half-planes; not two half-planes
+/// a, b                        discs, convex polygons, half-planes; not two half-planes. Polygons with corners only: what
+///                             lies over a vertex in the middle of a straight side would touch one half of it. The parts
+///                             of a `CollisionShape` are such polygons
 /// world_from_a, world_from_b  where they are
 /// margin                      points further apart than this make no contact, >= 0 [m]
 ///

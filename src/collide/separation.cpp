@@ -6,6 +6,7 @@
 
 #include "collide/separating_axis.hpp"
 #include "geometry/convex_parts.hpp"
+#include "geometry/straight_vertices.hpp"
 #include "math/tolerance.hpp"
 
 namespace flying {
@@ -213,7 +214,8 @@ CollisionShape make_collision_shape(const Shape& shape)
         result.parts.push_back({shape, Vec2::Zero(), bounding_radius(shape)});
         return result;
     }
-    for (Polygon& part : convex_parts(*polygon)) {
+    for (const Polygon& cut : convex_parts(*polygon)) {
+        Polygon part = without_straight_vertices(cut);
         // Put the circle's centre into the middle of the part's box
         Vec2 low = part.vertices()[0];
         Vec2 high = low;

@@ -35,7 +35,8 @@ struct CollisionShape
     std::vector<ConvexPart> parts;
 };
 
-/// The parts of a shape: one for all that is convex.
+/// The parts of a shape: one for all that is convex. Parts have corners only: vertices at which a boundary goes straight
+/// on, to rounding, are left out.
 [[nodiscard]] CollisionShape make_collision_shape(const Shape& shape);
 
 /// Signed distance between two shapes, as above, from parts that are cut already. Allocates nothing.

@@ -1,6 +1,7 @@
 #include "geometry/convex_parts.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <span>
 #include <utility>
@@ -162,9 +163,27 @@ std::vector<Ring> triangles_of(std::span<const Vec2> vertices, Ring ring)
 }
 // [geometry.convex_parts.ears]
 
+// [geometry.convex_parts.line]
+/// [sine] A side and a cut that turn by less at their common vertex stand in one line. Twice what the contacts of resting
+/// bodies (rest/near_points.cpp) allow two normals to differ by.
+constexpr double k_in_line = 0x1p-9;
+
+/// At the vertex `at` of a ring a side of the polygon and a cut follow each other in one line.
+bool mixes_side_and_cut(const Polygon& polygon, int before, int at, int after)
+{
+    const bool comes_along_side = polygon.edges()[before].to == at;
+    const bool goes_along_side = polygon.edges()[at].to == after;
+    if (comes_along_side == goes_along_side) return false;
+    const Vec2 in = polygon.vertices()[at] - polygon.vertices()[before];
+    const Vec2 out = polygon.vertices()[after] - polygon.vertices()[at];
+    return in.dot(out) > 0.0 && std::abs(cross(in, out)) <= k_in_line * in.norm() * out.norm();
+}
+// [geometry.convex_parts.line]
+
 // [geometry.convex_parts.merge]
-/// Two convex rings that share the edge i -> j of the first as one ring; empty where that would not be convex.
-Ring merged(std::span<const Vec2> vertices, const Ring& first, const Ring& second, int i, int j)
+/// Two convex rings that share the edge i -> j of the first as one ring; empty where that would not be convex, or would
+/// put a side and a cut in one line.
+Ring merged(const Polygon& polygon, const Ring& first, const Ring& second, int i, int j)
 {
     // Walk the first from j round to i, then the second from behind i to before j
     Ring ring = first;
@@ -177,15 +196,17 @@ Ring merged(std::span<const Vec2> vertices, const Ring& first, const Ring& secon
     const std::size_t count = ring.size();
     for (std::size_t k = 0; k < count; ++k) {
         if (ring[k] != i && ring[k] != j) continue;
-        const Vec2& before = vertices[ring[(k + count - 1) % count]];
-        const Vec2& after = vertices[ring[(k + 1) % count]];
-        if (orientation(before, vertices[ring[k]], after) < 0) return {};
+        const int before = ring[(k + count - 1) % count];
+        const int after = ring[(k + 1) % count];
+        const std::span<const Vec2> vertices = polygon.vertices();
+        if (orientation(vertices[before], vertices[ring[k]], vertices[after]) < 0) return {};
+        if (mixes_side_and_cut(polygon, before, ring[k], after)) return {};
     }
     return ring;
 }
 
-/// Take away every shared edge whose parts stay convex without it, in the order of the triangles.
-void merge_convex(std::span<const Vec2> vertices, std::vector<Ring>& parts)
+/// Take away every shared edge whose parts may be one without it, in the order of the triangles.
+void merge_convex(const Polygon& polygon, std::vector<Ring>& parts)
 {
     std::map<std::pair<int, int>, std::size_t> part_at; // left of the edge from the first vertex to the second
     std::vector<std::pair<int, int>> directed;
@@ -202,7 +223,7 @@ void merge_convex(std::span<const Vec2> vertices, std::vector<Ring>& parts)
         if (left == part_at.end() || right == part_at.end()) continue;
         const std::size_t keep = left->second;
         const std::size_t lose = right->second;
-        Ring both = merged(vertices, parts[keep], parts[lose], i, j);
+        Ring both = merged(polygon, parts[keep], parts[lose], i, j);
         if (both.empty()) continue;
 
         const Ring& lost = parts[lose];
@@ -225,7 +246,7 @@ std::vector<Polygon> convex_parts(const Polygon& polygon)
 
     const std::span<const Vec2> vertices = polygon.vertices();
     std::vector<Ring> rings = triangles_of(vertices, joined_ring(polygon));
-    merge_convex(vertices, rings);
+    merge_convex(polygon, rings);
 
     std::vector<Polygon> parts;
     for (const Ring& ring : rings) {

@@ -14,6 +14,10 @@ namespace {
 /// [sine] Normals this near are those of one edge.
 constexpr double k_same_normal = 0x1p-10;
 
+/// [way out over a side] What reaches over a cut by less than this share of the way out lies on the part beyond the cut,
+/// or beside it in a notch.
+constexpr double k_hardly = 0.0625;
+
 /// A normal that leads out of a part through a cut.
 [[nodiscard]] bool leads_through_cut(const NearSide& side, const Vec2& outwards)
 {
@@ -124,22 +128,22 @@ void keep_to_sides(const NearSide& a, const NearSide& b, double margin, Manifold
     if (a.real.empty() && b.real.empty()) return;
     const Vec2 normal = manifold.contacts[0].normal;
     if (!leads_through_cut(a, normal) && !leads_through_cut(b, -normal)) return;
-    const bool overlaps = std::any_of(manifold.contacts, manifold.contacts + manifold.count,
-                                      [](const Contact& contact) { return contact.separation < 0.0; });
+    double depth = 0.0;
+    for (int k = 0; k < manifold.count; ++k) depth = std::max(depth, -manifold.contacts[k].separation);
     manifold.count = 0;
     // Beyond the ends of a cut, as in a notch, something else is nearest
-    if (!overlaps) {
+    if (depth == 0.0) {
         if (are_polygons) add_nearest();
         return;
     }
 
-    // Out over a side, by the shortest way
+    // Out over a side, by the shortest way; a part between two cuts may have none that is near
     const Contact out_of_a = shortest_way_out(a, b);
     Contact out_of_b = shortest_way_out(b, a);
     out_of_b.normal = -out_of_b.normal;
     out_of_b.feature |= 1u;
     const Contact& best = out_of_b.separation > out_of_a.separation ? out_of_b : out_of_a;
-    if (std::isfinite(best.separation)) manifold.contacts[manifold.count++] = best;
+    if (depth >= -k_hardly * best.separation) manifold.contacts[manifold.count++] = best;
 }
 // [rest.near.sides]
 

@@ -24,7 +24,8 @@ struct NearSide
 /// - what is nearest of two parts where no edge of theirs faces the other within its ends, or a cut alone does: corners
 ///   near each other, which make a point along the line between them, or a corner over an edge;
 /// - where parts overlap over a cut, which is no side of a body: the shortest way out over a side, at one point. Points
-///   that stand on a cut and don't overlap belong to the neighbour on the other side of it, and are left out.
+///   that stand on a cut and don't overlap belong to the neighbour on the other side of it, and are left out; so is an
+///   overlap of less than a sixteenth of the way out, as that of a corner in a notch with a part whose sides are far.
 ///
 /// margin  points further apart than this make no contact [m]
 [[nodiscard]] Manifold near_points(const NearSide& a, const NearSide& b, double margin);

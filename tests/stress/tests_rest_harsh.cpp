@@ -95,6 +95,27 @@ TEST_CASE("a corner over the second of two edges on one line is as near as over 
     }
 }
 
+TEST_CASE("a corner in a notch that overlaps by a hair isn't led through the part behind the notch")
+{
+    // The middle of a plus sign: all its edges are cuts. In the notch at its upper left corner stands an inner part of
+    // another body, whose sides are far from the notch, too
+    const Shape middle = flying::testing::box(1.0, 1.0);
+    const Shape box = flying::testing::box(0.4, 0.4);
+    const std::vector<char> cuts(4, 0);
+    const std::vector<char> far_sides = {0, 0, 1, 1}; // below and at the right there are cuts
+    const auto points = [&](double overlap) {
+        const Pose pose{Vec2(-0.7 + overlap, 0.7 - overlap), Rotation()};
+        return near_points({middle, Pose(), cuts}, {box, pose, far_sides}, 0.01);
+    };
+    CHECK(points(1e-15).count == 0);
+    CHECK(points(1e-3).count == 0);
+
+    // Deep inside there is nobody else to see it
+    const Manifold deep = points(0.2);
+    REQUIRE(deep.count == 1);
+    CHECK(deep.contacts[0].separation <= -0.2);
+}
+
 TEST_CASE("small bodies thrown into the notches of a concave one don't get into it")
 {
     // In a notch the line of a cut parts two shapes best, but the cut itself lies elsewhere
