@@ -181,3 +181,17 @@ TEST_CASE("a corner deep in a side is seen wherever on the side it is, also beyo
         CHECK(std::abs(separation(table, world, square, above) + depth) < 1e-14);
     }
 }
+
+TEST_CASE("the boundary leads straight along a side, over its vertices, and not along a cut or round a corner")
+{
+    // An L with vertices in the middle of its lower side; the cut from its notch runs to the opposite corner
+    const Polygon l({{Vec2(0, 0), Vec2(0.3, 0), Vec2(1.1, 0), Vec2(2, 0), Vec2(2, 1), Vec2(1, 1), Vec2(1, 2), Vec2(0, 2)}});
+    CHECK(has_straight_side(l, Vec2(0, 0), Vec2(2, 0)));
+    CHECK(has_straight_side(l, Vec2(0.3, 0), Vec2(2, 0)));
+    CHECK(has_straight_side(l, Vec2(2, 1), Vec2(1, 1)));
+    CHECK(has_straight_side(l, Vec2(0, 2), Vec2(0, 0)));
+    CHECK_FALSE(has_straight_side(l, Vec2(2, 0), Vec2(0, 0))); // against the turn
+    CHECK_FALSE(has_straight_side(l, Vec2(0, 0), Vec2(2, 1)));
+    CHECK_FALSE(has_straight_side(l, Vec2(1, 1), Vec2(0, 0)));
+    CHECK_FALSE(has_straight_side(l, Vec2(0, 0), Vec2(1, 1)));
+}

@@ -7,7 +7,12 @@
 
 namespace flying {
 
+namespace {
+
 // [geometry.straight.between]
+/// `between` stands on the way from one point to another, off the line between them by rounding alone.
+///
+/// reach  greatest distance of the points from the origin of their frame, which decides how coarse rounding is [m]
 bool is_straight_between(const Vec2& from, const Vec2& between, const Vec2& to, double reach)
 {
     const Vec2 way = to - from;
@@ -18,8 +23,6 @@ bool is_straight_between(const Vec2& from, const Vec2& between, const Vec2& to, 
     return std::abs(cross(way, part)) <= tolerance::coordinate_rounding(reach) * std::sqrt(square);
 }
 // [geometry.straight.between]
-
-namespace {
 
 // [geometry.straight.corner]
 /// A vertex that is certainly a corner: the one furthest from the origin. Between two others on a line none is.
@@ -69,5 +72,19 @@ Polygon without_straight_vertices(const Polygon& polygon)
     return Polygon({corners});
 }
 // [geometry.straight]
+
+// [geometry.straight.side]
+bool has_straight_side(const Polygon& polygon, const Vec2& from, const Vec2& to)
+{
+    const auto vertices = polygon.vertices();
+    for (const Edge& edge : polygon.edges()) {
+        if (vertices[edge.from] != from) continue;
+        int v = edge.to;
+        while (vertices[v] != to && is_straight_between(from, vertices[v], to, polygon.radius())) v = polygon.edges()[v].to;
+        if (vertices[v] == to) return true;
+    }
+    return false;
+}
+// [geometry.straight.side]
 
 } // namespace flying

@@ -4,11 +4,6 @@
 
 namespace flying {
 
-/// `between` stands on the way from one point to another, off the line between them by rounding alone.
-///
-/// reach  greatest distance of the points from the origin of their frame, which decides how coarse rounding is [m]
-[[nodiscard]] bool is_straight_between(const Vec2& from, const Vec2& between, const Vec2& to, double reach);
-
 /// The same convex polygon without the vertices at which its boundary goes straight on, to rounding: every vertex that
 /// is left is a corner, and no two sides stand in one line. The others keep their order and their coordinates; a
 /// polygon that has corners only comes back as it is. The surface moves by rounding at most,
@@ -16,5 +11,11 @@ namespace flying {
 ///
 /// polygon  convex to rounding
 [[nodiscard]] Polygon without_straight_vertices(const Polygon& polygon);
+
+/// The boundary of a polygon, convex or not, leads from one of its vertices straight to another, over any number of
+/// vertices that stand on the line to rounding.
+///
+/// from, to  coordinates of the two vertices, to the bit [m]
+[[nodiscard]] bool has_straight_side(const Polygon& polygon, const Vec2& from, const Vec2& to);
 
 } // namespace flying

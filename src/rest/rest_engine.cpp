@@ -23,19 +23,6 @@ namespace {
 // [rest.engine.mover_of]
 
 // [rest.engine.real_edges]
-/// A way along the sides of a polygon leads straight from one place to another.
-[[nodiscard]] bool is_side(const Polygon& polygon, const Vec2& from, const Vec2& to)
-{
-    const auto vertices = polygon.vertices();
-    for (const Edge& edge : polygon.edges()) {
-        if (vertices[edge.from] != from) continue;
-        int v = edge.to;
-        while (vertices[v] != to && is_straight_between(from, vertices[v], to, polygon.radius())) v = polygon.edges()[v].to;
-        if (vertices[v] == to) return true;
-    }
-    return false;
-}
-
 /// For each convex part, which of its edges are sides of the shape, and not cuts through it; empty where all are.
 [[nodiscard]] std::vector<std::vector<char>> real_edges(const Shape& shape, const CollisionShape& parts)
 {
@@ -45,7 +32,7 @@ namespace {
     for (std::size_t k = 0; k < result.size(); ++k) {
         const Polygon& polygon = std::get<Polygon>(parts.parts[k].shape);
         for (const Edge& edge : polygon.edges()) {
-            result[k].push_back(is_side(*whole, polygon.vertices()[edge.from], polygon.vertices()[edge.to]) ? 1 : 0);
+            result[k].push_back(has_straight_side(*whole, polygon.vertices()[edge.from], polygon.vertices()[edge.to]) ? 1 : 0);
         }
     }
     return result;
