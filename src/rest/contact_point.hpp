@@ -2,8 +2,6 @@
 
 #include <cstdint>
 
-#include "rest/rest_tolerance.hpp"
-
 namespace flying {
 
 // [rest.mover]
@@ -42,19 +40,9 @@ struct ContactPoint
     double bound = 0.0;         ///< least normal velocity with which the step may end [m/s]
     double normal = 0.0;        ///< impulse along the normal, >= 0 [N s]
     double tangent = 0.0;       ///< impulse along the tangent, at most mu times the normal one [N s]
-    double impact = 0.0;        ///< of the normal impulse, what ends an approach and throws back, at one moment [N s]
-    double left = 0.0;          ///< from that moment to the end of the step [s]
-    bool lay = false;           ///< was closed when the step began, and is seen at a later moment
+    double left = 0.0;          ///< from the moment at which it was seen to the end of the step [s]
 };
 // [rest.contact_point]
-
-// [rest.struck]
-/// Part of what the point bears ends an approach, and more than rounding explains.
-[[nodiscard]] inline bool is_struck(const ContactPoint& c)
-{
-    return c.normal > 0.0 && c.impact > rest_tolerance::k_load * c.normal;
-}
-// [rest.struck]
 
 // [rest.speeds]
 /// Normal velocity of B relative to A.  [m/s]

@@ -98,7 +98,7 @@ void RestEngine::collide_pair(int index)
     }
 
     // A gap that would close within the step is looked at when it does; bodies turn, so that one look may not do
-    Closing closing{{0, 0}, 0, {0, 0}, 0, touch_gap(pair.a, pose_a.position, pair.b, pose_b.position)};
+    Closing closing{{0, 0}, 0, touch_gap(pair.a, pose_a.position, pair.b, pose_b.position)};
     double moment = 0.0;
     bool overlaps = false;
     for (int k = 0; k < manifold.count; ++k) overlaps = overlaps || manifold.contacts[k].separation < -k_deep * size;
@@ -111,12 +111,7 @@ void RestEngine::collide_pair(int index)
         closing.closed = rest_tolerance::k_closed * size;
     }
     if (moment > 0.0 && manifold.count == 0) pair.count = 0;
-    const std::size_t first = found_.size();
     add_points(index, manifold, moment);
-    for (std::size_t k = first; k < found_.size() && moment > 0.0; ++k) {
-        const std::span<const std::uint32_t> lay(closing.lay, closing.lay_count);
-        found_[k].lay = std::find(lay.begin(), lay.end(), found_[k].feature) != lay.end();
-    }
 }
 
 /// Where a body's centre will be at a moment of the step, if it goes on as it did.
@@ -153,7 +148,6 @@ double RestEngine::next_closing(const RestPair& pair, const Manifold& manifold, 
             std::find(closing.open, closing.open + closing.count, contact.feature) != closing.open + closing.count;
         if (contact.separation <= closing.closed) {
             if (was_open) return 0.0;
-            if (moment == 0.0) closing.lay[closing.lay_count++] = contact.feature;
             continue;
         }
         const double field = span_ * std::max(field_size_[pair.a], field_size_[pair.b]);

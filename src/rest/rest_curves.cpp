@@ -80,12 +80,10 @@ bool RestEngine::follow_curves(Group& group)
         return false;
     }
 
-    // What is struck is struck first; the rest of the step begins with the velocities that this leaves
+    // Find ways, and the lines along them, until both fit
     curves_.straight.resize(movers_.size());
     for (const int member : members) curves_.straight[member] = movers_[member];
-    bool content = strike_first(group);
-
-    // Find ways, and the lines along them, until both fit
+    bool content = true;
     for (int round = 1; content; ++round) {
         content = find_mean_velocities(group) && see_ends(group);
         if (round == k_most_rounds || (content && all_close())) break;
@@ -98,15 +96,10 @@ bool RestEngine::follow_curves(Group& group)
         return false;
     }
     for (std::size_t k = 0; k < points.size(); ++k) {
-        ContactPoint& c = points[k];
-        const ContactPoint& first = curves_.struck[k];
-        const ContactPoint& then = curves_.bent[k];
-        if (is_struck(c) || first.normal > 0.0) c.impact = first.normal;
-        c.normal = first.normal + then.normal;
-        c.tangent = first.tangent + then.tangent;
+        points[k].normal = curves_.bent[k].normal;
+        points[k].tangent = curves_.bent[k].tangent;
     }
     group.has_ways = true;
-    group.knows_loads = true;
     return true;
 }
 // [rest.curves]
@@ -114,19 +107,13 @@ bool RestEngine::follow_curves(Group& group)
 // [rest.curves.may]
 bool RestEngine::may_bend(const Group& group) const
 {
-    // A few that move, some of which bear; nobody is thrown back, or struck later than when the step begins
-    if (group.point_count > k_most_followed || is_crowd(group) || !group.is_content) return false;
-    bool any_bears = false;
-    bool any_struck = false;
-    for (const ContactPoint& c : std::span(points_).subspan(group.first_point, group.point_count)) {
-        if (c.left != span_ || c.restitution > 0.0) return false;
-        any_bears = any_bears || c.normal > 0.0;
-        any_struck = any_struck || is_struck(c);
-    }
-    if (!any_bears) return false;
+    // A few that move, some of which bear
+    if (group.point_count > k_most_followed || strikes_at_start(group) || !group.is_content) return false;
+    const std::span<const ContactPoint> points = std::span(points_).subspan(group.first_point, group.point_count);
+    if (std::none_of(points.begin(), points.end(), [](const ContactPoint& c) { return c.normal > 0.0; })) return false;
 
     // A slide that ends is parted where it does; below, slip is what the last step's end has left
-    if (!any_struck && any_slip_ended(group, k_slide * field_speed(group))) return false;
+    if (any_slip_ended(group, k_slide * field_speed(group))) return false;
     return top_motion(group) > still_speed(group);
 }
 
@@ -138,14 +125,11 @@ double RestEngine::top_motion(const Group& group) const
 
 void RestEngine::first_ways(const Group& group)
 {
-    const bool any_struck = std::any_of(curves_.bent.begin(), curves_.bent.end(), is_struck);
-    const double of_old = any_struck ? 0.0 : 0.5 * span_;
-    const double of_new = span_ - of_old;
     for (const int member : std::span(members_).subspan(group.first_member, group.member_count)) {
         const Mover& old = before_[member];
         const Mover& now = movers_[member];
-        shift_[member] = of_old * Vec2(old.v_x, old.v_y) + of_new * Vec2(now.v_x, now.v_y);
-        turn_[member] = of_old * old.spin + of_new * now.spin;
+        shift_[member] = 0.5 * span_ * Vec2(old.v_x + now.v_x, old.v_y + now.v_y);
+        turn_[member] = 0.5 * span_ * (old.spin + now.spin);
     }
 }
 
@@ -253,26 +237,6 @@ RestEngine::Bend RestEngine::bend_lines(const Group& group, bool is_corrected)
 }
 // [rest.curves.bend]
 
-// [rest.curves.strike]
-bool RestEngine::strike_first(const Group& group)
-{
-    const std::span<const ContactPoint> points = std::span(points_).subspan(group.first_point, group.point_count);
-    const std::span<const int> members = std::span(members_).subspan(group.first_member, group.member_count);
-    curves_.struck.assign(points.begin(), points.end());
-    part_movers_.resize(movers_.size());
-    for (const int member : members) movers_[member] = part_movers_[member] = before_[member];
-    const bool any_struck = std::any_of(points.begin(), points.end(), is_struck);
-    for (ContactPoint& c : curves_.struck) {
-        c.bound = c.gap > touch_gap(c.a, c.b) ? -std::numeric_limits<double>::infinity() : 0.0;
-        c.normal = c.tangent = 0.0;
-    }
-    if (!any_struck) return true;
-    const bool content = solver_.solve(movers_, members, curves_.struck, rest_tolerance::k_content * top_speed(group));
-    for (const int member : members) part_movers_[member] = movers_[member];
-    return content;
-}
-// [rest.curves.strike]
-
 // [rest.curves.mean]
 bool RestEngine::find_mean_velocities(const Group& group)
 {
@@ -280,14 +244,14 @@ bool RestEngine::find_mean_velocities(const Group& group)
     const std::span<const int> members = std::span(members_).subspan(group.first_member, group.member_count);
     for (std::size_t k = 0; k < points.size(); ++k) {
         ContactPoint& c = curves_.bent[k];
-        c.normal = 0.5 * std::max(0.0, points[k].normal - curves_.struck[k].normal);
-        c.tangent = 0.5 * (points[k].tangent - curves_.struck[k].tangent);
+        c.normal = 0.5 * points[k].normal;
+        c.tangent = 0.5 * points[k].tangent;
     }
     // [rest.curves.half]
     // Half of the field and half of the impulses lead to the mean of the velocities
     for (const int member : members) {
         const Vec2 gain = 0.5 * span_ * field_[member];
-        const Mover& old = part_movers_[member];
+        const Mover& old = before_[member];
         Mover& mean = movers_[member];
         mean = old;
         mean.v_x += gain.x();
@@ -332,7 +296,7 @@ bool RestEngine::end_velocities(const Group& group)
     // As far beyond the mean as the start was before it
     const std::span<const int> members = std::span(members_).subspan(group.first_member, group.member_count);
     for (const int member : members) {
-        const Mover& old = part_movers_[member];
+        const Mover& old = before_[member];
         Mover& now = movers_[member];
         now.v_x = 2.0 * now.v_x - old.v_x;
         now.v_y = 2.0 * now.v_y - old.v_y;

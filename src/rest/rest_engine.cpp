@@ -73,11 +73,6 @@ RestEngine::RestEngine(std::vector<RestBody> bodies, const RestOptions& options,
     next_poses_ = poses_;
     travel_.assign(count, Travel{});
     part_of_.assign(count, -1);
-    outrun_.assign(count, 0.0);
-    whole_reach_.assign(count, 0.0);
-    held_.assign(count, 0);
-    is_stray_.assign(count, 0);
-    is_near_stray_.assign(count, 0);
     is_inside_.assign(count, 0);
     shift_before_.assign(count, Vec2::Zero());
     turn_before_.assign(count, 0.0);
@@ -120,7 +115,7 @@ void RestEngine::measure_reach(std::span<const int> who)
     for (const int k : who) {
         const RestBody& body = bodies_[k];
         const double speed = body.state.velocity.norm() + std::abs(body.state.spin) * radius_[k];
-        reach_[k] = std::max(dt * (speed + dt * field_size_[k]), outrun_[k]) + rest_tolerance::k_watch * radius_[k];
+        reach_[k] = dt * (speed + dt * field_size_[k]) + rest_tolerance::k_watch * radius_[k];
         // What would carry a body beyond its reach in a part of a step was no load: it was taken from a shorter one
         const double more = 0.5 * (dt * dt) * (pull_[k].norm() + std::abs(turn_pull_[k]) * radius_[k]);
         const double room = reach_[k] - dt * speed;

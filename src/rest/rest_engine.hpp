@@ -35,12 +35,9 @@ struct RestCounts
     std::int64_t groups = 0;    ///< groups solved for
     std::int64_t impacts = 0;   ///< points at which an approach was ended
     std::int64_t asleep = 0;    ///< bodies left out, over all steps
-    std::int64_t placed = 0;    ///< groups whose overlap was taken off
-    std::int64_t halved = 0;    ///< steps, or parts of steps, that groups made in two halves
-    std::int64_t repeated = 0;  ///< steps made anew, because somebody got further than was looked at
-    std::int64_t crowds = 0;    ///< groups whose impacts were all ended at the start of their step
-    std::int64_t held = 0;      ///< groups of which some went part of their way only, so as not to overlap more than before
-    std::int64_t paid = 0;      ///< groups slowed down, so that they have no more energy than before
+    std::int64_t parts = 0;     ///< steps, or parts of steps, of islands that ended early
+    std::int64_t projected = 0; ///< islands whose overlap was taken off
+    std::int64_t limited = 0;   ///< islands slowed down, so that they have no more energy than before
 };
 // [rest.counts]
 
@@ -163,14 +160,12 @@ private:
         int member_count = 0;
         int first_point = 0;
         int point_count = 0;
-        int all_points = 0;     ///< with those that this step leaves to the next, which stand after the others
         bool is_exact = true;   ///< solved to rounding, all at once; else swept
-        bool is_crowd_solved = false; ///< impacts at the start of the step; places are found already
         bool has_ways = false;  ///< places are found already, along curves
-        bool knows_loads = false; ///< it was found which part of the impulses were impacts
         bool is_content = true; ///< the impulses that were found are right to rounding
+        double cut_at = 0.0;    ///< where its step is to end early, and to go on from; 0 if nowhere [s]
     };
-    /// Groups whose step came out badly, to be made again in two halves.
+    /// Groups whose step ends early.
     struct Again
     {
         struct Part
@@ -179,24 +174,11 @@ private:
             int member_count = 0;
             int first_pair = 0;
             int pair_count = 0;
-            double first_half = 0.0; ///< length of the first half: they may differ [s]
-        };
-        /// Where a body was before, and how far it was expected to get.
-        struct Start
-        {
-            Vec2 position = Vec2::Zero();
-            double angle = 0.0;
-            double reach = 0.0; // [m]
+            double cut_at = 0.0; ///< after the step's beginning [s]
         };
         std::vector<Part> parts;
         std::vector<int> members;
         std::vector<int> pairs;
-        std::vector<Start> starts; ///< of each body; set for the members
-    };
-    enum class Moment : unsigned char
-    {
-        start,
-        end
     };
     struct Saved
     {
@@ -207,35 +189,24 @@ private:
     };
 
     void list_awake();
-    void save_pairs();
-    void save_parted_pairs();
-    void go_back();
     void measure_reach(std::span<const int> who);
-    [[nodiscard]] bool any_outran();
-    void note_outrun(const Group& group);
-    [[nodiscard]] bool is_sane(const Group& group) const;
     void finish_groups(int depth, std::span<const int> pairs);
-    [[nodiscard]] bool may_be_parted(const Group& group, int depth) const;
-    [[nodiscard]] bool is_to_be_parted(const Group& group, int depth, double overlap) const;
+    [[nodiscard]] bool may_be_cut(const Group& group, int depth) const;
     void note_again(const Group& group, Again& again);
     void find_pairs_of(Again& again, std::span<const int> pairs);
-    void make_in_halves(int depth);
+    void make_parts(int depth);
     void scale_loads(std::span<const int> pairs, double factor);
-    [[nodiscard]] static bool is_exact(const Group& group) { return group.is_exact; }
     [[nodiscard]] bool is_solved_whole(const Group& group) const;
     void expect_flight(int body);
     void expect_same(int body);
     void expect(const Group& group);
-    void expect_loads(std::span<const ContactPoint> points);
     void collide();
     void collide_pair(int pair);
-    /// The points of a pair that were open when the step began, those that lay, and below which gap they count as closed.
+    /// The points of a pair that were open when the step began, and below which gap they count as closed.
     struct Closing
     {
         std::uint32_t open[2];
         int count;
-        std::uint32_t lay[2];
-        int lay_count;
         double closed; // [m]
     };
     [[nodiscard]] double next_closing(const RestPair& pair, const Manifold& manifold, double moment,
@@ -256,19 +227,18 @@ private:
     void gather_groups(std::span<const int> who);
     void part_slow(std::span<const int> who);
     void lay_out_points();
-    void solve_group(Group& group);
-    [[nodiscard]] static bool is_crowd(const Group& group);
+    void solve_group(Group& group, int depth);
+    [[nodiscard]] static bool strikes_at_start(const Group& group);
     [[nodiscard]] static bool is_heap(const Group& group);
-    void solve_crowd(Group& group);
+    [[nodiscard]] double slowest_blow(const Group& group) const;
+    [[nodiscard]] double slowest_rebound(const ContactPoint& c) const;
+    void see_from_start(const Group& group);
+    [[nodiscard]] bool strike(const Group& group, bool in_turn);
+    void end_approaches(const Group& group);
     void recall_load(ContactPoint& point) const;
-    void share_rebound(std::span<const int> members);
-    [[nodiscard]] bool bound_approaches(const Group& group);
-    void end_all(Group& group);
-    void find_loads(Group& group);
-    void sweep_heap(const Group& group);
+    void sweep_heap(const Group& group, std::span<Mover> movers, std::span<ContactPoint> points, double tolerance = -1.0);
     void find_pushes(const Group& group, double tolerance);
-    [[nodiscard]] bool end_approaches(const Group& group);
-    [[nodiscard]] bool set_bounds(Group& group);
+    void set_bounds(const Group& group);
     void sweep_large(Group& group);
     void bound_swept(const Group& group, bool is_calm);
     void move_as_swept(const Group& group);
@@ -280,9 +250,6 @@ private:
     void find_impulses(Group& group, double time);
     [[nodiscard]] bool stood(const Group& group) const;
     void keep_loads(Group& group, double time);
-    [[nodiscard]] double work_of_contacts(const Group& group, double& energy);
-    void find_impacts(Group& group);
-    void limit_rebound(Group& group);
     void part_where_slip_ends(Group& group);
     [[nodiscard]] bool follow_curves(Group& group);
     [[nodiscard]] bool may_bend(const Group& group) const;
@@ -294,7 +261,6 @@ private:
     /// Of the lines of those that bear, while bodies go their ways.
     enum class Bend : char { none, some, lost };
     [[nodiscard]] Bend bend_lines(const Group& group, bool is_corrected);
-    [[nodiscard]] bool strike_first(const Group& group);
     [[nodiscard]] bool find_mean_velocities(const Group& group);
     [[nodiscard]] bool see_ends(const Group& group);
     [[nodiscard]] bool all_close() const;
@@ -314,31 +280,25 @@ private:
         double scale = 0.0;  // sum of the sizes of all that `gained` is made of [J]
     };
     [[nodiscard]] Gain gain_of(const Group& group) const;
-    [[nodiscard]] bool is_clear(const Group& group, double overlap) const;
     [[nodiscard]] double overlap_at_start(const Group& group) const;
     [[nodiscard]] double first_impact(const Group& group) const;
     [[nodiscard]] bool is_fair(const Group& group, double overlap) const;
-    [[nodiscard]] bool rises(const Group& group) const;
     [[nodiscard]] bool may_overlap(const ContactPoint& c) const;
     [[nodiscard]] double look_at_end(const Group& group);
     [[nodiscard]] double look_at_pair(int pair);
     [[nodiscard]] bool comes_nearer(int a, int b) const;
     void list_pairs_of(std::span<const ContactPoint> points);
     [[nodiscard]] Contact overlap_at_end(const RestPair& pair) const;
-    double put_apart(const Group& group, double overlap);
-    void note_strays(const Group& group, int depth);
-    void forget_strays();
-    [[nodiscard]] double way_from(const Vec2& position, double angle, int body) const;
-    [[nodiscard]] bool meets_strays(const Group& group) const;
-    double overlap_outside(const Group& group, Moment moment, double most);
-    [[nodiscard]] double most_overlap(const Group& group, double overlap);
-    void cut_ways_short(const Group& group, double overlap);
-    void go_as_far(const Group& group, double most);
-    double go_part_of_way(const Group& group, double share);
-    [[nodiscard]] bool pay_for_rise(const Group& group);
-    [[nodiscard]] Vec2 common_velocity(const Group& group) const;
-    [[nodiscard]] bool slow_down(const Group& group, double by, const Vec2& common);
-    void hold_back(const Group& group);
+    void put_apart(const Group& group, double overlap);
+    /// A motion of an island as one rigid body.
+    struct RigidMotion
+    {
+        Vec2 centre = Vec2::Zero();   ///< [m]
+        Vec2 velocity = Vec2::Zero(); ///< of the centre [m/s]
+        double spin = 0.0;            ///< [rad/s]
+    };
+    [[nodiscard]] RigidMotion free_motion(const Group& group) const;
+    void limit_energy(const Group& group);
     [[nodiscard]] bool stood_alike(int member) const;
     void move_group(const Group& group);
     void set_arms(ContactPoint& point, const Vec2& normal, const Vec2& r_a, const Vec2& r_b) const;
@@ -369,11 +329,7 @@ private:
     std::vector<double> field_size_; // their sizes
     std::vector<double> turning_; // how far a turn may bring any point of each: the same, 0 for discs [m]
     std::vector<double> reach_;  // how far each may get in a step [m]
-    std::vector<double> outrun_; // of those that an impact has made faster than that: how far they may get now [m]
-    std::vector<double> whole_reach_; // the same, of the whole step [m]
-    bool has_outrun_ = false;
     std::vector<Saved> saved_; // of those awake, as the step has found them
-    std::vector<std::pair<int, PairLoads>> saved_pairs_; // with their places in the list
     std::vector<int> awake_;     // ascending
     std::vector<Pose> poses_;
     struct Travel
@@ -392,19 +348,14 @@ private:
     PairList pairs_;
     std::vector<ContactPoint> found_;  // in the order of the pairs
     std::vector<ContactPoint> points_; // by groups
+    std::vector<ContactPoint> struck_; // of a group, while its impacts are found
+    std::vector<double> slowest_;      // of each of them: the slowest approach that brings a rebound [m/s]
     std::vector<Group> groups_;
     std::vector<int> members_;
     std::vector<Again> again_; // at each depth of halving
-    int parts_left_ = 0;       // that the step of a group may still be made in
+    int parts_made_ = 0;       // of the step of a group
     std::vector<int> part_of_; // of each body, while pairs are sorted out; -1 for none
-    std::vector<ContactPoint> left_out_;
-    std::vector<char> held_;         // whose way is cut short
     std::vector<int> looked_at_;     // pairs
-    bool is_last_try_ = false;       // of the step
-    std::vector<int> strays_;        // who got further than was reckoned with when its group was made
-    std::vector<int> stray_pairs_;   // theirs
-    std::vector<char> is_stray_;
-    std::vector<char> is_near_stray_;
     std::vector<char> is_inside_; // a group that is looked at
     std::vector<Vec2> shift_before_; // before overlap was taken off
     std::vector<double> turn_before_;
@@ -417,8 +368,6 @@ private:
     std::vector<char> wakes_; // of each body: awake, and can move
     std::int64_t sleepers_ = -1; // where nobody is awake: how many sleep
     std::vector<char> still_;
-    std::vector<char> borne_;  // bodies of a group that bear a load, and those that were struck,
-    std::vector<char> struck_; // while it is found what they will do
     std::vector<char> in_crowd_; // the body's group was one in the last step
     std::vector<int> sleep_group_;   // of each sleeping body
     std::vector<Mover> part_movers_; // at the start of a part of the step
@@ -427,7 +376,6 @@ private:
     /// Of a group that follows curves.
     struct Curves
     {
-        std::vector<ContactPoint> struck; // what is struck when the step begins
         std::vector<ContactPoint> bent;   // points with the mean of their lines over the step,
         std::vector<ContactPoint> half;   // those halfway,
         std::vector<ContactPoint> end;    // and those at its end
@@ -435,12 +383,12 @@ private:
         std::vector<Mover> straight;      // bodies as straight lines leave them
     };
     Curves curves_;
-    std::vector<double> impacts_; // of the points of a crowd [N s]
     std::vector<Mover> place_movers_;
     std::vector<ContactPoint> place_points_;
     GroupSolver solver_;
     RestCounts counts_;
     RestSeconds seconds_;
+    double energy_limited_ = 0.0; // [J]
     double max_overlap_ = 0.0;
     // [rest.engine.data]
 };

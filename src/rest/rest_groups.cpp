@@ -67,7 +67,6 @@ void RestEngine::gather_groups(std::span<const int> who)
     for (Group& group : groups_) {
         group.first_member = members;
         group.first_point = points;
-        group.all_points = group.point_count;
         members += group.member_count;
         points += group.point_count;
         group.member_count = 0;

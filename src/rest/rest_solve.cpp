@@ -50,25 +50,33 @@ bool RestEngine::is_solved_whole(const Group& group) const
 // [rest.solve.whole]
 
 // [rest.solve]
-void RestEngine::solve_group(Group& group)
+void RestEngine::solve_group(Group& group, int depth)
 {
     if (group.point_count == 0) {
         set_free(group, span_);
         return;
     }
+    // End the part where the first impact comes, or strike now; small islands go on from there with another look
+    const bool in_turn = !strikes_at_start(group) && may_be_cut(group, depth);
+    if (in_turn) group.cut_at = first_impact(group);
+    if (group.cut_at > 0.0) return;
+    see_from_start(group);
+    const bool is_struck = strike(group, in_turn);
+    if (is_struck && in_turn) {
+        group.cut_at = span_;
+        return;
+    }
+
+    // Find the forces of the contacts
     group.is_exact = is_solved_whole(group);
     if (!group.is_exact) {
         sweep_large(group);
         return;
     }
-    const bool any_bounce = set_bounds(group);
-    const bool leans = is_heap(group) && !any_bounce;
+    set_bounds(group);
+    const bool leans = is_heap(group);
     if (leans && top_speed(group) > k_standing * field_speed(group)) {
         sweep_large(group);
-        return;
-    }
-    if (any_bounce && is_crowd(group)) {
-        solve_crowd(group);
         return;
     }
     find_impulses(group, span_);
@@ -78,10 +86,7 @@ void RestEngine::solve_group(Group& group)
         sweep_large(group);
         return;
     }
-    if (any_bounce) limit_rebound(group);
-    const bool is_followed = !any_bounce && follow_curves(group);
-    if (!any_bounce && !is_followed && group.point_count <= k_most_parted) part_where_slip_ends(group);
-    if (!is_followed) find_impacts(group);
+    if (!follow_curves(group) && group.point_count <= k_most_parted) part_where_slip_ends(group);
     calm(group);
 }
 
@@ -158,53 +163,26 @@ double RestEngine::field_speed(const Group& group) const
 // [rest.solve.scales]
 
 // [rest.bounds]
-bool RestEngine::set_bounds(Group& group)
+/// What bears goes on to bear; what is apart may come as near as to touch when the step ends.
+void RestEngine::set_bounds(const Group& group)
 {
-    const double field = field_speed(group);
-    bool any_bounce = false;
-    for (int k = 0; k < group.point_count; ++k) {
-        ContactPoint& c = points_[group.first_point + k];
-        const double fall = fall_of(c);
-        const double moment = span_ - c.left;
-        const double u = normal_speed(c, before_[c.a], before_[c.b]) + moment * fall;
+    for (ContactPoint& c : std::span(points_).subspan(group.first_point, group.point_count)) {
+        const double u = normal_speed(c, before_[c.a], before_[c.b]);
         const double gap = c.gap > touch_gap(c.a, c.b) ? c.gap : 0.0;
-        c.impact = 0.0;
-
-        // [rest.bounds.later]
-        // What parts, or is not there yet, may come as near as to touch at the end
-        c.bound = std::min(0.0, -2.0 * gap / c.left - u);
-        if (gap > 0.0 || u >= 0.0) continue;
-        // [rest.bounds.later]
-
-        // [rest.bounds.thrown]
-        // What arrives is thrown back, unless its load would bring it down again before
-        // the step ends
-        const double rebound = -c.restitution * u;
-        const bool loaded = 2.0 * rebound * c.normal_mass <= c.normal;
-        const bool falls_back = fall < 0.0 && 2.0 * rebound <= -fall * c.left;
-        const bool too_slow = is_crowd(group) && 2.0 * rebound <= field;
-        const bool rests = loaded || falls_back || too_slow;
-        c.bound = rests ? 0.0 : rebound + fall * c.left;
-        c.impact = c.normal_mass * (rests ? -u : rebound - u);
-        any_bounce = any_bounce || !rests;
-        if (!rests) ++counts_.impacts;
-        // [rest.bounds.thrown]
+        c.bound = std::min(0.0, -2.0 * gap / span_ - u);
     }
+}
 
-    // Where bodies are thrown back in this step, gaps that they may close are left to the next: it throws back by the
-    // speed that they have then
-    if (!any_bounce) return false;
-    left_out_.clear();
-    const auto begin = points_.begin() + group.first_point;
-    auto end = begin;
-    for (auto c = begin; c != begin + group.point_count; ++c) {
-        const bool may_close = c->restitution > 0.0 && c->normal == 0.0 && c->gap > touch_gap(c->a, c->b);
-        if (may_close) left_out_.push_back(*c);
-        else *end++ = *c;
+/// What a point bore at the end of the step before.
+void RestEngine::recall_load(ContactPoint& c) const
+{
+    const RestPair& pair = pairs_.pairs()[c.pair];
+    c.normal = c.tangent = 0.0;
+    for (int i = 0; i < pair.count; ++i) {
+        if (pair.feature[i] != c.feature) continue;
+        c.normal = pair.normal[i];
+        c.tangent = pair.tangent[i];
     }
-    std::copy(left_out_.begin(), left_out_.end(), end);
-    group.point_count = static_cast<int>(end - begin);
-    return true;
 }
 // [rest.bounds]
 

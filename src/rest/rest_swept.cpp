@@ -22,6 +22,8 @@ constexpr double k_far = 2.0;
 constexpr double k_enough = 0x1p-10;
 /// Share of an overlap that one step takes off.
 constexpr double k_push_share = 0.25;
+/// Sweeps that end the impacts of a heap, and that push its overlap apart.
+constexpr int k_heap_sweeps = 16;
 // [rest.swept.limits]
 
 } // namespace
@@ -169,30 +171,29 @@ Vec2 RestEngine::push_of(int member) const
 void RestEngine::bound_swept(const Group& group, bool is_calm)
 {
     const double field = field_speed(group);
-    for (int k = 0; k < group.point_count; ++k) {
-        // Gaps as they are when the step begins: all of it passes with the velocities that it ends with
-        ContactPoint& c = points_[group.first_point + k];
-        const double moment = span_ - c.left;
-        const bool bears = c.normal > 0.0;
-        const double u = bears && moment == 0.0 ? 0.0 : normal_speed(c, before_[c.a], before_[c.b]); // where it is asked for
-        if (moment > 0.0) c.gap = std::max(c.gap, 0.0) - moment * (u + 0.5 * moment * fall_of(c));
-        c.left = span_;
+    for (ContactPoint& c : std::span(points_).subspan(group.first_point, group.point_count)) {
+        // All of a gap passes with the velocities that the step ends with. In a calm group nothing comes to close one: what
+        // bears over a gap that a calm speed would close goes on to bear, or its load would wane for minutes
         c.bound = -std::max(c.gap, 0.0) / span_;
-        // In a calm group nobody comes to close a gap: what bears over one that a calm speed would close goes on to bear,
-        // or its load would wane for minutes while nothing moves
-        if (is_calm && bears && -c.bound <= k_calm * field) c.bound = 0.0;
-        c.impact = 0.0;
-
-        // Whoever comes to touch is thrown back, unless the field would end that within the step
-        const bool comes = !bears && u < 0.0 && c.gap + span_ * u < 0.0;
-        if (!comes) continue;
-        const double rebound = -c.restitution * u;
-        const bool rests = 2.0 * rebound <= field;
-        if (!rests) c.bound = rebound;
-        c.impact = c.normal_mass * (rests ? -u : rebound - u);
-        if (!rests) ++counts_.impacts;
+        if (is_calm && c.normal > 0.0 && -c.bound <= k_calm * field) c.bound = 0.0;
     }
 }
 // [rest.swept.bounds]
+
+// [rest.swept.heap]
+/// Sweeps over what the direct solve rarely finds where a heap moves, for all its factorisations.
+///
+/// tolerance  where no point asks for a greater change, impulses stay as they are; below 0 they never do [m/s]
+void RestEngine::sweep_heap(const Group& group, std::span<Mover> movers, std::span<ContactPoint> points, double tolerance)
+{
+    const std::span<const int> members = std::span(members_).subspan(group.first_member, group.member_count);
+    GroupSolver::SweepPlan plan;
+    plan.sweeps = k_heap_sweeps;
+    plan.looks_ahead = true;
+    plan.tolerance = tolerance;
+    part_movers_.resize(movers_.size());
+    solver_.sweep_group(movers, members, points, plan, part_movers_);
+}
+// [rest.swept.heap]
 
 } // namespace flying

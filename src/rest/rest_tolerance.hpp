@@ -31,8 +31,14 @@ inline constexpr double k_slip = 0x1p-34;
 /// and eliminating along the stack fills in few blocks.
 inline constexpr double k_tall = 17.0 / 16.0;
 
-/// [impulses] What an impulse bears beyond an impact, or an impact beyond a load, if it is less, is the solve's rounding.
-inline constexpr double k_load = 0x1p-30;
+/// [speeds that the field gives in a step] A slower approach is left to the load, of which it is a thousandth.
+inline constexpr double k_blow = 0x1p-10;
+
+/// [steps] What closes so soon closes now.
+inline constexpr double k_at_once = 0x1p-20;
+
+/// [sine] Normals of static contacts this near to each other lead the same way.
+inline constexpr double k_same_normal = 0x1p-10;
 
 /// [sizes] Gaps below this, of either sign, are contact.
 inline constexpr double k_touch = 0x1p-40;
