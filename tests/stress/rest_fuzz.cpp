@@ -13,7 +13,7 @@ namespace {
 
 int usage()
 {
-    std::fputs("usage: flying_rest_fuzz --seeds A..B [--verbose]\n"
+    std::fputs("usage: flying_rest_fuzz --seeds A..B [--auto] [--verbose]\n"
                "Runs the random scenes of the seeds A to B, both included; exit status 1 where one breaks a promise.\n",
                stderr);
     return 2;
@@ -34,8 +34,10 @@ int main(int count, char** words)
     long first = -1;
     long last = -1;
     bool verbose = false;
+    Integrator integrator = Integrator::rest;
     for (int k = 1; k < count; ++k) {
         if (std::strcmp(words[k], "--verbose") == 0) verbose = true;
+        else if (std::strcmp(words[k], "--auto") == 0) integrator = Integrator::automatic;
         else if (std::strcmp(words[k], "--seeds") == 0 && k + 1 < count) {
             if (std::sscanf(words[++k], "%ld..%ld", &first, &last) == 1) last = first;
         } else return usage();
@@ -48,7 +50,7 @@ int main(int count, char** words)
     for (long seed = first; seed <= last; ++seed) {
         const RestScene scene = make_rest_scene(static_cast<std::uint64_t>(seed));
         const std::clock_t start = std::clock();
-        const RestFindings findings = run_rest_scene(scene);
+        const RestFindings findings = run_rest_scene(scene, 1, integrator);
         const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
         const bool good = passes(findings);
         failed += good ? 0 : 1;

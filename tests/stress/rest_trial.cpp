@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "collide/separation.hpp"
 #include "geometry/make_polygon.hpp"
 #include "mass/polygon.hpp"
+#include "world/world.hpp"
 #include "math/random.hpp"
 #include "support/random_polygons.hpp"
 
@@ -90,13 +93,91 @@ bool place(Random& random, const RestScene& scene, const std::vector<CollisionSh
     return false;
 }
 
-double energy_of(const RestEngine& engine, const RestScene& scene)
+/// What moves the bodies of a scene: the resting integrator by itself, or a world that chooses.
+class Run
+{
+public:
+    Run(const RestScene& scene, Integrator integrator) : scene_(scene)
+    {
+        if (integrator == Integrator::rest) {
+            RestOptions options;
+            options.step = scene.step;
+            rest_.emplace(scene.bodies, options);
+            return;
+        }
+        WorldOptions options;
+        options.step = scene.step;
+        Expected<World> world = World::make(as_scene(scene), options);
+        if (world) world_.emplace(std::move(world).value());
+    }
+
+    [[nodiscard]] bool is_ready() const { return rest_ || world_; }
+    [[nodiscard]] int body_count() const { return static_cast<int>(scene_.bodies.size()); }
+    [[nodiscard]] const RestBody& body(int k) const { return scene_.bodies[k]; }
+    /// The walls stand first and never move.
+    [[nodiscard]] BodyState state(int k) const
+    {
+        if (rest_) return rest_->state(k);
+        return k < k_walls ? scene_.bodies[k].state : world_->state(k - k_walls);
+    }
+    /// To the end of a step; false where the run failed.
+    [[nodiscard]] bool step(int number)
+    {
+        if (rest_) rest_->step();
+        return rest_ || !world_->advance((number + 1) * scene_.step);
+    }
+
+private:
+    [[nodiscard]] static Scene as_scene(const RestScene& from);
+
+    const RestScene& scene_;
+    std::optional<RestEngine> rest_;
+    std::optional<World> world_;
+};
+
+Scene Run::as_scene(const RestScene& from)
+{
+    Scene scene;
+    scene.world.box = BoxDef{from.low, from.high};
+    scene.world.restitution = from.bodies.front().material.restitution;
+    scene.world.friction = from.bodies.front().material.friction;
+    for (std::size_t k = k_walls; k < from.bodies.size(); ++k) {
+        const RestBody& body = from.bodies[k];
+        BodyDef def;
+        if (const auto* disc = std::get_if<Disc>(&body.shape)) def.shape = DiscDef{disc->radius};
+        else {
+            const Polygon& polygon = std::get<Polygon>(body.shape);
+            PolygonDef rings;
+            for (std::size_t ring = 0; ring + 1 < polygon.ring_starts().size(); ++ring) {
+                std::vector<Vec2> vertices = flying::testing::placed_ring(polygon, {}, static_cast<int>(ring));
+                if (ring == 0) rings.vertices = std::move(vertices);
+                else rings.holes.push_back(std::move(vertices));
+            }
+            def.shape = std::move(rings);
+        }
+        def.position = body.state.position;
+        def.angle = body.state.angle;
+        def.velocity = body.state.velocity;
+        def.spin = body.state.spin;
+        def.is_static = body.is_static;
+        if (!body.is_static) {
+            def.mass = 1.0 / body.inertia.inv_mass;
+            scene.world.field = body.acceleration.isZero(0.0) ? Field(NoField{}) : Field(UniformField{body.acceleration});
+        }
+        def.restitution = body.material.restitution;
+        def.friction = body.material.friction;
+        scene.bodies.push_back(std::move(def));
+    }
+    return scene;
+}
+
+double energy_of(const Run& engine, const RestScene& scene)
 {
     double sum = 0.0;
     for (int k = 0; k < engine.body_count(); ++k) {
         const RestBody& body = engine.body(k);
         if (body.is_static) continue;
-        const BodyState& s = body.state;
+        const BodyState s = engine.state(k);
         const double mass = 1.0 / body.inertia.inv_mass;
         sum += 0.5 * mass * s.velocity.squaredNorm() + 0.5 * s.spin * s.spin / body.inertia.inv_moment_of_inertia;
         sum -= mass * body.acceleration.dot(s.position - scene.low);
@@ -105,7 +186,7 @@ double energy_of(const RestEngine& engine, const RestScene& scene)
 }
 
 /// Energy above that of all bodies in the corner that the field points to.
-double energy_to_give(const RestEngine& engine, const RestScene& scene)
+double energy_to_give(const Run& engine, const RestScene& scene)
 {
     double sum = energy_of(engine, scene);
     for (int k = 0; k < engine.body_count(); ++k) {
@@ -124,14 +205,14 @@ struct Measured
     std::vector<double> radius;
 };
 
-void measure_overlap(const RestEngine& engine, const Measured& measured, int step, RestFindings& findings)
+void measure_overlap(const Run& engine, const Measured& measured, int step, RestFindings& findings)
 {
     findings.end_overlap = 0.0;
     for (int a = 0; a < engine.body_count(); ++a) {
         for (int b = a + 1; b < engine.body_count(); ++b) {
             if (engine.body(a).is_static && engine.body(b).is_static) continue;
-            const BodyState& state_a = engine.body(a).state;
-            const BodyState& state_b = engine.body(b).state;
+            const BodyState state_a = engine.state(a);
+            const BodyState state_b = engine.state(b);
             const double reach = measured.radius[a] + measured.radius[b];
             if ((state_a.position - state_b.position).squaredNorm() > reach * reach) continue;
             const double gap = separation(measured.shapes[a], pose_of(state_a), measured.shapes[b], pose_of(state_b));
@@ -205,12 +286,14 @@ RestScene make_rest_scene(std::uint64_t seed)
     return scene;
 }
 
-RestFindings run_rest_scene(const RestScene& scene, int look_every)
+RestFindings run_rest_scene(const RestScene& scene, int look_every, Integrator integrator)
 {
     RestFindings findings;
-    RestOptions options;
-    options.step = scene.step;
-    RestEngine engine(scene.bodies, options);
+    Run engine(scene, integrator);
+    if (!engine.is_ready()) {
+        findings.finite = false;
+        return findings;
+    }
     Measured measured;
     for (const RestBody& body : scene.bodies) {
         measured.shapes.push_back(make_collision_shape(body.shape));
@@ -219,7 +302,10 @@ RestFindings run_rest_scene(const RestScene& scene, int look_every)
     const double scale = energy_to_give(engine, scene);
     double least = energy_of(engine, scene);
     for (int k = 0; k < scene.steps; ++k) {
-        engine.step();
+        if (!engine.step(k)) {
+            findings.finite = false;
+            return findings;
+        }
         const double now = energy_of(engine, scene);
         if (!std::isfinite(now)) {
             findings.finite = false;
@@ -236,7 +322,7 @@ RestFindings run_rest_scene(const RestScene& scene, int look_every)
     for (int k = 0; k < engine.body_count(); ++k) {
         const RestBody& body = engine.body(k);
         if (body.is_static) continue;
-        const Vec2& x = body.state.position;
+        const Vec2 x = engine.state(k).position;
         const bool inside = x.x() > scene.low.x() && x.x() < scene.high.x() && x.y() > scene.low.y() &&
                             x.y() < scene.high.y();
         if (!inside) ++findings.lost;

@@ -34,11 +34,19 @@ struct RestFindings
     int overlap_b = -1;
     double end_overlap = 0.0; ///< the same, at the end
     int lost = 0;             ///< bodies whose centre has left the box
-    bool finite = true;       ///< no number that is none
+    bool finite = true;       ///< no number that is none, and the run came to its end
+};
+
+/// What moves the bodies of a scene.
+enum class Integrator
+{
+    rest,     ///< the resting integrator alone
+    automatic ///< a world that hands bodies to and fro
 };
 
 /// look_every  steps between measurements of overlap, which cost more than the steps themselves
-[[nodiscard]] RestFindings run_rest_scene(const RestScene& scene, int look_every = 1);
+[[nodiscard]] RestFindings run_rest_scene(const RestScene& scene, int look_every = 1,
+                                          Integrator integrator = Integrator::rest);
 
 /// [energies] A rise that rounding explains: each step rounds sums of the energies of all bodies.
 inline constexpr double k_rise_allowed = 1e-9;
