@@ -71,43 +71,60 @@ RestEngine::RigidMotion RestEngine::free_motion(const Group& group) const
 }
 // [rest.energy.kept]
 
-// [rest.energy.limit]
-/// The one limit of energy: what a step has gained beyond the field's work is taken from the motion of bodies relative to
-/// each other, and where that isn't enough from the way that they rise. Counted, since it changes the motion.
-void RestEngine::limit_energy(const Group& group)
+// [rest.energy.slow]
+/// Takes energy out of an island's motion relative to a rigid one, as much as there is. What remains to be taken.  [J]
+double RestEngine::slow_down(const Group& group, const RigidMotion& rigid, double by)
 {
-    const Gain gain = gain_of(group);
-    if (gain.gained <= rest_tolerance::k_rounding * gain.scale) return;
-    ++counts_.limited;
-    energy_limited_ += gain.gained;
-    const RigidMotion rigid = free_motion(group);
+    const std::span<const int> members = std::span(members_).subspan(group.first_member, group.member_count);
     const auto velocity_of = [&](int member) {
         return Vec2(rigid.velocity + cross(rigid.spin, Vec2(bodies_[member].state.position - rigid.centre)));
     };
     double energy = 0.0;
-    const std::span<const int> members = std::span(members_).subspan(group.first_member, group.member_count);
+    double mixed = 0.0; // what changes with the relative motion beside its own energy [J]
     for (const int member : members) {
         const Mover& now = movers_[member];
-        const Vec2 own = Vec2(now.v_x, now.v_y) - velocity_of(member);
+        const Vec2 common = velocity_of(member);
+        const Vec2 own = Vec2(now.v_x, now.v_y) - common;
         const double spin = now.spin - rigid.spin;
         energy += 0.5 * (own.squaredNorm() / now.inv_mass + spin * spin / now.inv_moment);
+        mixed += common.dot(own) / now.inv_mass + rigid.spin * spin / now.inv_moment;
     }
-    const double share = energy > gain.gained ? std::sqrt(1.0 - gain.gained / energy) : 0.0;
+    // [rest.energy.slow.share]
+    // With a share s of the relative motion its energy is  energy s^2 + mixed s
+    const double left = energy + mixed - by;
+    const double root = mixed * mixed + 4.0 * energy * left;
+    const double share = energy > 0.0 && root > 0.0 ? std::clamp((std::sqrt(root) - mixed) / (2.0 * energy), 0.0, 1.0) : 0.0;
+    // [rest.energy.slow.share]
     for (const int member : members) {
         Mover& now = movers_[member];
         const Vec2 common = velocity_of(member);
-        const Vec2 limited = common + share * (Vec2(now.v_x, now.v_y) - common);
-        now.v_x = limited.x();
-        now.v_y = limited.y();
+        now.v_x = common.x() + share * (now.v_x - common.x());
+        now.v_y = common.y() + share * (now.v_y - common.y());
         now.spin = rigid.spin + share * (now.spin - rigid.spin);
     }
-    if (share > 0.0) return;
+    return by - ((energy + mixed) - (energy * share + mixed) * share);
+}
+// [rest.energy.slow]
+
+// [rest.energy.limit]
+/// The one limit of energy: what a step has gained beyond the field's work is taken from the motion of bodies relative to
+/// each other; where that isn't enough from all motion, and then from the way that they rise. Counted, since it changes
+/// the motion.
+void RestEngine::limit_energy(const Group& group)
+{
+    const Gain gain = gain_of(group);
+    const double rounding = rest_tolerance::k_rounding * gain.scale;
+    if (gain.gained <= rounding) return;
+    ++counts_.limited;
+    energy_limited_ += gain.gained;
+    if (slow_down(group, free_motion(group), gain.gained) <= rounding) return;
+    if (slow_down(group, {}, gain_of(group).gained) <= rounding) return;
 
     // What has nothing left to pay with rises no further than the motion before would have carried it
     const Gain rest = gain_of(group);
     double lift = 0.0;
+    const std::span<const int> members = std::span(members_).subspan(group.first_member, group.member_count);
     for (const int member : members) lift -= field_[member].dot(shift_[member]) / movers_[member].inv_mass;
-    if (rest.gained <= rest_tolerance::k_rounding * rest.scale || !(lift > 0.0)) return;
     const double part = rest.gained < lift && !stood(group) ? 1.0 - rest.gained / lift : 0.0;
     for (const int member : members) {
         shift_[member] *= part;

@@ -298,6 +298,7 @@ private:
         double spin = 0.0;            ///< [rad/s]
     };
     [[nodiscard]] RigidMotion free_motion(const Group& group) const;
+    [[nodiscard]] double slow_down(const Group& group, const RigidMotion& rigid, double by);
     void limit_energy(const Group& group);
     [[nodiscard]] bool stood_alike(int member) const;
     void move_group(const Group& group);

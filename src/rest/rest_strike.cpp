@@ -23,11 +23,15 @@ bool RestEngine::strikes_at_start(const Group& group)
     return group.member_count > k_most_in_turn;
 }
 
-/// An approach that the field alone would bring about in a small part of the step is left to the load.  [m/s]
+/// An approach that the field alone would bring about in a small part of the step is left to the load, but where nothing
+/// may be lost.  [m/s]
 double RestEngine::slowest_blow(const Group& group) const
 {
-    return rest_tolerance::k_blow * field_speed(group) + solve_rounding(group) +
-           rest_tolerance::k_stagnant * rest_tolerance::k_content * top_speed(group);
+    const std::span<const ContactPoint> points = std::span(points_).subspan(group.first_point, group.point_count);
+    const bool is_elastic =
+        std::any_of(points.begin(), points.end(), [](const ContactPoint& c) { return c.restitution == 1.0; });
+    const double by_field = is_elastic ? 0.0 : rest_tolerance::k_blow * field_speed(group);
+    return by_field + solve_rounding(group) + rest_tolerance::k_stagnant * rest_tolerance::k_content * top_speed(group);
 }
 
 /// The moment of the first impact after the beginning; 0 where there is none.  [s]
@@ -60,10 +64,11 @@ void RestEngine::see_from_start(const Group& group)
 // [rest.strike.start]
 
 // [rest.strike.rebound]
-/// A rebound that would come back within the rest of the step doesn't happen: the slowest approach that brings one that
-/// does not.  [m/s]
+/// A rebound that would come back within the rest of the step doesn't happen, but for one that loses nothing: the slowest
+/// approach that brings a rebound.  [m/s]
 double RestEngine::slowest_rebound(const ContactPoint& c) const
 {
+    if (c.restitution == 1.0) return 0.0;
     if (c.restitution == 0.0) return std::numeric_limits<double>::infinity();
     const double by_load = c.normal / c.normal_mass;
     const double by_fall = -fall_of(c) * span_;
