@@ -10,7 +10,7 @@ namespace {
 
 // [rest.impact.rounds]
 /// Rounds of impacts at one moment. A blow that runs through a row against the order of its pairs takes one for each of
-/// them; bodies between others that come from both sides may take any number.
+/// them; elastic bodies packed between walls would go on for ever.
 constexpr int k_rounds = 64;
 // [rest.impact.rounds]
 

@@ -105,8 +105,11 @@ bool RestEngine::strike(const Group& group, bool in_turn)
     if (!in_turn) return true;
     for (const int member : std::span(members_).subspan(group.first_member, group.member_count)) {
         const Mover& now = before_[member];
-        bodies_[member].state.velocity = Vec2(now.v_x, now.v_y);
-        bodies_[member].state.spin = now.spin;
+        BodyState& state = bodies_[member].state;
+        if (state.velocity == Vec2(now.v_x, now.v_y) && state.spin == now.spin) continue;
+        state.velocity = Vec2(now.v_x, now.v_y);
+        state.spin = now.spin;
+        expect_flight(member); // what it bore before tells nothing any more
     }
     return true;
 }
