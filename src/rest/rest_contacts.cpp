@@ -68,12 +68,14 @@ void RestEngine::collide()
 {
     found_.clear();
     const std::span<const RestPair> pairs = pairs_.pairs();
+    is_near_.assign(pairs.size(), 0);
     for (int k = 0; k < static_cast<int>(pairs.size()); ++k) {
-        if (wakes_[pairs[k].a] || wakes_[pairs[k].b]) collide_pair(k);
+        if (wakes_[pairs[k].a] || wakes_[pairs[k].b]) is_near_[k] = collide_pair(k) ? 1 : 0;
     }
 }
 
-void RestEngine::collide_pair(int index)
+/// True where the two parts are near enough to touch within the step.
+bool RestEngine::collide_pair(int index)
 {
     RestPair& pair = pairs_.pairs()[index];
 
@@ -89,12 +91,12 @@ void RestEngine::collide_pair(int index)
         (pose_b.position - pose_a.position) + (pose_b.rotation * part_b.centre - pose_a.rotation * part_a.centre);
     if (way.squaredNorm() > clear * clear) {
         pair.count = 0;
-        return;
+        return false;
     }
     Manifold manifold = look_again(pair, margin);
     if (manifold.count == 0) {
         pair.count = 0;
-        return;
+        return true;
     }
 
     // A gap that would close within the step is looked at when it does; bodies turn, so that one look may not do
@@ -112,6 +114,7 @@ void RestEngine::collide_pair(int index)
     }
     if (moment > 0.0 && manifold.count == 0) pair.count = 0;
     add_points(index, manifold, moment);
+    return true;
 }
 
 /// Where a body's centre will be at a moment of the step, if it goes on as it did.

@@ -201,7 +201,7 @@ private:
     void expect_same(int body);
     void expect(const Group& group);
     void collide();
-    void collide_pair(int pair);
+    bool collide_pair(int pair);
     /// The points of a pair that were open when the step began, and below which gap they count as closed.
     struct Closing
     {
@@ -347,6 +347,7 @@ private:
     std::vector<Vec2> pull_;        // accelerations that are expected: of the last step, or the field's
     std::vector<double> turn_pull_; // the same of spins [1/s^2]
     PairList pairs_;
+    std::vector<char> is_near_; // of each pair: its parts may touch within the step
     std::vector<ContactPoint> found_;  // in the order of the pairs
     std::vector<ContactPoint> points_; // by groups
     std::vector<ContactPoint> struck_; // of a group, while its impacts are found

@@ -50,6 +50,7 @@ void RestEngine::step()
 
     // [rest.step.end]
     gather_groups(awake_);
+    parts_made_ = 0;
     for (Group& group : groups_) solve_group(group, 0);
     watch.stop(seconds_.solve);
 
@@ -86,7 +87,6 @@ void RestEngine::finish_groups(int depth, std::span<const int> pairs)
 {
     again_.resize(k_deepest + 1);
     Again& again = again_[depth];
-    if (depth == 0) parts_made_ = 0;
     again.parts.clear();
     again.members.clear();
     again.pairs.clear();
@@ -145,7 +145,8 @@ void RestEngine::find_pairs_of(Again& again, std::span<const int> pairs)
         for (int k = 0; k < count; ++k) {
             const int pair = pairs.empty() ? k : pairs[k];
             const int part = part_of(pairs_.pairs()[pair]);
-            if (part >= 0) act(pair, again.parts[part]);
+            // The list may hold more, which depends on when it was made
+            if (part >= 0 && is_near_[pair]) act(pair, again.parts[part]);
         }
     };
     each([](int, Again::Part& part) { ++part.pair_count; });
@@ -180,7 +181,7 @@ void RestEngine::make_parts(int depth)
             before = length;
             measure_reach(members);
             found_.clear();
-            for (const int pair : pairs) collide_pair(pair);
+            for (const int pair : pairs) (void)collide_pair(pair);
             gather_groups(members);
             for (Group& group : groups_) solve_group(group, depth + 1);
             finish_groups(depth + 1, pairs);
