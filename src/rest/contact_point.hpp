@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 namespace flying {
 
@@ -40,7 +41,8 @@ struct ContactPoint
     double bound = 0.0;         ///< least normal velocity with which the step may end [m/s]
     double normal = 0.0;        ///< impulse along the normal, >= 0 [N s]
     double tangent = 0.0;       ///< impulse along the tangent, at most mu times the normal one [N s]
-    double left = 0.0;          ///< from the moment at which it was seen to the end of the step [s]
+    double closes_at = std::numeric_limits<double>::infinity(); ///< when its pair is expected to close, after the start [s]
+    double closing_speed = 0.0; ///< with which it is expected to do so [m/s]
 };
 // [rest.contact_point]
 

@@ -100,20 +100,22 @@ bool RestEngine::collide_pair(int index)
     }
 
     // A gap that would close within the step is looked at when it does; bodies turn, so that one look may not do
-    Closing closing{{0, 0}, 0, touch_gap(pair.a, pose_a.position, pair.b, pose_b.position)};
+    Closing closing{{0, 0}, 0, touch_gap(pair.a, pose_a.position, pair.b, pose_b.position), 0.0};
+    Manifold ahead = manifold;
     double moment = 0.0;
+    double closes_at = std::numeric_limits<double>::infinity();
     bool overlaps = false;
     for (int k = 0; k < manifold.count; ++k) overlaps = overlaps || manifold.contacts[k].separation < -k_deep * size;
-    for (int k = 0; k < k_looks && !overlaps; ++k) {
-        const double wait = next_closing(pair, manifold, moment, closing);
-        if (!(moment + wait <= k_last_moment * span_) || wait == 0.0) break;
+    for (int k = 0; k <= k_looks && !overlaps; ++k) {
+        const double wait = next_closing(pair, ahead, moment, closing);
+        if (wait == 0.0) closes_at = moment;
+        if (wait == 0.0 || !(moment + wait <= k_last_moment * span_)) break;
         moment += wait;
         ++counts_.manifolds;
-        manifold = look(pair, pose_at(pair.a, moment), pose_at(pair.b, moment), margin);
+        ahead = look(pair, pose_at(pair.a, moment), pose_at(pair.b, moment), margin);
         closing.closed = rest_tolerance::k_closed * size;
     }
-    if (moment > 0.0 && manifold.count == 0) pair.count = 0;
-    add_points(index, manifold, moment);
+    add_points(index, manifold, closes_at, closing.speed);
     return true;
 }
 
@@ -149,10 +151,7 @@ double RestEngine::next_closing(const RestPair& pair, const Manifold& manifold, 
         const Contact& contact = manifold.contacts[k];
         const bool was_open =
             std::find(closing.open, closing.open + closing.count, contact.feature) != closing.open + closing.count;
-        if (contact.separation <= closing.closed) {
-            if (was_open) return 0.0;
-            continue;
-        }
+        if (contact.separation <= closing.closed && !was_open) continue;
         const double field = span_ * std::max(field_size_[pair.a], field_size_[pair.b]);
         const auto velocity = [&](int index) {
             const BodyState& s = bodies_[index].state;
@@ -160,6 +159,10 @@ double RestEngine::next_closing(const RestPair& pair, const Manifold& manifold, 
             return Vec2(s.velocity + moment * pull_[index] + cross(s.spin + moment * turn_pull_[index], r));
         };
         const double u = (velocity(pair.b) - velocity(pair.a)).dot(contact.normal);
+        if (contact.separation <= closing.closed) {
+            closing.speed = std::max(closing.speed, -u);
+            return 0.0;
+        }
         const double slow = in_crowd ? field : 2.0 * contact.separation / left + k_slow * field;
         const bool is_near = contact.separation <= near && -2.0 * pair.restitution * u <= field;
         if ((in_crowd || is_near) && -u <= slow && bore(pair, contact.feature)) continue;
@@ -199,41 +202,37 @@ double RestEngine::fall_of(const ContactPoint& c) const
 // [rest.collide]
 
 // [rest.points]
-void RestEngine::add_points(int index, const Manifold& manifold, double moment)
+void RestEngine::add_points(int index, const Manifold& manifold, double closes_at, double closing_speed)
 {
     RestPair& pair = pairs_.pairs()[index];
     const int own = is_moved(pair.a) ? pair.a : pair.b;
     const double size = std::min(radius_[pair.a], radius_[pair.b]);
-    // Arms lead from where the centres are at the moment
-    const Vec2 place_a = place_at(pair.a, moment);
-    const Vec2 place_b = place_at(pair.b, moment);
     const Rotation own_from_world = inverse(poses_[own].rotation);
     PairLoads now;
     now.count = manifold.count;
     for (int k = 0; k < manifold.count; ++k) {
         const Contact& contact = manifold.contacts[k];
-        const Vec2 r_a = contact.point - place_a;
-        const Vec2 r_b = contact.point - place_b;
+        const Vec2 r_a = contact.point - poses_[pair.a].position;
+        const Vec2 r_b = contact.point - poses_[pair.b].position;
         const Vec2 place = own_from_world * (own == pair.a ? r_a : r_b);
         const int known = known_point(pair, contact.feature, place, rest_tolerance::k_same_place * size);
         now.feature[k] = contact.feature;
         now.place[k] = place;
         now.normal[k] = known >= 0 ? pair.normal[known] : 0.0;
         now.tangent[k] = known >= 0 ? pair.tangent[known] : 0.0;
-
-        const bool is_closed = moment > 0.0 && contact.separation <= rest_tolerance::k_closed * size;
         found_.push_back({.a = pair.a,
                           .b = pair.b,
                           .pair = index,
                           .feature = contact.feature,
                           .friction = pair.friction,
                           .restitution = pair.restitution,
-                          .gap = is_closed ? std::min(contact.separation, 0.0) : contact.separation,
+                          .gap = contact.separation,
                           .normal = now.normal[k],
                           .tangent = now.tangent[k],
-                          .left = span_ - moment});
+                          .closes_at = closes_at,
+                          .closing_speed = closing_speed});
         set_arms(found_.back(), contact.normal, r_a, r_b);
-        max_overlap_ = moment > 0.0 ? max_overlap_ : std::max(max_overlap_, -contact.separation);
+        max_overlap_ = std::max(max_overlap_, -contact.separation);
     }
     static_cast<PairLoads&>(pair) = now;
 }

@@ -208,6 +208,7 @@ private:
         std::uint32_t open[2];
         int count;
         double closed; // [m]
+        double speed;  ///< with which the first one closes [m/s]
     };
     [[nodiscard]] double next_closing(const RestPair& pair, const Manifold& manifold, double moment,
                                       Closing& closing) const;
@@ -216,7 +217,7 @@ private:
     [[nodiscard]] double fall_of(const ContactPoint& c) const;
     [[nodiscard]] Vec2 place_at(int body, double moment) const;
     [[nodiscard]] Pose pose_at(int body, double moment) const;
-    void add_points(int pair, const Manifold& manifold, double moment);
+    void add_points(int pair, const Manifold& manifold, double closes_at, double closing_speed);
     void set_pose(int body, const Pose& pose);
     [[nodiscard]] Manifold look_again(RestPair& pair, double margin);
     [[nodiscard]] Manifold look(const RestPair& pair, const Pose& pose_a, const Pose& pose_b, double margin) const;
@@ -232,7 +233,6 @@ private:
     [[nodiscard]] static bool is_heap(const Group& group);
     [[nodiscard]] double slowest_blow(const Group& group) const;
     [[nodiscard]] double slowest_rebound(const ContactPoint& c) const;
-    void see_from_start(const Group& group);
     [[nodiscard]] bool strike(const Group& group, bool in_turn);
     void end_approaches(const Group& group);
     void recall_load(ContactPoint& point) const;

@@ -101,7 +101,7 @@ void RestEngine::part_slow(std::span<const int> who)
     if (parts_.empty() || greatest_speed(before_, radius_, parts_) > k_slow * field) return;
 
     const auto holds = [&](const ContactPoint& c) {
-        if (c.normal > 0.0 || c.left < span_) return true;
+        if (c.normal > 0.0 || c.closes_at < span_) return true;
         const double time = k_ahead * span_;
         const double u = normal_speed(c, before_[c.a], before_[c.b]);
         return c.gap + time * (std::min(u, 0.0) + 0.5 * time * std::min(fall_of(c), 0.0)) <= touch_gap(c.a, c.b);

@@ -40,9 +40,6 @@ void RestEngine::part_where_slip_ends(Group& group)
     const double still = rest_tolerance::k_slip * field_speed(group);
     const double dt = span_;
     double left = dt;
-    for (const ContactPoint& c : std::span(points_).subspan(group.first_point, group.point_count)) {
-        if (c.left != dt) return;
-    }
     if (field_speed(group) == 0.0 || !any_slip_ended(group, still)) return;
     part_movers_.resize(movers_.size());
     for (int k = 0; k < group.member_count; ++k) {

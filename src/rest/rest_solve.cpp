@@ -60,7 +60,6 @@ void RestEngine::solve_group(Group& group, int depth)
     const bool in_turn = !strikes_at_start(group) && may_be_cut(group, depth);
     if (in_turn) group.cut_at = first_impact(group);
     if (group.cut_at > 0.0) return;
-    see_from_start(group);
     const bool is_struck = strike(group, in_turn);
     if (is_struck && in_turn) {
         group.cut_at = span_;

@@ -23,15 +23,13 @@ bool RestEngine::strikes_at_start(const Group& group)
     return group.member_count > k_most_in_turn;
 }
 
-/// An approach that the field alone would bring about in a small part of the step is left to the load, but where nothing
-/// may be lost.  [m/s]
+/// A slower approach is rounding; or, where impacts have no moments of their own, so small a part of what the field brings in a
+/// step that it is left to the load.  [m/s]
 double RestEngine::slowest_blow(const Group& group) const
 {
-    const std::span<const ContactPoint> points = std::span(points_).subspan(group.first_point, group.point_count);
-    const bool is_elastic =
-        std::any_of(points.begin(), points.end(), [](const ContactPoint& c) { return c.restitution == 1.0; });
-    const double by_field = is_elastic ? 0.0 : rest_tolerance::k_blow * field_speed(group);
-    return by_field + solve_rounding(group) + rest_tolerance::k_stagnant * rest_tolerance::k_content * top_speed(group);
+    const double by_field = strikes_at_start(group) ? rest_tolerance::k_blow : rest_tolerance::k_still;
+    return by_field * field_speed(group) + solve_rounding(group) +
+           rest_tolerance::k_stagnant * rest_tolerance::k_content * top_speed(group);
 }
 
 /// The moment of the first impact after the beginning; 0 where there is none.  [s]
@@ -40,28 +38,11 @@ double RestEngine::first_impact(const Group& group) const
     const double slowest = slowest_blow(group);
     double first = span_;
     for (const ContactPoint& c : std::span(points_).subspan(group.first_point, group.point_count)) {
-        const double moment = span_ - c.left;
-        if (moment <= rest_tolerance::k_at_once * span_ || moment >= first) continue;
-        const double u = normal_speed(c, before_[c.a], before_[c.b]) + moment * fall_of(c);
-        if (u < -slowest) first = moment;
+        if (c.closes_at > rest_tolerance::k_at_once * span_ && c.closing_speed > slowest) first = std::min(first, c.closes_at);
     }
     return first < span_ ? first : 0.0;
 }
 // [rest.strike.when]
-
-// [rest.strike.start]
-/// Gaps that were seen at a later moment as they are when the step begins.
-void RestEngine::see_from_start(const Group& group)
-{
-    for (ContactPoint& c : std::span(points_).subspan(group.first_point, group.point_count)) {
-        const double moment = span_ - c.left;
-        if (moment == 0.0) continue;
-        const double u = normal_speed(c, before_[c.a], before_[c.b]);
-        c.gap = std::max(c.gap, 0.0) - moment * (u + 0.5 * moment * fall_of(c));
-        c.left = span_;
-    }
-}
-// [rest.strike.start]
 
 // [rest.strike.rebound]
 /// A rebound that would come back within the rest of the step doesn't happen, but for one that loses nothing: the slowest
