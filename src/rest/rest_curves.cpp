@@ -225,9 +225,9 @@ RestEngine::Bend RestEngine::bend_lines(const Group& group, bool is_corrected)
 
         // Ways that lead to a gap or an overlap are to end without it
         const double touch = touch_gap(c.a, c.b);
-        bent.bound = c.gap > touch ? -c.gap / span_ : 0.0;
+        bent.bound = std::isinf(c.bound) ? c.bound : c.gap > touch ? -c.gap / span_ : 0.0;
         const double left = curves_.end[k].gap - least_gap(c, touch);
-        if (!is_corrected || std::abs(left) <= k_left_of_gap * touch) continue;
+        if (!is_corrected || std::isinf(c.bound) || std::abs(left) <= k_left_of_gap * touch) continue;
         const auto along_ways = [&](int body) {
             return Mover{shift_[body].x(), shift_[body].y(), turn_[body], 0.0, 0.0};
         };

@@ -163,6 +163,7 @@ private:
         bool is_exact = true;   ///< solved to rounding, all at once; else swept
         bool has_ways = false;  ///< places are found already, along curves
         bool is_content = true; ///< the impulses that were found are right to rounding
+        bool in_turn = false;   ///< its impacts have moments of their own
         double cut_at = 0.0;    ///< where its step is to end early, and to go on from; 0 if nowhere [s]
     };
     /// Groups whose step ends early.
@@ -233,7 +234,9 @@ private:
     [[nodiscard]] static bool is_heap(const Group& group);
     [[nodiscard]] double slowest_blow(const Group& group) const;
     [[nodiscard]] double slowest_rebound(const ContactPoint& c) const;
-    [[nodiscard]] bool strike(const Group& group, bool in_turn);
+    [[nodiscard]] bool strike(const Group& group);
+    [[nodiscard]] double hardly_open(const ContactPoint& c) const;
+    [[nodiscard]] double missed_impact(const Group& group) const;
     void end_approaches(const Group& group);
     void recall_load(ContactPoint& point) const;
     void sweep_heap(const Group& group, std::span<Mover> movers, std::span<ContactPoint> points, double tolerance = -1.0);

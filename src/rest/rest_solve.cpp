@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "rest/rest_engine.hpp"
 #include "rest/rest_tolerance.hpp"
@@ -57,11 +58,10 @@ void RestEngine::solve_group(Group& group, int depth)
         return;
     }
     // End the part where the first impact comes, or strike now; small islands go on from there with another look
-    const bool in_turn = !strikes_at_start(group) && may_be_cut(group, depth);
-    if (in_turn) group.cut_at = first_impact(group);
+    group.in_turn = !strikes_at_start(group) && may_be_cut(group, depth);
+    if (group.in_turn) group.cut_at = first_impact(group);
     if (group.cut_at > 0.0) return;
-    const bool is_struck = strike(group, in_turn);
-    if (is_struck && in_turn) {
+    if (strike(group) && group.in_turn) {
         group.cut_at = span_;
         return;
     }
@@ -162,13 +162,15 @@ double RestEngine::field_speed(const Group& group) const
 // [rest.solve.scales]
 
 // [rest.bounds]
-/// What bears goes on to bear; what is apart may come as near as to touch when the step ends.
+/// What bears goes on to bear. What is apart may come as near as to touch when the step ends; where impacts have moments of
+/// their own only what is all but closed is held like that, since the step ends where anything else closes.
 void RestEngine::set_bounds(const Group& group)
 {
     for (ContactPoint& c : std::span(points_).subspan(group.first_point, group.point_count)) {
         const double u = normal_speed(c, before_[c.a], before_[c.b]);
         const double gap = c.gap > touch_gap(c.a, c.b) ? c.gap : 0.0;
         c.bound = std::min(0.0, -2.0 * gap / span_ - u);
+        if (group.in_turn && gap > hardly_open(c)) c.bound = -std::numeric_limits<double>::infinity();
     }
 }
 

@@ -96,6 +96,11 @@ void RestEngine::finish_groups(int depth, std::span<const int> pairs)
             continue;
         }
         if (group.is_exact) find_places(group);
+        if (group.in_turn) group.cut_at = missed_impact(group);
+        if (group.cut_at > 0.0) {
+            note_again(group, again);
+            continue;
+        }
         if (group.is_exact && group.point_count > 0) {
             const double overlap = look_at_end(group);
             if (may_be_cut(group, depth) && !is_fair(group, overlap)) {

@@ -23,13 +23,21 @@ bool RestEngine::strikes_at_start(const Group& group)
     return group.member_count > k_most_in_turn;
 }
 
-/// A slower approach is rounding; or, where impacts have no moments of their own, so small a part of what the field brings in a
-/// step that it is left to the load.  [m/s]
+/// An approach that the field alone would bring about in a small part of the step is left to the load, but where nothing may
+/// be lost.  [m/s]
 double RestEngine::slowest_blow(const Group& group) const
 {
-    const double by_field = strikes_at_start(group) ? rest_tolerance::k_blow : rest_tolerance::k_still;
-    return by_field * field_speed(group) + solve_rounding(group) +
-           rest_tolerance::k_stagnant * rest_tolerance::k_content * top_speed(group);
+    const std::span<const ContactPoint> points = std::span(points_).subspan(group.first_point, group.point_count);
+    const bool is_elastic =
+        std::any_of(points.begin(), points.end(), [](const ContactPoint& c) { return c.restitution == 1.0; });
+    const double by_field = is_elastic ? 0.0 : rest_tolerance::k_blow * field_speed(group);
+    return by_field + solve_rounding(group) + rest_tolerance::k_stagnant * rest_tolerance::k_content * top_speed(group);
+}
+
+/// A gap this small isn't worth a moment of its own, unless it closes fast.  [m]
+double RestEngine::hardly_open(const ContactPoint& c) const
+{
+    return rest_tolerance::k_closed * std::min(radius_[c.a], radius_[c.b]);
 }
 
 /// The moment of the first impact after the beginning; 0 where there is none.  [s]
@@ -41,6 +49,20 @@ double RestEngine::first_impact(const Group& group) const
         if (c.closes_at > rest_tolerance::k_at_once * span_ && c.closing_speed > slowest) first = std::min(first, c.closes_at);
     }
     return first < span_ ? first : 0.0;
+}
+
+/// When an impact comes that was not foreseen, since bodies sped up otherwise than they did before: the first moment at which
+/// a gap closes on the ways that were found; 0 where none does.  [s]
+double RestEngine::missed_impact(const Group& group) const
+{
+    double first = span_;
+    for (const ContactPoint& c : std::span(points_).subspan(group.first_point, group.point_count)) {
+        if (!std::isinf(c.bound)) continue;
+        const double way = c.n_x * (shift_[c.b].x() - shift_[c.a].x()) + c.n_y * (shift_[c.b].y() - shift_[c.a].y()) +
+                           (turn_[c.b] * c.normal_arm_b - turn_[c.a] * c.normal_arm_a);
+        if (c.gap + way < -hardly_open(c)) first = std::min(first, span_ * (c.gap / -way));
+    }
+    return first < span_ ? std::max(first, rest_tolerance::k_at_once * span_) : 0.0;
 }
 // [rest.strike.when]
 
@@ -60,16 +82,15 @@ double RestEngine::slowest_rebound(const ContactPoint& c) const
 // [rest.strike]
 /// Impacts of an island, at the moment at which the step, or the part of one, begins: first those that throw back, then the
 /// rest of the approaches, all at once and without rebound. True where there were any; `before_` is what they leave.
-///
-/// in_turn  only contacts that are closed; else all that close within the step count as closed
-bool RestEngine::strike(const Group& group, bool in_turn)
+/// Where impacts have no moments of their own, all that closes within the step counts as closed.
+bool RestEngine::strike(const Group& group)
 {
     // Find what is closed, or closes
     const double slowest = slowest_blow(group);
     struck_.clear();
     slowest_.clear();
     bool any = false;
-    const double within = in_turn ? rest_tolerance::k_at_once * span_ : span_;
+    const double within = group.in_turn ? rest_tolerance::k_at_once * span_ : span_;
     for (const ContactPoint& c : std::span(points_).subspan(group.first_point, group.point_count)) {
         const double u = normal_speed(c, before_[c.a], before_[c.b]);
         if (c.gap > touch_gap(c.a, c.b) && c.gap + within * u > 0.0) continue;
@@ -83,7 +104,7 @@ bool RestEngine::strike(const Group& group, bool in_turn)
     counts_.impacts += throw_back(before_, struck_, slowest_);
     const auto approaches = [&](const ContactPoint& c) { return normal_speed(c, before_[c.a], before_[c.b]) < -slowest; };
     if (std::any_of(struck_.begin(), struck_.end(), approaches)) end_approaches(group);
-    if (!in_turn) return true;
+    if (!group.in_turn) return true;
     for (const int member : std::span(members_).subspan(group.first_member, group.member_count)) {
         const Mover& now = before_[member];
         BodyState& state = bodies_[member].state;
