@@ -76,7 +76,7 @@
             steps: { label: 'steps a period', min: 20, max: 1000, step: 20, value: 200, show: (n) => String(n) },
             method: { label: 'steps by', options: METHODS, value: '1' }
         },
-        view: [-3.4, -2, 2.6, 2],
+        view: [-2.7, -1.5, 1.9, 1.5],
         until: 40,
         speed: 2,
         setup: (p, ask) => {

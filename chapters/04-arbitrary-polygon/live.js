@@ -61,7 +61,7 @@
             if (s.isGood && p.triangles)
                 s.signed.forEach((area, k) => stage.area([point, ring[k], ring[(k + 1) % ring.length]], stage.colour(area > 0 ? 0 : 1), 0.22));
             stage.trace({ rings: [ring] }, [0, 0]);
-            stage.fill(stage.colour(4), s.isGood ? 0.25 : 0.08);
+            stage.fill(stage.colour(4), s.isGood && !p.triangles ? 0.25 : 0.06);
             stage.stroke(s.isGood ? stage.ink : stage.colour(1), { width: 2 });
             if (s.isGood && p.triangles)
                 for (const corner of ring) stage.line([point, corner], stage.soft, { width: 1, dash: [3, 3] });

@@ -17,7 +17,8 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 /// The scripts that every page loads as one, in this order.
-constexpr const char* k_common[] = {"engine.js", "live/toml.js", "live/stage.js", "live/recording.js", "live/figure.js"};
+constexpr const char* k_common[] = {"engine.js", "live/toml.js", "live/stage.js", "live/recording.js",
+                                    "live/controls.js", "live/hands.js", "live/check.js", "live/figure.js"};
 /// Those of one page each.
 constexpr const char* k_single[] = {"front.js", "playground.js"};
 

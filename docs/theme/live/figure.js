@@ -3,6 +3,7 @@
 //   flyingLive('07-impulse/strike', {
 //       controls: {e: {label: 'restitution', min: 0, max: 1, step: 0.05, value: 1}},
 //       view: [-1, -1, 1, 1],                   // or a function of the controls' values
+//       tallest: 640,                           // optional: of the picture [px]
 //       until: 3,                               // [s], or a function; without it the experiment goes on for ever
 //       scene: (p) => toml,                     // optional: what a run is opened with; or {text, engine, step, without}
 //       setup: (p, ask, run, kept) => state,    // ask(name, numbers) is a piece of the engine: {engine, paper}
@@ -23,8 +24,10 @@
 'use strict';
 
 (function (home) {
-    const { Stage, Strip, short } = home.FlyingStage;
+    const { Stage, Strip } = home.FlyingStage;
+    const { make, knob } = home.FlyingControls;
     const FRAME = 1 / 60;
+    const MOST_STRIDES = 400;
     const BITE = 400; // events or steps between two looks at the clock
     const PATIENCE = 14; // of a frame [ms]
     const experiments = {};
@@ -51,52 +54,13 @@
         engine = engine || (async () => {
             if (asked.get('engine') === 'off') throw new Error('the engine is switched off');
             await load('live/module.js');
-            const packed = Uint8Array.from(atob(home.flyingModule), (letter) => letter.charCodeAt(0));
+            const letters = atob(home.flyingModule);
+            const packed = new Uint8Array(letters.length);
+            for (let k = 0; k < letters.length; ++k) packed[k] = letters.charCodeAt(k);
             const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'));
             return home.FlyingEngine.load(await new Response(stream).arrayBuffer());
         })();
         return engine;
-    }
-
-    function make(tag, attributes = {}, ...inside) {
-        const element = document.createElement(tag);
-        for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
-        element.append(...inside);
-        return element;
-    }
-
-    // ---- Controls ----------------------------------------------------------------------------------------------------
-
-    // One control with its label: a slider, a choice, or a tick. `changed` is called after each change.
-    function knob(key, of, values, changed) {
-        values[key] = of.value;
-        const name = make('span', {}, of.label);
-        if (of.options) {
-            const select = make('select', { name: key });
-            of.options.forEach(([value, label]) => select.append(make('option', { value }, label)));
-            select.value = of.value;
-            select.onchange = () => {
-                values[key] = of.options.find(([value]) => String(value) === select.value)[0];
-                changed();
-            };
-            return make('label', { class: 'choice' }, name, select);
-        }
-        if (of.check) {
-            const tick = make('input', { type: 'checkbox', name: key });
-            tick.checked = of.value;
-            tick.onchange = () => { values[key] = tick.checked; changed(); };
-            return make('label', { class: 'tick' }, tick, name);
-        }
-        const input = make('input', { type: 'range', name: key, min: of.min, max: of.max, step: of.step, value: of.value });
-        const shown = make('output');
-        const show = () => {
-            const text = of.show ? of.show(values[key]) : short(values[key]) + (of.unit ? '\u202f' + of.unit : '');
-            shown.textContent = text;
-            input.setAttribute('aria-valuetext', text);
-        };
-        input.oninput = () => { values[key] = Number(input.value); show(); changed(); };
-        show();
-        return make('label', { class: 'range' }, name, input, shown);
     }
 
     const KIND = { body: '\u25cf', ghost: '\u254c', line: '\u2501', dot: '\u2022', arrow: '\u279d' };
@@ -109,6 +73,7 @@
             this.kept = experiment.start ? experiment.start() : null;
             this.canvas = figure.querySelector('canvas');
             this.stage = new Stage(this.canvas, [0, 0, 1, 1]);
+            if (experiment.tallest) this.stage.tallest = experiment.tallest;
             figure.classList.add('running');
             this.build();
             this.reset();
@@ -169,108 +134,6 @@
             parts.push(this.readout, this.fault, this.hashLine);
             canvas.after(...parts);
             if (experiment.handles || experiment.grab) this.listen();
-        }
-
-        // ---- What a pointer or the keyboard moves -------------------------------------------------------------------
-
-        listen() {
-            const { canvas, experiment } = this;
-            canvas.tabIndex = 0;
-            canvas.classList.add('to-drag');
-            this.held = -1;
-            this.chosen = 0;
-            const hint = make('span', { class: 'for-readers', 'aria-live': 'polite' });
-            this.hint = hint;
-            const words = experiment.grab ? 'Page up and page down choose a body, the arrow keys push it.'
-                : 'Page up and page down choose a handle, the arrow keys move it.';
-            canvas.setAttribute('aria-description', words);
-            canvas.title = words;
-            canvas.after(hint);
-            canvas.addEventListener('pointerdown', (event) => {
-                const k = this.nearest(this.stage.under(event));
-                if (k < 0) return;
-                this.held = this.chosen = k;
-                this.target = this.stage.under(event);
-                canvas.setPointerCapture(event.pointerId);
-                event.preventDefault();
-                this.pull();
-            });
-            canvas.addEventListener('pointermove', (event) => {
-                if (this.held < 0) {
-                    canvas.style.cursor = this.nearest(this.stage.under(event)) < 0 ? '' : 'grab';
-                    return;
-                }
-                this.target = this.stage.under(event);
-                this.pull();
-            });
-            for (const kind of ['pointerup', 'pointercancel'])
-                canvas.addEventListener(kind, () => { this.held = -1; });
-            canvas.addEventListener('keydown', (event) => {
-                const count = experiment.grab ? this.run.bodyCount : this.handles().length;
-                const turn = { PageDown: 1, PageUp: count - 1 }[event.key];
-                const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
-                if (!turn && !way) return;
-                event.preventDefault();
-                if (turn) {
-                    do this.chosen = (this.chosen + turn) % count;
-                    while (experiment.grab && this.run.isStatic(this.chosen));
-                } else if (experiment.grab) {
-                    const state = this.run.states()[this.chosen];
-                    this.steer(this.chosen, state[3] + way[0], state[4] + way[1]);
-                } else {
-                    const [x, y] = this.handles()[this.chosen];
-                    const size = (event.shiftKey ? 0.01 : 0.04) * (this.stage.view[2] - this.stage.view[0]);
-                    this.target = [x + size * way[0], y + size * way[1]];
-                    this.move(this.chosen);
-                }
-                this.hint.textContent = `number ${this.chosen + 1} of ${count}`;
-                this.draw();
-            });
-        }
-
-        handles() { return this.experiment.handles(this.p, this.kept, this.state); }
-
-        // The handle or the body under a point, -1 where there is none
-        nearest(point) {
-            const reach = 26 / this.stage.scale;
-            let best = -1;
-            let closest = Infinity;
-            const look = ([x, y], k, size) => {
-                const distance = Math.hypot(point[0] - x, point[1] - y);
-                if (distance < Math.max(size, reach) && distance < closest) [best, closest] = [k, distance];
-            };
-            if (this.experiment.handles) this.handles().forEach((at, k) => look(at, k, 0));
-            else this.run.states().forEach((at, k) => this.run.isStatic(k) || look(at, k, this.reaches[k]));
-            return best;
-        }
-
-        pull() {
-            if (this.experiment.handles) {
-                this.move(this.held);
-                this.draw();
-            } else if (!this.isPlaying) {
-                this.play(true);
-            }
-        }
-
-        move(k) {
-            this.experiment.move(k, this.target, this.p, this.kept, this.state);
-            this.reset();
-        }
-
-        // A held body gets the velocity that brings it under the pointer soon
-        follow() {
-            const soon = 0.12;
-            const fastest = 1.5 * (this.stage.view[2] - this.stage.view[0]);
-            const [x, y] = this.run.states()[this.held];
-            let [vx, vy] = [(this.target[0] - x) / soon, (this.target[1] - y) / soon];
-            const speed = Math.hypot(vx, vy);
-            if (speed > fastest) [vx, vy] = [(vx * fastest) / speed, (vy * fastest) / speed];
-            this.steer(this.held, vx, vy);
-        }
-
-        steer(body, vx, vy) {
-            if (this.run.steer(body, vx, vy)) this.isSteered = true;
         }
 
         // ---- Time ----------------------------------------------------------------------------------------------------
@@ -345,24 +208,40 @@
                 if (this.run) {
                     if (wanted < this.time) {
                         this.open();
+                        this.time = 0;
                         this.set();
                         this.trails = [];
                         if (this.strip) this.strip.clear();
                     }
-                    const late = performance.now() + PATIENCE;
-                    let isThere = this.run.advance(wanted, BITE);
-                    while (!isThere && (whole || performance.now() < late)) isThere = this.run.advance(wanted, BITE);
-                    this.isLate = !isThere;
-                    this.time = isThere ? wanted : Math.max(this.time, this.run.time);
-                } else {
-                    if (wanted < this.time) this.trails = [];
-                    this.time = wanted;
+                } else if (wanted < this.time) {
+                    this.trails = [];
+                    if (this.strip) this.strip.clear();
+                    this.time = 0;
                 }
+
+                // A leap is made in strides, so that trails and strips have no gaps
+                const strides = Math.min(MOST_STRIDES, Math.ceil((wanted - this.time) / (2 * FRAME)) || 1);
+                const start = this.time;
+                this.isLate = false;
+                for (let stride = 1; stride <= strides && !this.isLate; ++stride)
+                    this.walk(stride < strides ? start + ((wanted - start) * stride) / strides : wanted, whole);
                 if (this.time >= end) this.play(false);
-                this.note();
             } catch (error) {
                 this.fail(error);
             }
+        }
+
+        walk(time, whole) {
+            if (this.run) {
+                const late = performance.now() + PATIENCE;
+                let isThere = this.run.advance(time, BITE);
+                while (!isThere && (whole || performance.now() < late)) isThere = this.run.advance(time, BITE);
+                this.isLate = !isThere;
+                this.time = isThere ? time : Math.max(this.time, this.run.time);
+            } else {
+                this.time = time;
+            }
+            this.note();
         }
 
         note() {
@@ -404,9 +283,8 @@
             this.playButton.addEventListener('click', () => { this.wantsToPlay = this.isPlaying; });
             new IntersectionObserver(([entry]) => {
                 if (!entry.isIntersecting) {
-                    const was = this.isPlaying;
+                    this.wantsToPlay = this.wantsToPlay || this.isPlaying;
                     this.play(false);
-                    this.wantsToPlay = was;
                 } else if (this.wantsToPlay) {
                     this.wantsToPlay = false;
                     this.play(true);
@@ -475,53 +353,9 @@
             });
         }
 
-        // ---- What a test asks -------------------------------------------------------------------------------------------
-
-        outcome(what) {
-            const { scene = null, time } = this;
-            const pixels = this.canvas.getContext('2d').getImageData(0, 0, this.canvas.width, this.canvas.height).data;
-            let sum = 0;
-            for (let k = 0; k < pixels.length; k += 4) sum = (sum * 31 + pixels[k] + 7 * pixels[k + 1] + 13 * pixels[k + 2]) % 1000000007;
-            const asks = this.asks.slice();
-            return { what, time, fault: this.fault.textContent, pixels: sum, asks,
-                run: this.run && !this.isFailed ? { ...scene, hash: this.run.hash } : null };
-        }
-
-        // The figure at its controls as they come, then with each at every end or choice
-        check() {
-            const { experiment } = this;
-            const end = experiment.checkTime || Math.min(1.5, this.until());
-            const look = (what) => {
-                this.go(end);
-                this.draw();
-                cases.push(this.outcome(what));
-            };
-            const cases = [];
-            this.reset();
-            look('as it comes');
-            for (const [key, of] of Object.entries(experiment.controls || {})) {
-                const values = of.options ? of.options.map(([value]) => value) : of.check ? [!of.value] : [of.min, of.max];
-                const input = this.figure.querySelector(`[name="${key}"]`);
-                for (const value of values) {
-                    if (value === of.value) continue;
-                    if (of.check) input.checked = value;
-                    else input.value = value;
-                    input.dispatchEvent(new Event(of.check || of.options ? 'change' : 'input'));
-                    look(`${key} = ${value}`);
-                }
-                if (of.check) input.checked = of.value;
-                else input.value = of.value;
-                input.dispatchEvent(new Event(of.check || of.options ? 'change' : 'input'));
-            }
-            if (experiment.handles) {
-                const [x, y] = this.handles()[0];
-                this.target = [x + 0.21, y + 0.13];
-                this.move(0);
-                look('the first handle moved');
-            }
-            return { name: this.name, cases, startedAt: this.startedAt, width: this.figure.scrollWidth, room: this.figure.clientWidth };
-        }
     }
+
+    Object.assign(Figure.prototype, home.FlyingHands, home.FlyingCheck);
 
     function tooWide() {
         return Math.max(0, document.documentElement.scrollWidth - home.innerWidth);
@@ -531,6 +365,7 @@
         const figures = [...document.querySelectorAll('figure.live')];
         if (!figures.length) return;
         const live = [];
+        const opened = performance.now();
         for (const figure of figures) {
             const experiment = experiments[figure.dataset.trace];
             let module = null;
@@ -544,7 +379,7 @@
                 continue;
             }
             const made = new Figure(figure, experiment, module);
-            made.startedAt = performance.now();
+            made.startedAt = performance.now() - opened;
             live.push(made);
         }
         home.flyingFigures = live;
@@ -560,6 +395,6 @@
         document.documentElement.dataset.live = 'ready';
     }
 
-    if (document.readyState === 'loading') document.addEventListener('DOMContentLoaded', begin);
+    if (document.readyState !== 'complete') document.addEventListener('DOMContentLoaded', begin);
     else begin();
 })(globalThis);

@@ -4,6 +4,7 @@
 flyingLive('front', {
     view: [0, 0, 12, 8],
     checkTime: 3,
+    tallest: 640,
     grab: true,
     scene: () => flyingScenes['balls-and-polygons'],
     draw: (stage, t, s, p, run) => {

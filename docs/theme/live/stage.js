@@ -11,6 +11,7 @@
             this.canvas = canvas;
             this.context = canvas.getContext('2d');
             this.view = view;
+            this.tallest = TALLEST;
             this.palette = PALETTE;
         }
 
@@ -18,7 +19,7 @@
         begin() {
             const [left, bottom, right, top] = this.view;
             const width = this.canvas.clientWidth || 600;
-            const height = Math.round(Math.min((width * (top - bottom)) / (right - left), TALLEST));
+            const height = Math.round(Math.min((width * (top - bottom)) / (right - left), this.tallest));
             const dots = home.devicePixelRatio || 1;
             if (this.canvas.width !== Math.round(width * dots) || this.canvas.height !== Math.round(height * dots)) {
                 this.canvas.width = Math.round(width * dots);
