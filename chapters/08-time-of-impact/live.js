@@ -75,8 +75,8 @@
             const x = (time) => PLOT.left + ((PLOT.right - PLOT.left) * time) / (1.05 * s.hit);
             const y = (gap) => Math.max(-0.3, PLOT.bottom + (PLOT.top * gap) / p.y);
             stage.line([[PLOT.left, PLOT.top + 0.15], [PLOT.left, 0], [PLOT.right, 0]], stage.soft, { width: 1.4 });
-            stage.words([PLOT.left, PLOT.top + 0.25], 'gap at the corner', { colour: stage.soft, size: 13, align: 'center' });
-            stage.words([PLOT.right, -0.13], 'time', { colour: stage.soft, size: 13, align: 'right' });
+            stage.words([PLOT.left + 0.1, PLOT.top + 0.2], 'gap at the corner', { colour: stage.soft, size: 13 });
+            stage.words([PLOT.right, -0.16], 'time', { colour: stage.soft, size: 13, align: 'right' });
             done.forEach((look, k) => {
                 const until = k + 1 < s.looks.length ? s.looks[k + 1].time : look.time;
                 const safe = Array.from({ length: 25 }, (_, j) => {

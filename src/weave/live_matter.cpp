@@ -65,10 +65,10 @@ void write_scenes(const Folders& folders, const fs::path& html, Problems& proble
 
 void write_module(const Folders& folders, const Tools& tools, const fs::path& html, Problems& problems)
 {
-    if (folders.module.empty() || !fs::exists(folders.module)) return;
+    if (tools.module.empty() || !fs::exists(tools.module)) return;
     const std::string command = fmt::format(
-        "{} '{}' '{}' > '{}'", tools.node, (folders.project / "docs/pack_module.js").string(),
-        folders.module.string(), (html / "live/module.js").string());
+        "{} '{}' '{}' > '{}'", tools.node, (folders.project / "docs/pack_module.js").string(), tools.module,
+        (html / "live/module.js").string());
     if (std::system(command.c_str()) != 0)
         problems.add({"docs/pack_module.js", 0}, "a module that could not be packed", "node, and the engine's module");
 }

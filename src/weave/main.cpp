@@ -43,8 +43,7 @@ int main(int argc, char** argv)
     };
     CLI::App* book = app.add_subcommand("book", "make the whole book");
     CLI::App* check = app.add_subcommand("check", "check every rule that needs no Doxygen");
-    std::string module;
-    book->add_option("--module", module, "the engine for pages, flying.wasm; without it they play recordings");
+    book->add_option("--module", tools.module, "the engine for pages, flying.wasm; without it they play recordings");
     CLI::App* filter = app.add_subcommand("filter", "print a source as Doxygen is to read it");
     add_folders(book);
     add_folders(check);
@@ -59,7 +58,6 @@ int main(int argc, char** argv)
     std::filesystem::create_directories(build, error);
     folders.project = std::filesystem::canonical(project);
     folders.build = std::filesystem::canonical(build);
-    folders.module = module;
     const auto start = std::chrono::steady_clock::now();
     weave::Problems problems;
     if (check->parsed()) {

@@ -19,7 +19,6 @@ struct Folders
 {
     std::filesystem::path project; ///< holds `chapters`, `src`, `docs`
     std::filesystem::path build;   ///< holds `receipts`, `outputs`, `figures`, which the programs of the chapters leave
-    std::filesystem::path module;  ///< the engine for pages, of WebAssembly; empty where there is none
 };
 
 /// An exercise's folder.
