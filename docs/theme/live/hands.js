@@ -8,6 +8,7 @@
         listen() {
             const { canvas, experiment } = this;
             canvas.tabIndex = 0;
+            canvas.setAttribute('role', 'application'); // so that a screen reader lets the keys through
             canvas.classList.add('to-drag');
             this.held = -1;
             this.chosen = 0;
@@ -41,7 +42,7 @@
                 const count = experiment.grab ? this.run.bodyCount : this.handles().length;
                 const turn = { PageDown: 1, PageUp: count - 1 }[event.key];
                 const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
-                if (!turn && !way) return;
+                if ((!turn && !way) || (experiment.grab && !this.run)) return;
                 event.preventDefault();
                 if (turn) {
                     do this.chosen = (this.chosen + turn) % count;
@@ -64,6 +65,7 @@
 
         // The handle or the body under a point, -1 where there is none
         nearest(point) {
+            if (this.experiment.grab && !this.run) return -1;
             const reach = 26 / this.stage.scale;
             let best = -1;
             let closest = Infinity;

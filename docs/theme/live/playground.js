@@ -15,9 +15,21 @@
         const run = document.createElement('button');
         run.type = 'button';
         run.textContent = 'Run this text (Ctrl + Enter)';
+        // Marks where the first fault is, which its message names by line and column
+        const find = () => {
+            const [, line, column] = figure.fault.textContent.match(/scene:(\d+):(\d+)/) || [];
+            if (!line) return;
+            const at = area.value.split('\n').slice(0, line - 1).reduce((sum, one) => sum + one.length + 1, Number(column) - 1);
+            area.focus();
+            area.setSelectionRange(at, at + 1);
+        };
         const start = () => {
             kept.text = area.value;
             figure.reset();
+            if (figure.isFailed) {
+                find();
+                return;
+            }
             figure.play(true);
             figure.draw();
         };
@@ -29,14 +41,7 @@
         form.className = 'scene-text';
         form.append(area, run);
         figure.fault.after(form);
-        figure.fault.onclick = () => {
-            const [, line, column] = figure.fault.textContent.match(/scene:(\d+):(\d+)/) || [];
-            if (!line) return;
-            const lines = area.value.split('\n');
-            const at = lines.slice(0, line - 1).join('\n').length + (line > 1 ? 1 : 0) + Number(column) - 1;
-            area.focus();
-            area.setSelectionRange(at, at + 1);
-        };
+        figure.fault.onclick = find;
     }
 
     flyingLive('playground', {
