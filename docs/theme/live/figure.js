@@ -375,7 +375,11 @@
                 figure.dataset.why = error.message;
             }
             if (!module) {
-                if (figure.dataset.recorded !== 'no') load(`traces/${figure.dataset.trace}.js`).then(() => home.FlyingRecording.start(figure), () => {});
+                if (figure.dataset.recorded !== 'no') {
+                    load(`traces/${figure.dataset.trace}.js`).then(() => home.FlyingRecording.start(figure), () => {});
+                } else if (!figure.querySelector('.still')) {
+                    figure.querySelector('canvas').replaceWith(make('p', { class: 'fault', role: 'alert' }, `The engine can't run here: ${figure.dataset.why}.`));
+                }
                 continue;
             }
             const made = new Figure(figure, experiment, module);

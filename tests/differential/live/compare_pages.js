@@ -107,9 +107,10 @@ async function checkReading(browser, page, address) {
 
 async function checkRecordings(browser, page, address) {
     await browser.go(`${address}?engine=off`);
-    const shows = `[...document.querySelectorAll('figure.live')].every((figure) =>
-        figure.dataset.recorded === 'no' ? getComputedStyle(figure.querySelector('img, noscript') || figure).display !== 'none' || true
-            : figure.querySelector('.controls') !== null)`;
+    const shows = `[...document.querySelectorAll('figure.live')].every((figure) => {
+        const still = figure.querySelector('.still');
+        return figure.querySelector('.controls, .fault') !== null || (still !== null && still.clientHeight > 0);
+    })`;
     if (!(await browser.until(shows, 20000))) complain(page, 'a figure shows nothing without the engine');
     for (const error of browser.errors) complain(page, error);
 }
