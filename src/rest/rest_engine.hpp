@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "collide/manifold.hpp"
+#include "motion/field.hpp"
 #include "rest/group_solver.hpp"
 #include "rest/pair_list.hpp"
 #include "rest/rest_body.hpp"
@@ -20,6 +22,7 @@ struct RestOptions
     int sweeps = 8;           ///< over larger groups
     int most_sweeps = 64;     ///< over those that have more to change, as where a pile lands
     int push_sweeps = 4;      ///< over larger groups, that push overlap apart
+    std::optional<CentralField> centre = {}; ///< round which all are pulled that move, in place of their accelerations
     double (*seconds)() = nullptr; ///< a clock, lent to measure the stages; null to measure nothing [s]
 };
 // [rest.options]
@@ -223,7 +226,13 @@ private:
     void scale_loads(std::span<const int> pairs, double factor);
     [[nodiscard]] static bool is_exact(const Group& group) { return group.is_exact; }
     [[nodiscard]] bool is_solved_whole(const Group& group) const;
-    void expect_flight(int body);
+    void expect_flight(int body, const Vec2& place);
+    [[nodiscard]] Vec2 mean_field(int body, const Vec2& from, const Vec2& to) const;
+    [[nodiscard]] Vec2 field_at(int body, const Vec2& place) const;
+    [[nodiscard]] double work_of_field(int body) const;
+    void aim_field(int body);
+    [[nodiscard]] double greatest_field(int body, double within) const;
+    void fly(Group& group);
     void expect_same(int body);
     void expect(const Group& group);
     void expect_loads(std::span<const ContactPoint> points);
@@ -365,7 +374,7 @@ private:
     std::vector<CollisionShape> shapes_;
     std::vector<std::vector<std::vector<char>>> real_edges_; // of each body and part, as NearSide has it
     std::vector<double> radius_; // bounding radii [m]
-    std::vector<Vec2> field_;       // accelerations that the field gives [m/s^2]
+    std::vector<Vec2> field_;       // accelerations that the field gives, within the present step [m/s^2]
     std::vector<double> field_size_; // their sizes
     std::vector<double> turning_; // how far a turn may bring any point of each: the same, 0 for discs [m]
     std::vector<double> reach_;  // how far each may get in a step [m]

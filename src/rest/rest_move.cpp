@@ -46,7 +46,7 @@ void RestEngine::expect(const Group& group)
     }
     for (const int member : members) {
         if (borne_[member] && !struck_[member]) expect_same(member);
-        else expect_flight(member);
+        else expect_flight(member, bodies_[member].state.position + shift_[member]);
     }
 
     // Without a field no load outlasts a blow

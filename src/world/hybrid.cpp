@@ -25,8 +25,9 @@ constexpr double k_ahead = 2.0;
 constexpr char k_clear_steps = 2;
 
 [[nodiscard]] std::vector<RestBody> as_rest_bodies(const EventEngine& engine, const std::vector<Material>& materials,
-                                                   const std::vector<char>& is_static, const Vec2& gravity)
+                                                   const std::vector<char>& is_static, const Field& field)
 {
+    const Vec2 gravity = uniform_acceleration(field);
     std::vector<RestBody> bodies;
     for (int k = 0; k < engine.body_count(); ++k) {
         const bool moves = is_static[k] == 0;
@@ -40,6 +41,7 @@ constexpr char k_clear_steps = 2;
 {
     RestOptions options;
     options.step = setting.step;
+    if (const auto* central = std::get_if<CentralField>(&setting.field)) options.centre = *central;
     options.seconds = setting.seconds;
     return options;
 }
@@ -49,7 +51,7 @@ constexpr char k_clear_steps = 2;
 // [hybrid.set_up]
 Hybrid::Hybrid(const EventEngine& engine, const std::vector<Material>& materials, const std::vector<char>& is_static,
                const Setting& setting)
-    : setting_(setting), rest_(as_rest_bodies(engine, materials, is_static, setting.gravity), rest_options(setting), engine.time())
+    : setting_(setting), rest_(as_rest_bodies(engine, materials, is_static, setting.field), rest_options(setting), engine.time())
 {
     for (int k = 0; k < engine.body_count(); ++k) {
         radius_.push_back(bounding_radius(engine.shape(k)));
@@ -130,9 +132,12 @@ double Hybrid::next_end(double time, int halvings) const
 /// How often the step must be halved for those that lean, and those near them, to stay within a small part of their size.
 int Hybrid::halvings_for(const EventEngine& engine, const std::vector<int>& near) const
 {
+    const auto* central = std::get_if<CentralField>(&setting_.field);
     double fastest = 0.0; // [sizes/s]
     const auto look = [&](const BodyState& state, int k) {
-        fastest = std::max(fastest, state.velocity.norm() / radius_[k] + std::abs(state.spin));
+        double size = radius_[k];
+        if (central) size = std::min(size, (state.position - central->centre).norm()); // the field changes as fast
+        fastest = std::max(fastest, state.velocity.norm() / size + std::abs(state.spin));
     };
     for (const int k : rests_) {
         if (leans(k)) look(rest_.state(k), k);
@@ -372,7 +377,7 @@ double Hybrid::energy(int body, const BodyState& state) const
     if (inertia.inv_mass == 0.0) return 0.0;
     const double shift = state.velocity.squaredNorm() / inertia.inv_mass;
     const double turn = state.spin * state.spin / inertia.inv_moment_of_inertia;
-    return 0.5 * (shift + turn) - setting_.gravity.dot(state.position) / inertia.inv_mass;
+    return 0.5 * (shift + turn) + potential_at(setting_.field, state.position) / inertia.inv_mass;
 }
 
 double Hybrid::energy_of_leaning() const

@@ -8,6 +8,7 @@
 #include "events/event_engine.hpp"
 #include "rest/rest_engine.hpp"
 #include "broadphase/box_cells.hpp"
+#include "motion/field.hpp"
 #include "world/report.hpp"
 
 namespace flying {
@@ -30,7 +31,7 @@ public:
     struct Setting
     {
         double step = 1.0 / 60.0;      ///< [s]
-        Vec2 gravity = Vec2::Zero();   ///< [m/s^2]
+        Field field = NoField{};
         double (*seconds)() = nullptr; ///< a clock, or null
     };
 
@@ -125,6 +126,8 @@ private:
     [[nodiscard]] int island_of(int k);
     void join_islands(int one, int two);
     [[nodiscard]] Aabb way_of(int k) const;
+    [[nodiscard]] double greatest_pull(const Vec2& place) const;
+    [[nodiscard]] double bow_of(const Flyer& flyer, double from, double left) const;
     [[nodiscard]] bool comes_near(const EventEngine& engine, int body) const;
     [[nodiscard]] bool has_leaning_near(const Aabb& box, const std::vector<char>* but) const;
     [[nodiscard]] double energy(int body, const BodyState& state) const;

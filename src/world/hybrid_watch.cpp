@@ -1,8 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
-#include "motion/flight.hpp"
+#include "toi/central_flight.hpp"
 #include "world/hybrid.hpp"
 
 namespace flying {
@@ -29,14 +30,14 @@ void Hybrid::find_reaches()
     }
     std::vector<BoxCells::Entry> reaches;
     const double left = step_ends_ - rest_.time();
-    const double fall = setting_.gravity.norm() * left;
     for (const int k : rests_) {
         const Island& island = islands_[island_of(k)];
         if (!island.is_awake) continue;
 
         // A blow gives it no more than twice the speed of what strikes it
-        const double way = left * (2.0 * island.top_speed + fall) + (1.0 + k_room) * radius_[k];
         const Vec2 x = rest_.state(k).position;
+        const double fall = greatest_pull(x) * left;
+        const double way = left * (2.0 * island.top_speed + fall) + (1.0 + k_room) * radius_[k];
         reaches.push_back({{x - Vec2(way, way), x + Vec2(way, way)}, k});
     }
     reaches_.sort(std::move(reaches));
@@ -101,10 +102,29 @@ Aabb Hybrid::way_of(int k) const
 {
     const RestBody& body = rest_.body(k);
     const double speed = body.state.velocity.norm() + std::abs(body.state.spin) * radius_[k];
-    const double way = setting_.step * (speed + setting_.step * setting_.gravity.norm()) + k_near * radius_[k];
+    const double way = setting_.step * (speed + setting_.step * greatest_pull(body.state.position)) + k_near * radius_[k];
     const bool is_disc = std::holds_alternative<Disc>(body.shape); // which looks the same from everywhere
     const Aabb box = bounding_box(body.shape, is_disc ? Pose{body.state.position, {}} : pose_of(body.state));
     return {box.min - Vec2(way, way), box.max + Vec2(way, way)};
+}
+
+/// No less than the field at a place, and wherever a body may fall from there in a step.  [m/s^2]
+double Hybrid::greatest_pull(const Vec2& place) const
+{
+    const auto* central = std::get_if<CentralField>(&setting_.field);
+    if (!central) return uniform_acceleration(setting_.field).norm();
+    const double least = std::max(central->radius, 0.5 * (place - central->centre).norm());
+    return central->mu / (least * least);
+}
+
+/// How far a flight leads, at most, from the straight way between its ends; infinite where it may pass the centre.  [m]
+double Hybrid::bow_of(const Flyer& flyer, double from, double left) const
+{
+    if (!flyer.central) return 0.125 * left * left * flyer.acceleration.norm();
+    const CentralPath path(flyer, *flyer.central);
+    const CentralPath::Outlook outlook = path.outlook(path.at(from).position, from);
+    if (outlook.until >= from + left) return 0.125 * left * left * outlook.acceleration;
+    return std::numeric_limits<double>::infinity();
 }
 
 /// Some body that leans, other than those marked, may get into the box.
@@ -117,13 +137,11 @@ bool Hybrid::has_leaning_near(const Aabb& box, const std::vector<char>* but) con
 bool Hybrid::comes_near(const EventEngine& engine, int body) const
 {
     const Flyer flyer = engine.flyer(body);
-    const BodyState& last = flyer.state;
     const double from = engine.time();
-    const Vec2 start = position_after(last.position, last.velocity, setting_.gravity, from - last.time);
-    const Vec2 end = position_after(last.position, last.velocity, setting_.gravity, step_ends_ - last.time);
-    const double left = step_ends_ - from;
-    const double bow = 0.125 * left * left * setting_.gravity.norm();
-    const double room = (1.0 + k_room) * radius_[body] + bow;
+    const Vec2 start = state_at(flyer, from).position;
+    const Vec2 end = state_at(flyer, step_ends_).position;
+    const double room = (1.0 + k_room) * radius_[body] + bow_of(flyer, from, step_ends_ - from);
+    if (!std::isfinite(room)) return !reaches_.entries().empty();
     return has_leaning_near({start.cwiseMin(end) - Vec2(room, room), start.cwiseMax(end) + Vec2(room, room)}, nullptr);
 }
 // [hybrid.watch]

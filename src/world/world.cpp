@@ -132,9 +132,6 @@ Expected<World> World::make(const Scene& scene, const WorldOptions& options)
     if (!(options.step > 0.0) || !std::isfinite(options.step)) {
         faults.push_back({"step", number_text(options.step), "a positive number of seconds"});
     }
-    if (options.engine == EngineChoice::rest && std::holds_alternative<CentralField>(scene.world.field)) {
-        faults.push_back({"engine", "rest, in a central field", "events: the resting integrator's steps have one acceleration"});
-    }
     if (!faults.empty()) return faults;
 
     // Line up the scene's bodies, then the walls, then the core
@@ -232,6 +229,7 @@ void World::Parts::start_rest(double time)
 {
     RestOptions rest_options;
     rest_options.step = options.step;
+    if (const auto* central = std::get_if<CentralField>(&scene.world.field)) rest_options.centre = *central;
     rest_options.seconds = seconds;
     rest.emplace(bodies_at_rest(engine, materials, time), rest_options, time);
     clock = time;
@@ -240,16 +238,18 @@ void World::Parts::start_rest(double time)
 void World::Parts::start_hybrid()
 {
     hybrid.emplace(engine, materials, is_static,
-                   Hybrid::Setting{options.step, uniform_acceleration(scene.world.field), seconds});
+                   Hybrid::Setting{options.step, scene.world.field, seconds});
 }
 
 /// Give to the resting integrator who leans on something from the start, if the user left the choice to us.
 void World::Parts::begin()
 {
     has_begun = true;
-    const Vec2 gravity = uniform_acceleration(scene.world.field);
-    if (options.engine != EngineChoice::automatic || gravity == Vec2::Zero()) return;
-    const std::vector<int> leaning = find_leaning(engine, gravity);
+    const Field& field = scene.world.field;
+    const bool is_central = std::holds_alternative<CentralField>(field);
+    const bool any_field = is_central || uniform_acceleration(field) != Vec2::Zero();
+    if (options.engine != EngineChoice::automatic || !any_field) return;
+    const std::vector<int> leaning = find_leaning(engine, field);
     if (leaning.empty()) return;
     start_hybrid();
     clock = engine.time();
@@ -298,9 +298,8 @@ std::optional<RunFailure> World::advance(double time, std::int64_t max_events)
         const std::optional<EventFailure> failure = parts.engine.advance(time, max_events);
         if (!failure) return std::nullopt;
 
-        // Give to the resting integrator what crowds, if the user left the choice to us; its steps have one acceleration
-        const bool is_central = std::holds_alternative<CentralField>(parts.scene.world.field);
-        const bool may = parts.options.engine == EngineChoice::automatic && !is_central;
+        // Give to the resting integrator what crowds, if the user left the choice to us
+        const bool may = parts.options.engine == EngineChoice::automatic;
         if (!may || !Hybrid::takes(*failure)) return parts.fail(*failure);
         parts.start_hybrid();
         parts.clock = failure->time;
