@@ -67,6 +67,7 @@ RestEngine::RestEngine(std::vector<RestBody> bodies, const RestOptions& options,
         poses_.push_back(pose_of(body.state));
         movers_.push_back(mover_of(body));
     }
+    solver_.set_warm(options_.warm_starts);
     before_ = movers_;
     place_movers_ = movers_;
     span_ = options_.step;

@@ -10,6 +10,7 @@
 #include "rest/group_solver.hpp"
 #include "rest/pair_list.hpp"
 #include "rest/rest_body.hpp"
+#include "rest/rest_way.hpp"
 
 namespace flying {
 
@@ -17,6 +18,7 @@ namespace flying {
 struct RestOptions
 {
     double step = 1.0 / 60.0; ///< > 0 [s]
+    bool warm_starts = true;  ///< impulses are sought from those of the step before
     bool sleeps = true;       ///< groups that a step leaves as they are, to the bit, are left out of the next
     int most_solved = 400;    ///< bodies in the largest group that is solved to rounding; more are swept
     int sweeps = 8;           ///< over larger groups
@@ -94,6 +96,8 @@ public:
 
     /// One step of another length, which ends at a moment that is known better than as a sum.  [s]
     void step_by(double length, double end);
+    /// The ways on which such a step would lead, of each body that is awake. Nothing is changed by it.
+    [[nodiscard]] std::vector<std::vector<Leg>> foresee(double length, double end);
     /// The moment at which the next step begins, where all bodies that are here sleep.  [s]
     void set_time(double time);
 
@@ -350,6 +354,8 @@ private:
     void hold_back(const Group& group);
     [[nodiscard]] bool stood_alike(int member) const;
     void move_group(const Group& group);
+    void note_legs(const Group& group);
+    void forget_legs();
     void set_arms(ContactPoint& point, const Vec2& normal, const Vec2& r_a, const Vec2& r_b) const;
     [[nodiscard]] double field_speed(const Group& group) const;
     [[nodiscard]] double top_speed(const Group& group) const;
@@ -451,6 +457,7 @@ private:
     RestCounts counts_;
     RestSeconds seconds_;
     double max_overlap_ = 0.0;
+    std::vector<std::vector<Leg>>* legs_ = nullptr; // of each body, as it is known outside, while they are noted
     // [rest.engine.data]
 };
 // [rest.engine]

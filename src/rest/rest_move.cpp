@@ -120,6 +120,8 @@ bool RestEngine::stood_alike(int member) const
 
 void RestEngine::move_group(const Group& group)
 {
+    note_legs(group);
+
     // Remember what the points bore
     bool same = true;
     for (int k = 0; k < group.point_count; ++k) {
