@@ -458,6 +458,7 @@ private:
     RestSeconds seconds_;
     double max_overlap_ = 0.0;
     std::vector<std::vector<Leg>>* legs_ = nullptr; // of each body, as it is known outside, while they are noted
+    std::vector<Mover> jumps_; // what impacts give to bodies; workspace
     // [rest.engine.data]
 };
 // [rest.engine]

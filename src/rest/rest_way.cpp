@@ -8,11 +8,6 @@
 namespace flying {
 namespace {
 
-// [rest.way.few]
-/// [of a leg] The rest of a part after an impact says nothing about velocities where it is shorter.
-constexpr double k_telling = 0x1p-20;
-// [rest.way.few]
-
 // [rest.way.cubic]
 /// The number at a share s of a leg that grows by `way` in all: the cubic with the slopes of its ends, for a whole leg.
 [[nodiscard]] double cubic(double s, double way, double slope_start, double slope_end)
@@ -42,13 +37,14 @@ BodyState along(const std::vector<Leg>& legs, double time)
     const double h = leg.length;
     const double s = h > 0.0 ? std::clamp((time - before) / h, 0.0, 1.0) : 1.0;
     BodyState state = leg.start;
-    if (leg.kind == Leg::Kind::even) {
-        state.position += s * leg.shift;
-        state.angle += s * leg.turn;
-    } else {
+    const double bow = leg.kind == Leg::Kind::bent ? 0.5 * s * (1.0 - s) * h : 0.0;
+    if (leg.kind == Leg::Kind::curved) {
         state.position += Vec2(cubic(s, leg.shift.x(), h * leg.start.velocity.x(), h * leg.velocity.x()),
                                cubic(s, leg.shift.y(), h * leg.start.velocity.y(), h * leg.velocity.y()));
         state.angle += cubic(s, leg.turn, h * leg.start.spin, h * leg.spin);
+    } else {
+        state.position += s * leg.shift - bow * (leg.velocity - leg.start.velocity);
+        state.angle += s * leg.turn - bow * (leg.spin - leg.start.spin);
     }
     if (leg.kind == Leg::Kind::curved && h > 0.0) {
         state.velocity = Vec2(slope(s, leg.shift.x(), h * leg.start.velocity.x(), h * leg.velocity.x()),
@@ -67,41 +63,56 @@ BodyState along(const std::vector<Leg>& legs, double time)
 void RestEngine::note_legs(const Group& group)
 {
     if (!legs_) return;
-    double strikes = 0.0; // when: all impacts of a group that is not parted have one moment
-    bool any_strikes = false;
+
+    // What impacts change at once, where they have one moment and are told from loads
+    const std::span<const int> members = std::span(members_).subspan(group.first_member, group.member_count);
+    jumps_.resize(movers_.size());
+    for (const int member : members) jumps_[member] = {0.0, 0.0, 0.0, movers_[member].inv_mass, movers_[member].inv_moment};
+    double left = 0.0;
+    bool is_plain = group.is_exact;
     for (const ContactPoint& c : std::span(points_).subspan(group.first_point, group.point_count)) {
         if (!is_struck(c)) continue;
-        strikes = any_strikes ? std::min(strikes, span_ - c.left) : span_ - c.left;
-        any_strikes = true;
+        is_plain = is_plain && group.knows_loads && (left == 0.0 || left == c.left);
+        left = c.left;
+        Mover still;
+        Mover& a = is_moved(c.a) ? jumps_[c.a] : still;
+        Mover& b = is_moved(c.b) ? jumps_[c.b] : still;
+        const double blow = std::min(c.impact, c.normal);
+        push(c, blow, c.tangent * (blow / c.normal), a, b);
     }
-    for (const int member : std::span(members_).subspan(group.first_member, group.member_count)) {
+    const double moment = span_ - left;
+
+    for (const int member : members) {
         std::vector<Leg>& legs = (*legs_)[order_[member]];
         const Mover& end = movers_[member];
+        const Mover& jump = jumps_[member];
         Leg leg{span_, bodies_[member].state, shift_[member], turn_[member], Vec2(end.v_x, end.v_y), end.spin,
                 Leg::Kind::bent};
-        if (!group.is_exact) leg.kind = Leg::Kind::even;
+        if (!is_plain) leg.kind = Leg::Kind::even;
         else if (group.has_ways) leg.kind = Leg::Kind::curved;
-        if (!group.is_exact || !any_strikes) {
+        if (!is_plain || left == 0.0) {
             legs.push_back(leg);
             continue;
         }
 
-        // Until the impact all went on as expected; from there on the velocity is what leads to the end
-        const BodyState from = leg.start;
-        const double left = span_ - strikes;
-        leg.start.position = place_at(member, strikes);
-        leg.start.angle = from.angle + strikes * (from.spin + 0.5 * strikes * turn_pull_[member]);
-        if (strikes > 0.0) {
-            legs.push_back({strikes, from, leg.start.position - from.position, leg.start.angle - from.angle,
-                            from.velocity + strikes * pull_[member], from.spin + strikes * turn_pull_[member],
-                            Leg::Kind::bent});
-        }
+        // Until the impact all went on as expected; beside it, velocities change evenly
+        Leg first = leg;
+        first.length = moment;
+        first.kind = Leg::Kind::bent;
+        first.velocity = leg.start.velocity + moment * pull_[member];
+        first.spin = leg.start.spin + moment * turn_pull_[member];
+        first.shift = (0.5 * moment) * (leg.start.velocity + first.velocity);
+        first.turn = (0.5 * moment) * (leg.start.spin + first.spin);
+        if (moment > 0.0) legs.push_back(first);
+        const Vec2 gain = (leg.velocity - leg.start.velocity - Vec2(jump.v_x, jump.v_y)) / span_;
+        const double spin_gain = (leg.spin - leg.start.spin - jump.spin) / span_;
         leg.length = left;
-        leg.shift = (from.position + shift_[member]) - leg.start.position;
-        leg.turn = (from.angle + turn_[member]) - leg.start.angle;
-        const bool tells = left > k_telling * span_;
-        leg.start.velocity = tells ? Vec2(2.0 * leg.shift / left - leg.velocity) : leg.velocity;
-        leg.start.spin = tells ? 2.0 * leg.turn / left - leg.spin : leg.spin;
+        leg.start.position += first.shift;
+        leg.start.angle += first.turn;
+        leg.start.velocity = leg.velocity - left * gain;
+        leg.start.spin = leg.spin - left * spin_gain;
+        leg.shift -= first.shift;
+        leg.turn -= first.turn;
         legs.push_back(leg);
     }
 }

@@ -18,8 +18,8 @@ struct Leg
     double spin = 0.0;
     enum class Kind : unsigned char
     {
-        even,  ///< of a body that is swept: at one velocity, whatever it had before and has after
-        bent,  ///< velocities change evenly
+        even,  ///< straight on, while velocities change evenly: all that is known where impacts and loads mix
+        bent,  ///< velocities change evenly, and the way bends as they do
         curved ///< the way is smooth, and velocities are its slope
     };
     Kind kind = Kind::bent;
