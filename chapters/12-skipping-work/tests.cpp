@@ -59,17 +59,18 @@ const Skip& skip_named(const Plan& plan, const std::string& name)
 } // namespace
 
 // [skipping-work.tests.every]
-TEST_CASE("with any skip off, the log after every impact has the same hash, on every "
-          "random scene")
+TEST_CASE("with any skip off that isn't altering, the log after every impact has the same "
+          "hash, on every random scene")
 {
     long impacts = 0;
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
         const Scene scene = random_scene(1200 + seed);
         const Run plain = run(scene, scene.until);
         impacts += static_cast<long>(plain.hashes.size());
-        for (const std::string& name : skip_names()) {
-            INFO("seed " << seed << " without " << name);
-            const Run without = run(scene, scene.until, {name});
+        for (const Skip& skip : make_plan(scene).skips) {
+            if (skip.kind == SkipClass::altering) continue;
+            INFO("seed " << seed << " without " << skip.name);
+            const Run without = run(scene, scene.until, {skip.name});
             CHECK(without.hashes == plain.hashes);
             CHECK(without.report.hash == plain.report.hash);
         }

@@ -450,13 +450,20 @@ double Hybrid::bow_of(const Flyer& flyer, double from, double left) const
 // [hybrid.watch]
 
 // [hybrid.state]
+bool Hybrid::is_within_step(int body) const
+{
+    const bool leans = movers_[body] == BodyMover::rest || movers_[body] == BodyMover::asleep; // a step may wake it
+    if (!leans || !step_ends_) return false;
+    return clock_ - resting_->time() > k_same_moment * tolerance::k_epsilon * std::abs(clock_);
+}
+
 BodyState Hybrid::state(int body)
 {
     if (movers_[body] == BodyMover::nobody || movers_[body] == BodyMover::events) {
         return state_at(flying_.flyer(body), clock_);
     }
     const double since = clock_ - resting_->time();
-    const bool is_within = step_ends_ && since > k_same_moment * tolerance::k_epsilon * std::abs(clock_);
+    const bool is_within = is_within_step(body);
     if (is_within && ways_.empty()) ways_ = resting_->foresee(step_length(), *step_ends_);
     const bool moves = is_within && !ways_[body].empty();
     BodyState state = moves ? along(ways_[body], since) : resting_->state(body);

@@ -68,6 +68,8 @@ public:
     /// should a blow end the step before, after the clock, it will have gone the way of the shorter step.
     [[nodiscard]] BodyState state(int body);
     [[nodiscard]] BodyMover mover(int body) const { return movers_[body]; }
+    /// The clock stands between the ends of a step that moves the body.
+    [[nodiscard]] bool is_within_step(int body) const;
 
     [[nodiscard]] const EventEngine& flying() const { return flying_; }
     /// Null as long as no body ever leant on anything.

@@ -188,8 +188,8 @@ struct Census
 // [plan.far_vertices]
 
 // [plan.resting]
-/// What the resting integrator leaves out, where bodies lean on each other. Where islands
-/// are swept, and not solved, both show in the results.
+/// What the resting integrator leaves out, where bodies lean on each other. What sleeps is
+/// struck as what lies, and sweeps that begin elsewhere end elsewhere: both show in results.
 [[nodiscard]] Skip sleeping(const Census& census)
 {
     const bool pays = census.movers > 0;

@@ -251,9 +251,11 @@ void World::set_stopwatch(double (*seconds)()) { parts_->hybrid.set_stopwatch(se
 Report World::report()
 {
     Parts& parts = *parts_;
-    const std::vector<BodyView> bodies = parts.view();
+    std::vector<BodyView> bodies = parts.view();
     const Account account = take_account(bodies, parts.scene);
     const EventEngine& flying = parts.hybrid.flying();
+    // Between the ends of a step the ways of those that lean are interpolated: their overlap is measured at the ends
+    for (int k = 0; k < flying.body_count(); ++k) bodies[k].is_static = bodies[k].is_static || parts.hybrid.is_within_step(k);
     parts.max_overlap = std::max({parts.max_overlap, flying.max_overlap(), deepest_overlap(bodies, parts.shapes)});
     const RestEngine* rest = parts.hybrid.resting();
     if (rest) parts.max_overlap = std::max(parts.max_overlap, rest->max_overlap());
