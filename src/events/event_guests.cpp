@@ -126,7 +126,7 @@ std::optional<double> EventEngine::end_of_bounces(int a, int b, double time, dou
     if (!is_known) bounces = {rows_[other].id, into, time + 2.0 * leave / (press * (1.0 - e))};
 
     constexpr double k_hop = 16.0; // tolerances of touching: lower hops can't be told from contact
-    if (!is_known || leave * leave > 2.0 * press * (k_hop * touch)) return std::nullopt;
+    if (leave * leave > 2.0 * press * (k_hop * touch)) return std::nullopt;
     return bounces.end;
 }
 // [events.end_of_bounces]
