@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "math/tolerance.hpp"
-#include "toi/central_flight.hpp"
 #include "world/leaning.hpp"
 
 namespace flying {
@@ -21,11 +19,6 @@ constexpr double k_same_moment = 4.0;
 /// [sizes] The way of a body in one step: no more, if few enough halvings of the step do it.
 constexpr double k_way = 0x1p-2;
 constexpr int k_most_halvings = 10;
-
-/// [radii] Room about a flight, against rounding and the tolerance of touching.
-constexpr double k_room = 0x1p-10;
-/// [radii] Room about the way of a body in a step, within which the resting integrator watches for contacts.
-constexpr double k_near = 0x1p-6;
 
 /// [steps] A body that will touch nothing for so long may be let go.
 constexpr double k_ahead = 2.0;
@@ -389,66 +382,6 @@ void Hybrid::follow_sleep()
 }
 // [hybrid.sleep]
 
-// [hybrid.watch]
-/// What the rules of handing over need to know of a body.
-Leaning Hybrid::leaning(int k) const
-{
-    const RestBody& body = resting_->body(k);
-    const double speed = body.state.velocity.norm();
-    const double pull = greatest_pull(body.state.position);
-    const double fastest = speed + std::abs(body.state.spin) * radius_[k];
-    const double way = setting_.step * (fastest + setting_.step * pull) + k_near * radius_[k];
-    const bool is_disc = std::holds_alternative<Disc>(body.shape); // which looks the same from everywhere
-    const Aabb box = bounding_box(body.shape, is_disc ? Pose{body.state.position, {}} : pose_of(body.state));
-    return {k,
-            body.state.position,
-            radius_[k],
-            speed,
-            pull,
-            {box.min - Vec2(way, way), box.max + Vec2(way, way)},
-            !resting_->is_asleep(k)};
-}
-
-std::vector<Leaning> Hybrid::leaning(const std::vector<int>& bodies) const
-{
-    std::vector<Leaning> all;
-    for (const int k : bodies) all.push_back(leaning(k));
-    return all;
-}
-
-/// A flight leads, before the step ends, to where a body that leans may be.
-bool Hybrid::comes_near(int body) const
-{
-    if (!step_ends_ || setting_.policy == EngineChoice::rest) return false;
-    const Flyer flyer = flying_.flyer(body);
-    const double from = flying_.time();
-    const Vec2 start = state_at(flyer, from).position;
-    const Vec2 end = state_at(flyer, *step_ends_).position;
-    const double room = (1.0 + k_room) * radius_[body] + bow_of(flyer, from, *step_ends_ - from);
-    if (!std::isfinite(room)) return true;
-    return hand_over_.is_near({start.cwiseMin(end) - Vec2(room, room), start.cwiseMax(end) + Vec2(room, room)});
-}
-
-/// No less than the field at a place, and wherever a body may fall from there in a step.  [m/s^2]
-double Hybrid::greatest_pull(const Vec2& place) const
-{
-    const auto* central = std::get_if<CentralField>(&setting_.field);
-    if (!central) return uniform_acceleration(setting_.field).norm();
-    const double least = std::max(central->radius, 0.5 * (place - central->centre).norm());
-    return central->mu / (least * least);
-}
-
-/// How far a flight leads, at most, from the straight way between its ends; infinite where it may pass the centre.  [m]
-double Hybrid::bow_of(const Flyer& flyer, double from, double left) const
-{
-    if (!flyer.central) return 0.125 * left * left * flyer.acceleration.norm();
-    const CentralPath path(flyer, *flyer.central);
-    const CentralPath::Outlook outlook = path.outlook(path.at(from).position, from);
-    if (outlook.until >= from + left) return 0.125 * left * left * outlook.acceleration;
-    return std::numeric_limits<double>::infinity();
-}
-// [hybrid.watch]
-
 // [hybrid.state]
 bool Hybrid::is_within_step(int body) const
 {
@@ -471,24 +404,6 @@ BodyState Hybrid::state(int body)
     return state;
 }
 // [hybrid.state]
-
-// [hybrid.energy]
-double Hybrid::energy(int body, const BodyState& state) const
-{
-    const Inertia& inertia = flying_.inertia(body);
-    if (inertia.inv_mass == 0.0) return 0.0;
-    const double shift = state.velocity.squaredNorm() / inertia.inv_mass;
-    const double turn = state.spin * state.spin / inertia.inv_moment_of_inertia;
-    return 0.5 * (shift + turn) + potential_at(setting_.field, state.position) / inertia.inv_mass;
-}
-
-double Hybrid::energy_of_leaning() const
-{
-    double sum = 0.0;
-    for (const int k : leaning_) sum += energy(k, resting_->state(k));
-    return sum;
-}
-// [hybrid.energy]
 
 // [hybrid.memory]
 Hybrid::Memory Hybrid::memory() const
