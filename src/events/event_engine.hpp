@@ -38,7 +38,7 @@ struct EventEngineOptions
     bool skips_absent_field = true; ///< where nothing falls, paths are straight
     bool skips_apart_rings = true;  ///< round a centre, rings apart never meet
     bool skips_far_vertices = true; ///< vertices out of reach aren't followed
-    bool ends_bounces = false;      ///< say so where bounces that die away have shrunk to a touch, and when they end
+    bool ends_bounces = false;      ///< say so where an impact leaves a body on another, and when bounces ended that died away
     int most_crowded = 1000;        ///< impacts in a row of one body that leave it no room to move
     double (*seconds)() = nullptr;  ///< a clock, lent to measure the stages; null to measure nothing [s]
 };
@@ -53,6 +53,7 @@ struct EventFailure
         unresolved, ///< an impact's points could not all be made to part
         spun_out,   ///< a body turned through so large an angle that its sine is lost
         settled,    ///< a body's bounces on something flat have shrunk to a touch
+        stays,      ///< an impact has left a body on another, to which the field presses it
     };
     Kind kind = Kind::crowded;
     double time = 0.0; ///< [s]
@@ -291,6 +292,8 @@ private:
     [[nodiscard]] Kind kind_of(int body, Presence presence) const;
     [[nodiscard]] bool can_meet(int a, int b) const;
     [[nodiscard]] double energy_change(int body, const Vec2& velocity, double spin) const;
+    [[nodiscard]] Vec2 pull_on(int body) const;
+    [[nodiscard]] bool stays(int a, int b, double touch) const;
     [[nodiscard]] std::optional<double> end_of_bounces(int a, int b, double time, double touch);
     // [events.engine.verbs]
 

@@ -51,6 +51,14 @@ double rounding_of(std::span<const ContactPoint> points, std::size_t members)
 }
 // [rest.group.rounding_of]
 
+// [rest.group.start]
+void GroupSolver::set_start(std::span<ContactPoint> points) const
+{
+    if (warm_) return;
+    for (ContactPoint& c : points) c.normal = c.tangent = 0.0;
+}
+// [rest.group.start]
+
 // [rest.group.prepare]
 void GroupSolver::prepare(std::span<const int> members, std::span<const ContactPoint> points, std::size_t movers)
 {
@@ -124,6 +132,7 @@ bool GroupSolver::solve(std::span<Mover> movers, std::span<const int> members, s
     for (const int member : members) free_.push_back(movers[member]);
 
     // What was right in the step before most often is right still
+    set_start(points);
     warm_start(points, movers);
     if (worst_complaint(points, movers) <=
         rest_tolerance::k_stagnant * std::max(tolerance, rounding_of(points, members.size()))) {

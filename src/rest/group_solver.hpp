@@ -60,6 +60,8 @@ public:
                Effort effort = Effort::full);
 
     [[nodiscard]] const SolveCounts& counts() const { return counts_; }
+    /// Whether to begin with the impulses that the points have; else with none.
+    void set_warm(bool warm) { warm_ = warm; }
 
     /// How a group too large to factorise in each step is swept.
     struct SweepPlan
@@ -79,6 +81,7 @@ public:
                      const SweepPlan& plan, std::span<Mover> pushed);
 
 private:
+    void set_start(std::span<ContactPoint> points) const;
     void sweep_far(std::span<ContactPoint> points, std::span<Mover> movers);
     void push_apart(std::span<const int> members, std::span<const ContactPoint> points, const SweepPlan& plan,
                     std::span<Mover> pushed);
@@ -124,6 +127,7 @@ private:
     [[nodiscard]] std::size_t try_points(std::span<const ContactPoint> points);
     void imbalance(std::span<const ContactPoint> points);
 
+    bool warm_ = true;
     BlockSystem system_;
     SolveCounts counts_;
     std::vector<int> local_; // of each mover, its number in the group; -1 for static ones

@@ -1,13 +1,16 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "collide/manifold.hpp"
+#include "motion/field.hpp"
 #include "rest/group_solver.hpp"
 #include "rest/pair_list.hpp"
 #include "rest/rest_body.hpp"
+#include "rest/rest_way.hpp"
 
 namespace flying {
 
@@ -15,11 +18,13 @@ namespace flying {
 struct RestOptions
 {
     double step = 1.0 / 60.0; ///< > 0 [s]
+    bool warm_starts = true;  ///< impulses are sought from those of the step before
     bool sleeps = true;       ///< groups that a step leaves as they are, to the bit, are left out of the next
     int most_solved = 400;    ///< bodies in the largest group that is solved to rounding; more are swept
     int sweeps = 8;           ///< over larger groups
     int most_sweeps = 64;     ///< over those that have more to change, as where a pile lands
     int push_sweeps = 4;      ///< over larger groups, that push overlap apart
+    std::optional<CentralField> centre = {}; ///< round which all are pulled that move, in place of their accelerations
     double (*seconds)() = nullptr; ///< a clock, lent to measure the stages; null to measure nothing [s]
 };
 // [rest.options]
@@ -91,6 +96,8 @@ public:
 
     /// One step of another length, which ends at a moment that is known better than as a sum.  [s]
     void step_by(double length, double end);
+    /// The ways on which such a step would lead, of each body that is awake. Nothing is changed by it.
+    [[nodiscard]] std::vector<std::vector<Leg>> foresee(double length, double end);
     /// The moment at which the next step begins, where all bodies that are here sleep.  [s]
     void set_time(double time);
 
@@ -223,7 +230,13 @@ private:
     void scale_loads(std::span<const int> pairs, double factor);
     [[nodiscard]] static bool is_exact(const Group& group) { return group.is_exact; }
     [[nodiscard]] bool is_solved_whole(const Group& group) const;
-    void expect_flight(int body);
+    void expect_flight(int body, const Vec2& place);
+    [[nodiscard]] Vec2 mean_field(int body, const Vec2& from, const Vec2& to) const;
+    [[nodiscard]] Vec2 field_at(int body, const Vec2& place) const;
+    [[nodiscard]] double work_of_field(int body) const;
+    void aim_field(int body);
+    [[nodiscard]] double greatest_field(int body, double within) const;
+    void fly(Group& group);
     void expect_same(int body);
     void expect(const Group& group);
     void expect_loads(std::span<const ContactPoint> points);
@@ -341,6 +354,8 @@ private:
     void hold_back(const Group& group);
     [[nodiscard]] bool stood_alike(int member) const;
     void move_group(const Group& group);
+    void note_legs(const Group& group);
+    void forget_legs();
     void set_arms(ContactPoint& point, const Vec2& normal, const Vec2& r_a, const Vec2& r_b) const;
     [[nodiscard]] double field_speed(const Group& group) const;
     [[nodiscard]] double top_speed(const Group& group) const;
@@ -365,7 +380,7 @@ private:
     std::vector<CollisionShape> shapes_;
     std::vector<std::vector<std::vector<char>>> real_edges_; // of each body and part, as NearSide has it
     std::vector<double> radius_; // bounding radii [m]
-    std::vector<Vec2> field_;       // accelerations that the field gives [m/s^2]
+    std::vector<Vec2> field_;       // accelerations that the field gives, within the present step [m/s^2]
     std::vector<double> field_size_; // their sizes
     std::vector<double> turning_; // how far a turn may bring any point of each: the same, 0 for discs [m]
     std::vector<double> reach_;  // how far each may get in a step [m]
@@ -442,6 +457,8 @@ private:
     RestCounts counts_;
     RestSeconds seconds_;
     double max_overlap_ = 0.0;
+    std::vector<std::vector<Leg>>* legs_ = nullptr; // of each body, as it is known outside, while they are noted
+    std::vector<Mover> jumps_; // what impacts give to bodies; workspace
     // [rest.engine.data]
 };
 // [rest.engine]

@@ -46,7 +46,7 @@ void RestEngine::expect(const Group& group)
     }
     for (const int member : members) {
         if (borne_[member] && !struck_[member]) expect_same(member);
-        else expect_flight(member);
+        else expect_flight(member, bodies_[member].state.position + shift_[member]);
     }
 
     // Without a field no load outlasts a blow
@@ -120,6 +120,8 @@ bool RestEngine::stood_alike(int member) const
 
 void RestEngine::move_group(const Group& group)
 {
+    note_legs(group);
+
     // Remember what the points bore
     bool same = true;
     for (int k = 0; k < group.point_count; ++k) {

@@ -282,7 +282,7 @@ RestEngine::Gain RestEngine::gain_of(const Group& group) const
             0.5 * ((old.v_x * old.v_x + old.v_y * old.v_y) / old.inv_mass + old.spin * old.spin / old.inv_moment);
         const double after =
             0.5 * ((now.v_x * now.v_x + now.v_y * now.v_y) / now.inv_mass + now.spin * now.spin / now.inv_moment);
-        const double work = field_[member].dot(shift_[member]) / now.inv_mass;
+        const double work = work_of_field(member) / now.inv_mass;
         gain.gained += (after - before) - work;
         const Vec2& field = field_[member];
         const double through_field = field.cwiseProduct(shift_[member]).cwiseAbs().sum();
@@ -314,7 +314,7 @@ bool RestEngine::pay_for_rise(const Group& group)
     double lift = 0.0;
     for (int k = 0; k < group.member_count; ++k) {
         const int member = members_[group.first_member + k];
-        lift -= field_[member].dot(shift_[member]) / movers_[member].inv_mass;
+        lift -= work_of_field(member) / movers_[member].inv_mass;
     }
     const double part = rest.gained < lift && !stood(group) ? 1.0 - rest.gained / lift : 0.0;
     for (int k = 0; k < group.member_count; ++k) {

@@ -53,7 +53,7 @@ bool RestEngine::is_solved_whole(const Group& group) const
 void RestEngine::solve_group(Group& group)
 {
     if (group.point_count == 0) {
-        set_free(group, span_);
+        fly(group);
         return;
     }
     group.is_exact = is_solved_whole(group);

@@ -129,6 +129,7 @@ void RestEngine::save_parted_pairs()
 /// All that the step has changed, as it was when the step began.
 void RestEngine::go_back()
 {
+    forget_legs();
     for (const int k : awake_) {
         bodies_[k].state = saved_[k].state;
         pull_[k] = saved_[k].pull;
