@@ -22,6 +22,9 @@ constexpr int k_sweeps = 64;
 /// Pieces of a path that begins near its end: one for so many points, and so many at least.
 constexpr int k_few = 2;
 constexpr int k_fewest = 8;
+constexpr int k_most_few = 64;
+/// Points of the largest island that is solved from nothing: that takes a system for each, and more.
+constexpr std::size_t k_most_from_nothing = 256;
 /// [points] Pieces of one that begins with nothing; it rarely takes more than three.
 constexpr int k_many = 16;
 // [rest.group.limits]
@@ -135,6 +138,7 @@ bool GroupSolver::solve(std::span<Mover> movers, std::span<const int> members, s
     bool content = improve(island, Way::newton);
     for (const Way way : {Way::swept, Way::interior, Way::nothing}) {
         if (content || effort == Effort::brief) break;
+        if (way == Way::nothing && points.size() > k_most_from_nothing) break;
         go_back_to_best(island);
         content = improve(island, way);
     }
@@ -177,7 +181,7 @@ bool GroupSolver::improve(const Island& island, Way way)
 bool GroupSolver::find_pieces(const Island& island, Way way)
 {
     const std::span<ContactPoint> points = island.points;
-    const int few = static_cast<int>(points.size()) / k_few + k_fewest;
+    const int few = std::min(static_cast<int>(points.size()) / k_few + k_fewest, k_most_few);
     const int many = k_many * static_cast<int>(points.size());
     switch (way) {
     case Way::newton: return newton(island.movers, points);
