@@ -195,6 +195,7 @@ bool BlockSystem::factorise()
 }
 // [rest.block.factorise]
 
+// [rest.block.orientation]
 double BlockSystem::orientation() const
 {
     bool is_negative = false;
@@ -203,6 +204,7 @@ double BlockSystem::orientation() const
     }
     return is_negative ? -1.0 : 1.0;
 }
+// [rest.block.orientation]
 
 // [rest.block.solve]
 void BlockSystem::solve(std::span<double> x)

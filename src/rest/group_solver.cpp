@@ -19,6 +19,8 @@ constexpr double k_may_bear = 0.25;
 constexpr int k_corrections = 48;
 /// Sweeps that lead nearer to where Newton's method works.
 constexpr int k_sweeps = 64;
+/// [greatest speeds] What parts so fast bears nothing.
+constexpr double k_never = 0x1p20;
 /// Pieces of a path that begins near its end: one for so many points, and so many at least.
 constexpr int k_few = 2;
 constexpr int k_fewest = 8;
@@ -210,7 +212,10 @@ void GroupSolver::start_from_within(const Island& island)
         problem_.seats.push_back({local_[c.a], local_[c.b], edge_of_[k]});
     }
     measure_slips(island.movers, island.points);
-    problem_.slip.assign(slip_.begin(), slip_.end());
+    double top = 0.0; // [m/s]
+    for (const double slip : slip_) top = std::isfinite(slip) ? std::max(top, std::abs(slip)) : top;
+    problem_.slip.clear();
+    for (const double slip : slip_) problem_.slip.push_back(std::min(slip, k_never * top)); // some may never close
     factorised_ = false;
     (void)interior_.solve(problem_, system_, impulse_, counts_.factorisations);
     take_impulses(island);
