@@ -26,6 +26,8 @@ constexpr double k_slow_approach = 0x1p-13;
 /// Sweeps that go on where more is left, and bodies of the largest group that is worth them.
 constexpr int k_more_sweeps = 128;
 constexpr int k_most_swept_on = 1024;
+/// [approaches left] Sweeps that leave more don't get on.
+constexpr double k_gets_on = 0.25;
 /// Share of an overlap that one step takes off.
 constexpr double k_push_share = 0.25;
 // [rest.swept.limits]
@@ -58,7 +60,8 @@ void RestEngine::sweep_large(Group& group)
     solver_.sweep_group(movers_, members, points, plan, place_movers_);
     if (group.member_count <= k_most_swept_on) {
         const double most = before > k_slow * field ? k_fair_approach : k_slow_approach;
-        if (approaches_left(points) > most) end_approaches_whole(group, plan, most);
+        const double left = approaches_left(points);
+        if (left > most) end_approaches_whole(group, plan, std::max(most, k_gets_on * left));
     }
 
     // What hardly moves comes to rest
