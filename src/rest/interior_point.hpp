@@ -30,7 +30,6 @@ public:
     bool solve(const ContactProblem& problem, BlockSystem& system, std::span<double> impulse, std::int64_t& factorisations);
 
 private:
-    // [rest.interior.pairs]
     /// The four pairs of a point, in units in which its effective mass is 1 and the fastest approach of the island is 1.
     struct Pairs
     {
@@ -39,7 +38,6 @@ private:
         double q, b;
         double l, c;
     };
-    // [rest.interior.pairs]
     /// What one step would change, and what it depends on.
     struct Row
     {
