@@ -36,7 +36,7 @@ void GroupSolver::sweep_group(std::span<Mover> movers, std::span<const int> memb
         batches_.get_velocities(movers, members);
         sweep_far(points, movers);
         for (const int member : members) pushed[member] = movers[member];
-        ++counts_.unsolved;
+        ++counts_.swept;
     }
     if (plan.push_sweeps > 0) push_apart(members, points, plan, pushed);
 }

@@ -285,6 +285,8 @@ private:
     void sweep_large(Group& group);
     void bound_swept(const Group& group, bool is_calm);
     void move_as_swept(const Group& group);
+    [[nodiscard]] double approaches_left(std::span<const ContactPoint> points) const;
+    void end_approaches_whole(const Group& group, GroupSolver::SweepPlan plan, double most);
     void bear_less(const Group& group);
     [[nodiscard]] Vec2 push_of(int member) const;
     [[nodiscard]] double energy_of_fall(const Group& group) const;
