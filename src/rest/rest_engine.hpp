@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "collide/manifold.hpp"
+#include "collide/seams.hpp"
 #include "rest/group_solver.hpp"
 #include "rest/pair_list.hpp"
 #include "rest/rest_body.hpp"
@@ -249,6 +250,10 @@ private:
     void set_pose(int body, const Pose& pose);
     [[nodiscard]] Manifold look_again(RestPair& pair, double margin);
     [[nodiscard]] Manifold look(const RestPair& pair, const Pose& pose_a, const Pose& pose_b, double margin) const;
+    void find_fixed_seams();
+    void find_seams_with(int body, int part, int neighbour, int neighbours_part, std::vector<Seam>& seams) const;
+    void find_moving_seams(const RestPair& pair, Owner owner, const Vec2& point, std::vector<Seam>& seams) const;
+    void mend(const RestPair& pair, const Pose& pose_a, const Pose& pose_b, double margin, Manifold& manifold) const;
     [[nodiscard]] bool wake_touched();
     void wake_all_with(int group);
     [[nodiscard]] int root_of(int body);
@@ -364,6 +369,7 @@ private:
     double span_ = 0.0; // length of the step, or part of one, that is being made [s]
     std::vector<CollisionShape> shapes_;
     std::vector<std::vector<std::vector<char>>> real_edges_; // of each body and part, as NearSide has it
+    std::vector<std::vector<std::vector<Seam>>> seams_; // of each body and part, with what never moves against it
     std::vector<double> radius_; // bounding radii [m]
     std::vector<Vec2> field_;       // accelerations that the field gives [m/s^2]
     std::vector<double> field_size_; // their sizes
