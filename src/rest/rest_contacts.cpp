@@ -199,6 +199,13 @@ double RestEngine::fall_of(const ContactPoint& c) const
     return (c.n_x * shift.x() + c.n_y * shift.y()) +
            (turn_pull_[c.b] * c.normal_arm_b - turn_pull_[c.a] * c.normal_arm_a);
 }
+
+/// The same if nothing but the field acts on them.
+double RestEngine::weight_of(const ContactPoint& c) const
+{
+    const Vec2 shift = field_[c.b] - field_[c.a];
+    return c.n_x * shift.x() + c.n_y * shift.y();
+}
 // [rest.collide]
 
 // [rest.points]

@@ -244,6 +244,7 @@ private:
     [[nodiscard]] bool stays_open(const RestPair& pair, double touch) const;
     [[nodiscard]] double fall_at(const RestPair& pair, const Contact& contact, double moment) const;
     [[nodiscard]] double fall_of(const ContactPoint& c) const;
+    [[nodiscard]] double weight_of(const ContactPoint& c) const;
     [[nodiscard]] Vec2 place_at(int body, double moment) const;
     [[nodiscard]] Pose pose_at(int body, double moment) const;
     void add_points(int pair, const Manifold& manifold, double moment);
@@ -367,6 +368,7 @@ private:
     double start_ = 0.0;
     std::int64_t steps_ = 0;
     double span_ = 0.0; // length of the step, or part of one, that is being made [s]
+    double after_ = 0.0; // from its end to that of the whole step [s]
     std::vector<CollisionShape> shapes_;
     std::vector<std::vector<std::vector<char>>> real_edges_; // of each body and part, as NearSide has it
     std::vector<std::vector<std::vector<Seam>>> seams_; // of each body and part, with what never moves against it
