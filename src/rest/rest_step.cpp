@@ -323,9 +323,11 @@ void RestEngine::make_in_halves(int depth)
         if (depth == 0) parts_left_ = k_most_parts_of_step;
         parts_left_ -= 2;
         double before = whole;
+        double left = whole;
         for (const double half : {part.first_half, whole - part.first_half}) {
             span_ = half;
-            after_ = before == whole ? after_whole + (whole - half) : after_whole;
+            left -= half;
+            after_ = after_whole + left;
             scale_loads(pairs, half / before);
             before = half;
             measure_reach(members);
