@@ -253,7 +253,9 @@ private:
     [[nodiscard]] Manifold look(const RestPair& pair, const Pose& pose_a, const Pose& pose_b, double margin) const;
     void find_fixed_seams();
     void find_seams_with(int body, int part, int neighbour, int neighbours_part, std::vector<Seam>& seams) const;
-    void find_moving_seams(const RestPair& pair, Owner owner, const Vec2& point, std::vector<Seam>& seams) const;
+    void find_moving_seams(const RestPair& pair, Owner owner, const Pose& pose, const Manifold& manifold,
+                           std::vector<Seam>& seams) const;
+    [[nodiscard]] Vec2 velocity_of(int body, const Vec2& point) const;
     void mend(const RestPair& pair, const Pose& pose_a, const Pose& pose_b, double margin, Manifold& manifold) const;
     [[nodiscard]] bool wake_touched();
     void wake_all_with(int group);

@@ -5,6 +5,14 @@
 #include "rest/rest_tolerance.hpp"
 
 namespace flying {
+namespace {
+
+// [rest.seams.limits]
+/// [speeds] Two that part no faster than this, beside one that passes both, go together.
+constexpr double k_together = 0x1p-6;
+// [rest.seams.limits]
+
+} // namespace
 
 // [rest.seams.find]
 // Where surfaces of neighbours act as one (collide/seams.hpp): who neighbours whom.
@@ -60,25 +68,51 @@ void RestEngine::find_fixed_seams()
 // [rest.seams.find]
 
 // [rest.seams.moving]
-/// Those of one body of a pair with others that lie or lean on it now, at a point of its surface.
-void RestEngine::find_moving_seams(const RestPair& pair, Owner owner, const Vec2& point, std::vector<Seam>& seams) const
+/// Adds those of one body of a pair with others that go with it, beside it, while the other body of the pair passes a
+/// corner of its.
+void RestEngine::find_moving_seams(const RestPair& pair, Owner owner, const Pose& pose, const Manifold& manifold,
+                                   std::vector<Seam>& seams) const
 {
     const int body = owner == Owner::a ? pair.a : pair.b;
     const int part = owner == Owner::a ? pair.part_a : pair.part_b;
     const int toucher = owner == Owner::a ? pair.b : pair.a;
-    const auto look_at = [&](const RestPair& next) {
-        const bool is_first = next.a == body;
-        const int other = is_first ? next.b : next.a;
-        if (other == toucher || (is_first ? next.part_a : next.part_b) != part) return;
-        const int others_part = is_first ? next.part_b : next.part_a;
-        const ConvexPart& neighbour = shapes_[other].parts[others_part];
-        const Vec2 way = point - poses_[other] * neighbour.centre;
-        const double reach = (1.0 + rest_tolerance::k_same_place) * neighbour.radius;
-        if (way.squaredNorm() <= reach * reach) find_seams_with(body, part, other, others_part, seams);
-    };
-    const std::span<const RestPair> pairs = pairs_.pairs();
-    for (int k = pairs_.starts()[body]; k < pairs_.starts()[body + 1]; ++k) look_at(pairs[k]);
-    for (const int k : pairs_.pairs_of_second(body)) look_at(pairs[k]);
+    const auto& polygon = std::get<Polygon>(shapes_[body].parts[part].shape);
+    const double sign = owner == Owner::a ? 0.5 : -0.5;
+    const double near = rest_tolerance::k_same_place * std::min(radius_[pair.a], radius_[pair.b]);
+    for (int k = 0; k < manifold.count; ++k) {
+        const Contact& contact = manifold.contacts[k];
+        const Vec2 point = contact.point - (sign * contact.separation) * contact.normal;
+        const double pass = (velocity_of(body, point) - velocity_of(toucher, point)).norm();
+        if (pass == 0.0) continue;
+        const Vec2 local = inverse(pose.rotation) * Vec2(point - pose.position);
+        const auto is_here = [&](const Vec2& vertex) { return (vertex - local).squaredNorm() <= near * near; };
+        if (std::none_of(polygon.vertices().begin(), polygon.vertices().end(), is_here)) continue;
+
+        // Look at those whose circles come here
+        const auto look_at = [&](const RestPair& next) {
+            const bool is_first = next.a == body;
+            const int other = is_first ? next.b : next.a;
+            if (other == toucher || (is_first ? next.part_a : next.part_b) != part) return;
+            const int others_part = is_first ? next.part_b : next.part_a;
+            const ConvexPart& neighbour = shapes_[other].parts[others_part];
+            const Vec2 way = point - poses_[other] * neighbour.centre;
+            const double reach = neighbour.radius + 2.0 * near;
+            if (way.squaredNorm() > reach * reach) return;
+            if ((velocity_of(body, point) - velocity_of(other, point)).norm() > k_together * pass) return;
+            find_seams_with(body, part, other, others_part, seams);
+        };
+        const std::span<const RestPair> pairs = pairs_.pairs();
+        for (int next = pairs_.starts()[body]; next < pairs_.starts()[body + 1]; ++next) look_at(pairs[next]);
+        for (const int next : pairs_.pairs_of_second(body)) look_at(pairs[next]);
+        return;
+    }
+}
+
+/// Velocity of a body's point, as the step or a part of one begins.
+Vec2 RestEngine::velocity_of(int body, const Vec2& point) const
+{
+    const BodyState& s = bodies_[body].state;
+    return bodies_[body].is_static ? Vec2(Vec2::Zero()) : velocity_at(s, point - poses_[body].position);
 }
 // [rest.seams.moving]
 
@@ -87,6 +121,7 @@ void RestEngine::find_moving_seams(const RestPair& pair, Owner owner, const Vec2
 void RestEngine::mend(const RestPair& pair, const Pose& pose_a, const Pose& pose_b, double margin, Manifold& manifold) const
 {
     const double near = rest_tolerance::k_same_place * std::min(radius_[pair.a], radius_[pair.b]);
+    std::vector<Seam> moving;
     for (const Owner owner : {Owner::a, Owner::b}) {
         const bool of_a = owner == Owner::a;
         const int body = of_a ? pair.a : pair.b;
@@ -96,8 +131,11 @@ void RestEngine::mend(const RestPair& pair, const Pose& pose_a, const Pose& pose
         if (!polygon || std::holds_alternative<HalfPlane>(other)) continue;
         const Pose& pose = of_a ? pose_a : pose_b;
         const Pose& other_pose = of_a ? pose_b : pose_a;
-        if (const std::vector<Seam>& fixed = seams_[body][part]; !fixed.empty())
-            mend_at_seams(*polygon, pose, fixed, owner, other, other_pose, near, margin, manifold);
+        const std::vector<Seam>& fixed = seams_[body][part];
+        if (!fixed.empty()) mend_at_seams(*polygon, pose, fixed, owner, other, other_pose, near, margin, manifold);
+        moving.clear();
+        find_moving_seams(pair, owner, pose, manifold, moving);
+        if (!moving.empty()) mend_at_seams(*polygon, pose, moving, owner, other, other_pose, near, margin, manifold);
     }
 }
 // [rest.seams.mend]
