@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "collide/manifold.hpp"
+#include "math/tolerance.hpp"
 
 namespace flying {
 namespace {
@@ -12,6 +13,9 @@ namespace {
 /// [sine] Surfaces whose directions differ by less go straight on, and a normal that leans over the neighbour by less
 /// stands upright: a body that is thrown along it keeps its speed to the square of this.
 constexpr double k_lean = 0x1p-26;
+/// [sizes] Height of one surface over another that rounding explains, beside that of the coordinates: bodies that lean on
+/// each other are held apart to within it.
+constexpr double k_step = 0x1p-40;
 /// [sizes] Gap between the ends of two surfaces that nothing of that size can sink into: the sine of the lean of a normal
 /// on either end is half of it, and stays below `k_lean`.
 constexpr double k_crack = 0x1p-26;
@@ -113,7 +117,11 @@ struct NearestPoint
 } // namespace
 
 // [collide.seams.tolerance.made]
-SeamTolerance seam_tolerance(double step, double size) { return {step, step + k_crack * size}; }
+SeamTolerance seam_tolerance(double size, double reach)
+{
+    const double step = k_step * size + tolerance::coordinate_rounding(reach);
+    return {step, step + k_crack * size};
+}
 // [collide.seams.tolerance.made]
 
 // [collide.seams.find]

@@ -38,8 +38,9 @@ struct SeamTolerance
     double step = 0.0;  ///< greatest height of one surface over the other: the rounding of their coordinates [m]
     double crack = 0.0; ///< greatest gap between their ends [m]
 };
-/// step  as above [m];  size  of the smaller of the two bodies [m]
-[[nodiscard]] SeamTolerance seam_tolerance(double step, double size);
+/// size   of the smaller of the two bodies [m]
+/// reach  how far from the world's origin they lie [m]
+[[nodiscard]] SeamTolerance seam_tolerance(double size, double reach);
 // [collide.seams.tolerance]
 
 // [collide.seams.declared]

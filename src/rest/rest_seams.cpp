@@ -22,7 +22,8 @@ void RestEngine::find_seams_with(int body, int part, int neighbour, int neighbou
 {
     const auto& polygon = std::get<Polygon>(shapes_[body].parts[part].shape);
     const double size = std::min(radius_[body], radius_[neighbour]);
-    const SeamTolerance tolerance = seam_tolerance(touch_gap(body, neighbour), size);
+    const double reach = poses_[body].position.cwiseAbs().maxCoeff() + poses_[neighbour].position.cwiseAbs().maxCoeff();
+    const SeamTolerance tolerance = seam_tolerance(size, reach);
     const bool is_wall = std::holds_alternative<HalfPlane>(shapes_[neighbour].parts[neighbours_part].shape);
     const Pose there = is_wall ? Pose{} : poses_[neighbour];
     find_seams(polygon, relative_pose(poses_[body], there), shapes_[neighbour].parts[neighbours_part].shape,
