@@ -65,7 +65,8 @@ void add_seams_on(const Polygon& part, const Surface& surface, const SeamToleran
             const Seam::Bend bend = rise > k_lean    ? Seam::Bend::hollow
                                     : rise < -k_lean ? Seam::Bend::ridge
                                                      : Seam::Bend::none;
-            seams.push_back({v, is_next ? v : before, is_next ? before : v, onwards, surface.normal, tolerance.crack, bend});
+            seams.push_back(
+                {v, is_next ? v : before, is_next ? before : v, onwards, surface.normal, tolerance.crack, bend, false});
         }
     }
 }
@@ -191,7 +192,8 @@ void mend_at_seams(const Polygon& part, const Pose& world_from_part, std::span<c
             const Vec2& corner = part.vertices()[seam.corner];
             const double square = (here - corner).squaredNorm();
             const bool is_hidden = square <= near * near && !is_of_surface(part, seam, normal);
-            const bool is_no_corner = square <= seam.crack * seam.crack && seam.bend != Seam::Bend::ridge;
+            const bool is_no_corner =
+                square <= seam.crack * seam.crack && seam.bend != Seam::Bend::ridge && !seam.is_loose;
             if (!is_hidden && !is_no_corner) continue;
 
             const Vec2& instead = surface_normal(part, seam);

@@ -28,6 +28,7 @@ struct Seam
         hollow ///< it turns up: nothing but a corner of another body gets there
     };
     Bend bend = Bend::none;
+    bool is_loose = false; ///< the two may part: the polygon needs what touches its corner, whatever lies beside it
 };
 // [collide.seams.seam]
 

@@ -23,7 +23,9 @@ void RestEngine::find_seams_with(int body, int part, int neighbour, int neighbou
     const auto& polygon = std::get<Polygon>(shapes_[body].parts[part].shape);
     const double size = std::min(radius_[body], radius_[neighbour]);
     const double reach = poses_[body].position.cwiseAbs().maxCoeff() + poses_[neighbour].position.cwiseAbs().maxCoeff();
-    const SeamTolerance tolerance = seam_tolerance(size, reach);
+    SeamTolerance tolerance = seam_tolerance(size, reach);
+    // Bricks that move lie as level as the solve leaves them
+    if (is_moved(body) || is_moved(neighbour)) tolerance.step = tolerance.crack;
     const bool is_wall = std::holds_alternative<HalfPlane>(shapes_[neighbour].parts[neighbours_part].shape);
     const Pose there = is_wall ? Pose{} : poses_[neighbour];
     find_seams(polygon, relative_pose(poses_[body], there), shapes_[neighbour].parts[neighbours_part].shape,
@@ -105,8 +107,9 @@ void RestEngine::find_moving_seams(const RestPair& pair, Owner owner, const Pose
         const std::span<const RestPair> pairs = pairs_.pairs();
         for (int next = pairs_.starts()[body]; next < pairs_.starts()[body + 1]; ++next) look_at(pairs[next]);
         for (const int next : pairs_.pairs_of_second(body)) look_at(pairs[next]);
-        return;
+        break;
     }
+    for (Seam& seam : seams) seam.is_loose = true;
 }
 
 /// Velocity of a body's point, as the step or a part of one begins.
