@@ -23,7 +23,7 @@ constexpr double k_far = 0x1p-1;
 constexpr double k_early = 0x1p-6;
 /// Parts that the step of one group is made in, and how many more where somebody goes so far; how often one is parted
 /// within another; of a crowd's.
-constexpr int k_most_parts_of_step = 64;
+constexpr int k_most_parts_of_step = 128;
 constexpr int k_more_parts_of_fast = 512;
 constexpr int k_deepest = 200;
 constexpr int k_deepest_of_crowd = 3;
