@@ -29,6 +29,7 @@ EventEngine::EventEngine(std::vector<EventBody> bodies, const EventEngineOptions
     bounces_.resize(rows_.size());
     waiting_.resize(rows_.size());
     near_.resize(rows_.size() + 1);
+    find_seams_of_statics();
     set_up_grid();
     predict_all();
 }
@@ -307,11 +308,20 @@ double EventEngine::find_points(int a, int b, double time)
     }
     // [events.find_points.gather]
     points_.clear();
+    if (has_seams(a) || has_seams(b)) {
+        touch_surface(a, b, slack);
+        return tolerance.touch;
+    }
+    add_points();
+    return tolerance.touch;
+}
+
+void EventEngine::add_points()
+{
     for (const Touch& touch : touches_) {
         points_.push_back({touch.r_a, touch.r_b, touch.normal});
         max_overlap_ = std::max(max_overlap_, -touch.separation);
     }
-    return tolerance.touch;
 }
 // [events.find_points]
 

@@ -7,6 +7,7 @@
 
 #include "broadphase/grid.hpp"
 #include "broadphase/pair_finder.hpp"
+#include "collide/seams.hpp"
 #include "collide/touching.hpp"
 #include "events/event_queue.hpp"
 #include "events/waiting.hpp"
@@ -281,6 +282,11 @@ private:
     void forget(int body);
 
     double find_points(int a, int b, double time);
+    void find_seams_of_statics();
+    void touch_surface(int a, int b, double slack);
+    void mend_touches(int a, int b);
+    void add_points();
+    [[nodiscard]] bool has_seams(int body) const { return !seams_[rows_[body].id].empty(); }
     [[nodiscard]] bool is_creeping(int a, int b, double touch) const;
     bool move_to(int body, double time);
     [[nodiscard]] bool has_spun_out(int body) const { return !(std::abs(sheets_[body].angle) <= k_largest_angle); }
@@ -304,6 +310,8 @@ private:
     std::vector<Waiting> waiting_;
     std::vector<Place> places_;       // by id, like the shapes
     std::vector<Shape> shapes_;
+    std::vector<std::vector<Seam>> seams_; // of static bodies with what lies beside them, by id
+    std::vector<std::vector<int>> beside_; // ids of what lies beside them, by id
     std::vector<int> everywhere_;     // rows of static bodies that no cell can hold
     bool fetches_ahead_ = false;      // for more bodies than the fast memory holds
     std::int64_t line_up_at_ = 0;             // when so many cells have been left, rows are put in order again

@@ -94,6 +94,7 @@ RestEngine::RestEngine(std::vector<RestBody> bodies, const RestOptions& options,
     still_.assign(count, 0);
     in_crowd_.assign(count, 0);
     sleep_group_.assign(count, -1);
+    find_fixed_seams();
 }
 // [rest.engine.setup]
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "collide/manifold.hpp"
+#include "collide/seams.hpp"
 #include "motion/field.hpp"
 #include "rest/group_solver.hpp"
 #include "rest/pair_list.hpp"
@@ -256,12 +257,19 @@ private:
     [[nodiscard]] bool stays_open(const RestPair& pair, double touch) const;
     [[nodiscard]] double fall_at(const RestPair& pair, const Contact& contact, double moment) const;
     [[nodiscard]] double fall_of(const ContactPoint& c) const;
+    [[nodiscard]] double weight_of(const ContactPoint& c) const;
     [[nodiscard]] Vec2 place_at(int body, double moment) const;
     [[nodiscard]] Pose pose_at(int body, double moment) const;
     void add_points(int pair, const Manifold& manifold, double moment);
     void set_pose(int body, const Pose& pose);
     [[nodiscard]] Manifold look_again(RestPair& pair, double margin);
     [[nodiscard]] Manifold look(const RestPair& pair, const Pose& pose_a, const Pose& pose_b, double margin) const;
+    void find_fixed_seams();
+    void find_seams_with(int body, int part, int neighbour, int neighbours_part, std::vector<Seam>& seams) const;
+    void find_moving_seams(const RestPair& pair, Owner owner, const Pose& pose, const Manifold& manifold,
+                           std::vector<Seam>& seams) const;
+    [[nodiscard]] Vec2 velocity_of(int body, const Vec2& point) const;
+    void mend(const RestPair& pair, const Pose& pose_a, const Pose& pose_b, double margin, Manifold& manifold) const;
     [[nodiscard]] bool wake_touched();
     void wake_all_with(int group);
     [[nodiscard]] int root_of(int body);
@@ -379,8 +387,10 @@ private:
     double start_ = 0.0;
     std::int64_t steps_ = 0;
     double span_ = 0.0; // length of the step, or part of one, that is being made [s]
+    double after_ = 0.0; // from its end to that of the whole step [s]
     std::vector<CollisionShape> shapes_;
     std::vector<std::vector<std::vector<char>>> real_edges_; // of each body and part, as NearSide has it
+    std::vector<std::vector<std::vector<Seam>>> seams_; // of each body and part, with what never moves against it
     std::vector<double> radius_; // bounding radii [m]
     std::vector<Vec2> field_;       // accelerations that the field gives, within the present step [m/s^2]
     std::vector<double> field_size_; // their sizes

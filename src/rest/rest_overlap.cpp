@@ -232,6 +232,7 @@ double RestEngine::first_impact(const Group& group) const
     double first = span_;
     bool all_at_once = true;
     double common = -1.0;
+    double last = 0.0;
     for (int k = 0; k < group.point_count; ++k) {
         const ContactPoint& c = points_[group.first_point + k];
         const RestPair& pair = pairs_.pairs()[c.pair];
@@ -247,6 +248,21 @@ double RestEngine::first_impact(const Group& group) const
         if (common < 0.0) common = c.left;
         all_at_once = all_at_once && c.left == common;
         if (c.left < span_) first = std::min(first, span_ - c.left);
+        if (c.normal > 0.0 && c.left < span_) last = std::max(last, span_ - c.left);
+    }
+
+    // A later impact was foreseen as if nothing were struck before
+    for (int k = 0; k < group.point_count; ++k) {
+        const ContactPoint& c = points_[group.first_point + k];
+        const double moment = span_ - c.left;
+        if (c.normal > 0.0 || moment >= last) continue;
+        if (moment == 0.0) {
+            const double way = c.gap + last * normal_speed(c, before_[c.a], before_[c.b]);
+            if (way < -touch_gap(c.a, c.b)) all_at_once = false;
+            continue;
+        }
+        first = std::min(first, moment);
+        all_at_once = false;
     }
     return all_at_once ? span_ : first;
 }

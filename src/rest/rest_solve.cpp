@@ -167,24 +167,27 @@ bool RestEngine::set_bounds(Group& group)
         const double fall = fall_of(c);
         const double moment = span_ - c.left;
         const double u = normal_speed(c, before_[c.a], before_[c.b]) + moment * fall;
-        const double gap = c.gap > touch_gap(c.a, c.b) ? c.gap : 0.0;
+        const double touch = touch_gap(c.a, c.b);
+        const double gap = c.gap > touch ? c.gap : 0.0;
         c.impact = 0.0;
 
         // [rest.bounds.later]
-        // What parts, or is not there yet, may come as near as to touch at the end
-        c.bound = std::min(0.0, -2.0 * gap / c.left - u);
+        // What parts, or is not there yet, may come as near as to touch at the end. What gets there just then, as where
+        // the step was parted at that moment, bears nothing on the way
+        c.bound = std::min(0.0, -2.0 * (gap > 0.0 ? gap + 0.5 * touch : 0.0) / c.left - u);
         if (gap > 0.0 || u >= 0.0) continue;
         // [rest.bounds.later]
 
         // [rest.bounds.thrown]
         // What arrives is thrown back, unless its load would bring it down again before
-        // the step ends
+        // the step ends: that includes the weight that something else bears until then
         const double rebound = -c.restitution * u;
+        const double back = std::min(fall, weight_of(c));
         const bool loaded = 2.0 * rebound * c.normal_mass <= c.normal;
-        const bool falls_back = fall < 0.0 && 2.0 * rebound <= -fall * c.left;
+        const bool falls_back = back < 0.0 && 2.0 * rebound <= -back * (c.left + after_);
         const bool too_slow = is_crowd(group) && 2.0 * rebound <= field;
         const bool rests = loaded || falls_back || too_slow;
-        c.bound = rests ? 0.0 : rebound + fall * c.left;
+        c.bound = rests ? 0.0 : rebound + back * c.left;
         c.impact = c.normal_mass * (rests ? -u : rebound - u);
         any_bounce = any_bounce || !rests;
         if (!rests) ++counts_.impacts;
