@@ -1,6 +1,6 @@
 # Headers that nearly every file reads, Eigen's above all, are read once for all of them: a file compiles in a second less.
-# With g++ alone, which takes them as they are whatever else a target defines. What a file forgets to include, and what
-# the warnings below would have found, the builds with clang and with sanitizers find, which go without.
+# What a file of src forgets to include, the builds with clang find, where only tests and the programs of pages have them;
+# what the warnings below would have found there, the preset `instructions` finds, which goes without.
 
 function(flying_targets_of folder result)
     get_property(targets DIRECTORY ${folder} PROPERTY BUILDSYSTEM_TARGETS)
@@ -14,41 +14,59 @@ endfunction()
 
 # flying_precompile(name targets...): one set of headers for targets that share flying_flags
 function(flying_precompile name)
-    cmake_parse_arguments(arg "" "" "HEADERS;TARGETS" ${ARGN})
+    cmake_parse_arguments(arg "LIGHT" "" "HEADERS;TARGETS" ${ARGN})
     file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/${name}.cpp CONTENT "// Holds the headers of all others\n")
     add_library(${name} STATIC ${PROJECT_BINARY_DIR}/${name}.cpp)
     target_link_libraries(${name} PRIVATE flying_flags)
     get_target_property(eigen_folder Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
     target_include_directories(${name} SYSTEM PRIVATE ${eigen_folder})
+    if(arg_LIGHT)
+        flying_light(${name})
+    endif()
     target_precompile_headers(${name} PRIVATE ${arg_HEADERS})
     foreach(target ${arg_TARGETS})
         target_precompile_headers(${target} REUSE_FROM ${name})
     endforeach()
 endfunction()
 
-if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT FLYING_WASM AND NOT FLYING_SANITIZE)
-    # g++ 12 forgets of precompiled headers that they are the system's, and warns of the standard library's own strings
-    target_compile_options(flying_flags INTERFACE -Wno-stringop-overflow -Wno-stringop-overread -Wno-array-bounds
-        -fpch-preprocess)
+if(NOT FLYING_WASM AND NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+        # g++ 12 forgets of precompiled headers that they are the system's, and warns of the standard library's own strings
+        target_compile_options(flying_flags INTERFACE -Wno-stringop-overflow -Wno-stringop-overread -Wno-array-bounds
+            -fpch-preprocess)
+    else()
+        # The same headers are the same file, so that ccache knows it
+        target_compile_options(flying_flags INTERFACE "SHELL:-Xclang -fno-pch-timestamp")
+    endif()
     flying_targets_of(${PROJECT_SOURCE_DIR} all)
     set(sources)
     set(tests)
+    set(pages)
     foreach(target ${all})
         get_target_property(type ${target} TYPE)
-        if(NOT type MATCHES "^(STATIC_LIBRARY|EXECUTABLE)$")
+        if(NOT type MATCHES "^(STATIC_LIBRARY|OBJECT_LIBRARY|EXECUTABLE)$")
             continue()
         endif()
+        get_target_property(is_light ${target} FLYING_LIGHT)
         get_target_property(linked ${target} LINK_LIBRARIES)
-        if("flying_test_main" IN_LIST linked)
+        if(is_light AND "flying_test_main" IN_LIST linked)
             list(APPEND tests ${target})
+        elseif(is_light)
+            list(APPEND pages ${target})
         else()
             list(APPEND sources ${target})
         endif()
     endforeach()
     set(often <Eigen/Core> <algorithm> <array> <cmath> <cstdint> <cstdio> <functional> <limits> <map> <numbers>
         <optional> <span> <string> <string_view> <utility> <variant> <vector>)
-    flying_precompile(flying_precompiled HEADERS ${often} TARGETS ${sources})
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+        flying_precompile(flying_precompiled HEADERS ${often} TARGETS ${sources})
+    endif()
+    # doctest.h leaves something to link with in every file, which programs of pages go without
     if(tests)
-        flying_precompile(flying_precompiled_tests HEADERS ${often} <doctest/doctest.h> TARGETS ${tests})
+        flying_precompile(flying_precompiled_tests LIGHT HEADERS ${often} <doctest/doctest.h> TARGETS ${tests})
+    endif()
+    if(pages)
+        flying_precompile(flying_precompiled_pages LIGHT HEADERS ${often} TARGETS ${pages})
     endif()
 endif()

@@ -412,6 +412,24 @@ void draw_order()
     }
 }
 
+/// A throw by Euler's steps, and the closed form as its ghost.
+void record_throw()
+{
+    std::ofstream out(file("throw.ndjson"));
+    out << "{\"view\": [-0.5, -1.4, 13.5, 5.6], \"shapes\": [{\"radius\": 0.22}]}\n";
+    BodyState start;
+    start.velocity = Vec2(6.3, 9.0);
+    const Vec2 g(0.0, -9.8);
+    const double h = 0.15;
+    Moving b{start.position, start.velocity};
+    for (int k = 0; k * h < 1.9; ++k) {
+        const Vec2 exact = flight(start, g, k * h).position;
+        out << "{\"time\": " << k * h << ", \"bodies\": [[" << b.x.x() << ", " << b.x.y()
+            << ", 0]], \"ghosts\": [[" << exact.x() << ", " << exact.y() << ", 0]]}\n";
+        b = euler(b, [&](const Vec2&) { return g; }, h);
+    }
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -430,4 +448,5 @@ int main(int argc, char** argv)
     draw_anomaly(file("anomaly.svg"));
     draw_conics(file("conics.svg"));
     draw_order();
+    record_throw();
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "../support/sketch.hpp"
+#include "geometry/make_polygon.hpp"
 #include "geometry/moments.hpp"
 #include "math/sine_cosine.hpp"
 #include "motion/flight.hpp"
@@ -320,6 +321,22 @@ void record_toss(const std::string& folder)
     }
 }
 
+/// A polygon that turns about its centroid.
+void record_vertices(const std::string& folder)
+{
+    const Ring ring = {{-1.2, -1.0}, {1.4, -1.1}, {0.6, 0.1}, {2.0, 1.0}, {-0.6, 1.4}, {-1.8, 0.4}};
+    const CentredPolygon made = make_polygon(ring).value();
+    std::ofstream trace(folder + "/vertices.ndjson");
+    trace << "{\"view\": [-3.4, -2.2, 3.4, 2.2], \"shapes\": [{\"rings\": [[";
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+        const Vec2& vertex = made.polygon.vertices()[k];
+        trace << (k ? ", [" : "[") << vertex.x() << ", " << vertex.y() << "]";
+    }
+    trace << "]]}, {\"radius\": 0.08}]}\n";
+    for (int k = 0; k <= 240; ++k)
+        trace << "{\"time\": " << k / 60.0 << ", \"bodies\": [[0, 0, " << 0.0261799387799 * k << "], [0, 0, 0]]}\n";
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -336,4 +353,5 @@ int main(int argc, char** argv)
     draw_far(folder);
     draw_toss(folder);
     record_toss(folder);
+    record_vertices(argv[1]);
 }

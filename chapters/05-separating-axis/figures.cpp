@@ -285,6 +285,36 @@ void record_head_on(const std::string& folder)
     }
 }
 
+/// A pentagon that passes a rectangle; dashed, where the shortest push would have it.
+void record_axes(const std::string& folder)
+{
+    std::ofstream trace(folder + "/axes.ndjson");
+    const Polygon a = box_of(2.0, 1.2);
+    const Polygon b = regular(5, 1.0);
+    const auto ring = [](const Polygon& polygon) {
+        std::string text;
+        for (const Vec2& v : polygon.vertices())
+            text += (text.empty() ? "[" : ", [") + std::to_string(v.x()) + ", " + std::to_string(v.y()) + "]";
+        return "{\"rings\": [[" + text + "]]}";
+    };
+    trace << "{\"view\": [-4, -2.1, 4, 2.1], \"shapes\": [" << ring(a) << ", " << ring(b) << "]}\n";
+    const Pose pose_a = placed(-0.9, -0.2, 0.2);
+    for (int k = 0; k <= 240; ++k) {
+        const double angle = 0.35;
+        const Pose pose_b = placed(3.2 - 0.02 * k, 0.35, angle);
+        const Axis axis = greatest_separation(a, b, relative_pose(pose_a, pose_b));
+        const Vec2 n = axis.owner == Owner::a ? Vec2(pose_a.rotation * a.edges()[axis.edge].normal)
+                                              : Vec2(pose_b.rotation * -b.edges()[axis.edge].normal);
+        const Vec2 pushed = pose_b.position - std::min(axis.separation, 0.0) * n;
+        const auto at = [](const Vec2& x, double turn) {
+            return "[" + std::to_string(x.x()) + ", " + std::to_string(x.y()) + ", " + std::to_string(turn) + "]";
+        };
+        trace << "{\"time\": " << k / 60.0 << ", \"bodies\": [" << at(pose_a.position, 0.2) << ", "
+              << at(pose_b.position, angle) << "], \"ghosts\": [" << at(pose_a.position, 0.2) << ", "
+              << at(pushed, angle) << "]}\n";
+    }
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -299,4 +329,5 @@ int main(int argc, char** argv)
     draw_clip(folder);
     draw_wrong(folder);
     record_head_on(folder);
+    record_axes(folder);
 }

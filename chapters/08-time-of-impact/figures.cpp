@@ -291,6 +291,29 @@ void record_bar(const std::string& folder)
     }
 }
 
+/// Two equal discs, one at rest, that meet off their centres.
+void record_discs(const std::string& folder)
+{
+    std::ofstream trace(folder + "/discs.ndjson");
+    trace << "{\"view\": [-3.6, -1.9, 3.6, 1.9], \"shapes\": [{\"radius\": 0.5}, {\"radius\": 0.5}]}\n";
+    const Vec2 start(-3.0, 0.45);
+    const Vec2 velocity(2.0, 0.0);
+    const double meet = time_to_meet(start, velocity, 1.0);
+    const Vec2 there = start + meet * velocity;
+    const Vec2 n = -there.normalized();
+    const ImpactPoint point{0.5 * n, -0.5 * n, n};
+    const Inertia inertia{1.0, 8.0};
+    const ImpactResult after =
+        resolve_impact({velocity, 0.0, inertia}, {Vec2::Zero(), 0.0, inertia}, {&point, 1}, {1.0, 0.0});
+    for (int k = 0; k <= 180; ++k) {
+        const double late = std::max(0.0, k / 60.0 - meet);
+        const Vec2 a = k / 60.0 < meet ? Vec2(start + k / 60.0 * velocity) : Vec2(there + late * after.velocity_a);
+        const Vec2 b = late * after.velocity_b;
+        trace << "{\"time\": " << k / 60.0 << ", \"bodies\": [[" << a.x() << ", " << a.y() << ", 0], [" << b.x()
+              << ", " << b.y() << ", 0]]}\n";
+    }
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -307,4 +330,5 @@ int main(int argc, char** argv)
     draw_cancel(folder);
     draw_outlook(folder);
     record_bar(folder);
+    record_discs(folder);
 }

@@ -308,6 +308,28 @@ void record_rooms(const std::string& folder)
     }
 }
 
+/// A gas in its room.
+void record_cells(const std::string& folder)
+{
+    constexpr int k_discs = 80;
+    std::ofstream trace(folder + "/cells.ndjson");
+    EventEngine engine(gas(k_discs), {PairFinder::grid});
+    const double side = -std::get<HalfPlane>(engine.shape(k_discs + 1)).offset;
+    trace << "{\"view\": [0, 0, " << side << ", " << side << "], \"shapes\": [";
+    for (int k = 0; k < k_discs; ++k) trace << (k > 0 ? ", " : "") << "{\"radius\": 0.5}";
+    trace << "]}\n";
+    trace.precision(5);
+    for (int k = 0; k <= 240; ++k) {
+        (void)engine.advance(k / 60.0, -1);
+        trace << "{\"time\": " << k / 60.0 << ", \"bodies\": [";
+        for (int n = 0; n < k_discs; ++n) {
+            const BodyState now = state_at(engine.flyer(n), k / 60.0);
+            trace << (n > 0 ? ", [" : "[") << now.position.x() << ", " << now.position.y() << ", 0]";
+        }
+        trace << "]}\n";
+    }
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -323,4 +345,5 @@ int main(int argc, char** argv)
     draw_few(folder);
     draw_wrong(folder);
     record_rooms(folder);
+    record_cells(folder);
 }

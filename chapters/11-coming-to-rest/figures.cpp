@@ -295,6 +295,41 @@ void record_topple(const std::string& folder)
     }
 }
 
+/// A box on a slope of 25 degrees with friction 0.4: the engine's, and the closed form as its ghost.
+void record_slope(const std::string& folder)
+{
+    std::ofstream trace(folder + "/slope.ndjson");
+    const double slope = 0.4363323129985824;
+    const SineCosine tilt = sine_cosine(slope);
+    Scene scene;
+    scene.world.field = UniformField{9.81 * Vec2(tilt.sine, -tilt.cosine)};
+    scene.world.restitution = 0.0;
+    scene.world.friction = 0.4;
+    scene.bodies.resize(2);
+    scene.bodies[0].shape = RectangleDef{1.0, 0.6};
+    scene.bodies[0].position = Vec2(0.0, 0.3);
+    scene.bodies[1].shape = RectangleDef{40.0, 1.0};
+    scene.bodies[1].position = Vec2(10.0, -0.5);
+    scene.bodies[1].is_static = true;
+    WorldOptions options;
+    options.engine = EngineChoice::rest;
+    World world = std::move(World::make(scene, options)).value();
+    trace << "{\"view\": [-2, -4, 7.4, 1.6], \"fixed\": [false, true], \"shapes\": ["
+          << "{\"rings\": [[[-0.5, -0.3], [0.5, -0.3], [0.5, 0.3], [-0.5, 0.3]]]}, "
+          << "{\"rings\": [[[-20, -0.5], [20, -0.5], [20, 0.5], [-20, 0.5]]]}]}\n";
+    const auto turned = [&](const Vec2& x) {
+        return text_of("%.5f, ", tilt.cosine * x.x() + tilt.sine * x.y()) +
+               text_of("%.5f, ", tilt.cosine * x.y() - tilt.sine * x.x()) + text_of("%.5f", -slope);
+    };
+    for (int k = 0; k <= 150; ++k) {
+        const double t = k / 60.0;
+        if (world.advance(t)) throw std::runtime_error("the run of the slope failed");
+        const double slid = 0.5 * 9.81 * (tilt.sine - 0.4 * tilt.cosine) * t * t;
+        trace << "{\"time\": " << t << ", \"bodies\": [[" << turned(world.state(0).position) << "], ["
+              << turned(Vec2(10.0, -0.5)) << "]], \"ghosts\": [[" << turned(Vec2(slid, 0.3)) << "]]}\n";
+    }
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -312,4 +347,5 @@ int main(int argc, char** argv)
     draw_original(folder);
     record_zeno(folder);
     record_topple(folder);
+    record_slope(folder);
 }

@@ -8,6 +8,7 @@
 #include "../support/sketch.hpp"
 #include "plain_engine.hpp"
 #include "runs.hpp"
+#include "scene/generate.hpp"
 
 using namespace flying;
 using namespace flying::sketch;
@@ -187,6 +188,47 @@ void record_hexagons(const std::string& folder)
     }
 }
 
+/// A gas of polygons as the plan has it and with a skip turned off, side by side.
+void record_skips(const std::string& folder)
+{
+    GenerateOptions options;
+    options.count = 24;
+    options.shape = "polygon";
+    options.seed = 4;
+    const Scene scene = generate("gas", options).value();
+    World left = std::move(World::make(scene, {})).value();
+    WorldOptions right_options;
+    right_options.without = {skip_names().front()};
+    World right = std::move(World::make(scene, right_options)).value();
+    const Vec2 size = scene.world.box->max - scene.world.box->min;
+    std::ofstream trace(folder + "/skips.ndjson");
+    trace.precision(6);
+    trace << "{\"shapes\": [";
+    for (int k = 0; k < 2 * left.body_count(); ++k) {
+        trace << (k > 0 ? ", " : "") << "{\"rings\": [[";
+        const char* comma = "";
+        for (const Vec2& v : std::get<Polygon>(left.shape(k % left.body_count())).vertices()) {
+            trace << comma << "[" << v.x() << ", " << v.y() << "]";
+            comma = ", ";
+        }
+        trace << "]]}";
+    }
+    trace << "]}\n";
+    for (int frame = 0; frame <= 180; ++frame) {
+        trace << "{\"time\": " << frame / 60.0 << ", \"bodies\": [";
+        for (World* world : {&left, &right}) {
+            if (world->advance(frame / 60.0)) throw std::runtime_error("the run of the gas failed");
+            for (int k = 0; k < world->body_count(); ++k) {
+                const BodyState s = world->state(k);
+                const double shift = world == &left ? 0.0 : 1.1 * size.x();
+                trace << (k > 0 || world == &right ? ", [" : "[") << s.position.x() + shift << ", " << s.position.y()
+                      << ", " << s.angle << "]";
+            }
+        }
+        trace << "]}\n";
+    }
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -200,4 +242,5 @@ int main(int argc, char** argv)
     draw_spoilt(folder);
     draw_hashes(folder);
     record_hexagons(folder);
+    record_skips(folder);
 }

@@ -11,6 +11,7 @@
     const THERE = 0;
     const ON_THE_WAY = 1;
     const ENGINES = ['auto', 'events', 'rest'];
+    const MOVERS = ['nothing', 'events', 'rest', 'asleep'];
     const NUMBERS_OF_A_STATE = 6;
 
     class FlyingError extends Error {}
@@ -59,6 +60,20 @@
         // Of all that happened and of where it led; of all that happened: sixteen hexadecimal digits
         get hash() { return digits(this.module.hash(this.pointer)); }
         get logHash() { return digits(this.module.log_hash(this.pointer)); }
+
+        // What the plan skips: {name, kind, isActive, saved, unit, reason} each
+        plan() {
+            return this.engine.take(this.module.plan_text(this.pointer)).trimEnd().split('\n').map((line) => {
+                const [name, kind, active, saved, unit, reason] = line.split('\t');
+                return { name, kind, isActive: active === '1', saved: Number(saved), unit, reason };
+            });
+        }
+
+        // Give a body another velocity, now; false where that can't be done
+        steer(body, vx, vy) { return this.module.steer(this.pointer, body, vx, vy) === 1; }
+
+        // 'nothing', 'events', 'rest' or 'asleep'
+        mover(body) { return MOVERS[this.module.mover(this.pointer, body)]; }
 
         isStatic(body) { return this.module.is_static(this.pointer, body) === 1; }
 
@@ -114,19 +129,54 @@
         }
 
         // A run of a scene, a text of TOML
-        open(scene, { engine = 'auto', step = 0 } = {}) {
+        open(scene, { engine = 'auto', step = 0, without = [] } = {}) {
             if (!ENGINES.includes(engine)) throw new FlyingError(`no engine '${engine}' (there are: ${ENGINES.join(', ')})`);
-            const pointer = this.give(scene, (data, size) => this.module.open_run(data, size, ENGINES.indexOf(engine), step));
+            const skips = this.skips();
+            const unknown = without.find((name) => !skips.includes(name));
+            if (unknown) throw new FlyingError(`no skip '${unknown}' (there are: ${skips.join(', ')})`);
+            const bits = without.reduce((sum, name) => sum | (1 << skips.indexOf(name)), 0);
+            const pointer = this.give(scene, (data, size) => this.module.open_run(data, size, ENGINES.indexOf(engine), step, bits));
             return new FlyingRun(this, pointer);
         }
 
         // A scene as text, from the words behind `flying generate`
         generate(words) {
             const answer = this.give(words, (data, size) => this.module.generate(data, size));
-            const text = this.text(this.module.text_data(answer), this.module.text_size(answer));
             const isGood = this.module.text_is_good(answer);
-            this.module.drop_text(answer);
+            const text = this.take(answer);
             if (!isGood) throw new FlyingError(text.trimEnd());
+            return text;
+        }
+
+        // Names of the skips that `open` may be told to leave inactive
+        skips() {
+            this.skipNames = this.skipNames || this.take(this.module.skips()).trimEnd().split('\n');
+            return this.skipNames;
+        }
+
+        // A piece of the engine by its name, with the numbers it wants: {engine, paper, hash}
+        ask(name, numbers) {
+            const bytes = new TextEncoder().encode(name);
+            const pointer = this.module.take_memory(bytes.length + 8 * numbers.length + 8);
+            if (!pointer) throw new FlyingError('no room for what was asked');
+            const words = pointer + 8 * numbers.length;
+            new Float64Array(this.module.memory.buffer, pointer, numbers.length).set(numbers);
+            new Uint8Array(this.module.memory.buffer, words, bytes.length).set(bytes);
+            const answer = this.module.ask(words, bytes.length, pointer, numbers.length);
+            this.module.give_memory_back(pointer);
+            const isGood = this.module.answer_is_good(answer);
+            const all = isGood ? this.numbers(this.module.answer_data(answer), this.module.answer_size(answer)) : [];
+            const hash = digits(this.module.answer_hash(answer));
+            this.module.drop_answer(answer);
+            if (!isGood) throw new FlyingError(`the engine can't answer '${name}' with ${numbers.length} numbers`);
+            const count = all[0];
+            return { engine: all.slice(1, 1 + count), paper: all.slice(1 + count), hash };
+        }
+
+        // The words of a text that the module made
+        take(made) {
+            const text = this.text(this.module.text_data(made), this.module.text_size(made));
+            this.module.drop_text(made);
             return text;
         }
 

@@ -45,6 +45,8 @@ Examples:
   flying simulate scene.toml --until 100 --report run.json --picture end.svg
   flying simulate scene.toml --trace run.ndjson --every 0.01
   flying simulate scene.toml --without grid --stats
+  flying simulate scene.toml --until 10 --save ten.json
+  flying simulate scene.toml --until 20 --resume ten.json
 )";
 
 /// Read a scene's path: a positional argument that every command but `generate` has.
@@ -77,11 +79,6 @@ void add_simulate(CLI::App& app, SimulateOptions& options)
     command->add_option("--step", options.step, "Step of the resting engine, 1/60 where not given; the event engine takes none [s]")
         ->type_name("DT");
     add_without(*command, options.without);
-    command
-        ->add_option("--seed", options.seed,
-                     "Taken and left unused: a run draws no random numbers, so the same scene always gives the same "
-                     "result. Random scenes come from flying generate --seed N")
-        ->type_name("N");
     command->add_option("--report", options.report, "Write the report there")->type_name("FILE.json");
     command->add_option("--trace", options.trace, "Write the motion there, a line for each moment")
         ->type_name("FILE.ndjson");
@@ -92,6 +89,13 @@ void add_simulate(CLI::App& app, SimulateOptions& options)
         ->type_name("FILE.{png,svg,pdf}");
     command->add_option("--video", options.video, "Film the run in real time, 60 frames a second (needs ffmpeg)")
         ->type_name("FILE.mp4");
+    command->add_option("--save", options.save, "Write there, at the end, what it takes to go on with the run later")
+        ->type_name("FILE.json");
+    command
+        ->add_option("--resume", options.resume,
+                     "Go on with a run of this scene that was saved, with its engine, step and skips: the same bits come "
+                     "out as of a run that never stopped")
+        ->type_name("FILE.json");
     command->add_flag("--explain", options.explain, "Print what was skipped, why, and the work it saved");
     command->add_flag("--stats", options.stats, "Print what each stage cost");
     command->add_flag("--quiet", options.quiet, "No report on standard output, no progress");

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,15 +20,16 @@ struct SimulateOptions
 {
     std::string scene;
     std::optional<double> until; ///< in place of the scene's [s]
-    std::string engine = "auto"; ///< auto, events or rest
+    std::optional<std::string> engine; ///< auto, events or rest; auto where nothing is said
     std::optional<double> step;  ///< of the resting integrator [s]
     std::vector<std::string> without;
-    std::uint64_t seed = 1;
     std::string report; ///< this and the next: where to write; empty for nowhere
     std::string trace;
     std::optional<double> every; ///< between lines of the trace [s]
     std::string picture;
     std::string video;
+    std::string save;   ///< where to write what it takes to go on later; empty for nowhere
+    std::string resume; ///< such a file, to go on from; empty for the start
     bool explain = false;
     bool stats = false;
     bool quiet = false;

@@ -23,6 +23,13 @@ public:
 
     void advance() { ++index_; }
 
+    /// Leave out what comes before a moment; one that misses it by rounding alone stays.  [s]
+    void skip_to(double start)
+    {
+        const double first = std::ceil(start / step_ * (1.0 - 1e-12));
+        index_ = first < count() ? static_cast<long>(first) : static_cast<long>(count());
+    }
+
 private:
     double step_;
     double end_;

@@ -13,7 +13,9 @@ namespace flying {
 namespace {
 
 constexpr int k_video_size = 1080;     ///< longer side [pixels]
-constexpr int k_trail_points = 40;     ///< in each trail
+constexpr int k_trail_points = 600;     ///< in each trail, where bodies are few, so that it turns where the body bounced,
+constexpr int k_fewest_points = 40;     ///< where they are many,
+constexpr int k_all_points = 100000;    ///< and in all trails together
 constexpr double k_trail_length = 3.0; ///< of a typical trail, in typical body sizes
 constexpr int k_most_trails = 4000;    ///< bodies beyond which trails would only grey the picture
 
@@ -36,9 +38,10 @@ double trail_duration(const World& world)
 
 // ---- Trace ----------------------------------------------------------------------------------------------------------
 
-TraceRecorder::TraceRecorder(OutputFile file, double every, double end)
+TraceRecorder::TraceRecorder(OutputFile file, double every, double start, double end)
     : file_(std::move(file)), times_(every, end), end_(end)
 {
+    times_.skip_to(start);
 }
 
 double TraceRecorder::next() const
@@ -81,7 +84,9 @@ Expected<VideoRecorder> VideoRecorder::open(OutputFile file, const World& world,
         for (Fault& fault : faults) fault.place = file.path();
         return faults;
     }
-    return VideoRecorder(std::move(file), std::move(video).value(), std::move(picture), end);
+    VideoRecorder recorder(std::move(file), std::move(video).value(), std::move(picture), end);
+    recorder.times_.skip_to(world.time());
+    return recorder;
 }
 
 std::optional<Fault> VideoRecorder::look(const World& world)
@@ -129,8 +134,9 @@ void TrailRecorder::look(const World& world)
     }
     for (Trail& trail : trails_) trail.points.push_back(world.state(trail.colour).position);
     ++samples_;
-    const double share = static_cast<double>(samples_) / (k_trail_points - 1);
-    next_ = samples_ < k_trail_points ? std::min(end_, start_ + share * (end_ - start_)) : k_never;
+    const int points = std::clamp(k_all_points / std::max(world.body_count(), 1), k_fewest_points, k_trail_points);
+    const double share = static_cast<double>(samples_) / (points - 1);
+    next_ = samples_ < points ? std::min(end_, start_ + share * (end_ - start_)) : k_never;
 }
 
 } // namespace flying

@@ -27,8 +27,9 @@ inline constexpr int k_frames_per_second = 60;
 class TraceRecorder
 {
 public:
-    /// end  the last line's time, also where it is no multiple of the step  [s]
-    TraceRecorder(OutputFile file, double every, double end);
+    /// start  no line is for an earlier time  [s]
+    /// end    the last line's time, also where it is no multiple of the step  [s]
+    TraceRecorder(OutputFile file, double every, double start, double end);
 
     [[nodiscard]] double next() const;
     [[nodiscard]] std::optional<Fault> look(const World& world);

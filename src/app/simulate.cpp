@@ -11,6 +11,7 @@
 #include "app/report_json.hpp"
 #include "app/report_text.hpp"
 #include "app/run.hpp"
+#include "app/saved_run.hpp"
 #include "draw/image.hpp"
 #include "scene/fault.hpp"
 
@@ -64,7 +65,8 @@ std::vector<std::string> clashes(const SimulateOptions& options)
                            {"--report", options.report},
                            {"--trace", options.trace},
                            {"--picture", options.picture},
-                           {"--video", options.video}};
+                           {"--video", options.video},
+                           {"--save", options.save}};
     const auto resolved = [](const std::string& path) {
         std::error_code ignored;
         return std::filesystem::weakly_canonical(std::filesystem::absolute(path, ignored), ignored);
@@ -87,6 +89,7 @@ struct Outputs
 {
     std::optional<OutputFile> report;
     std::optional<OutputFile> picture;
+    std::optional<OutputFile> save;
     Recorders recorders;
 };
 
@@ -102,10 +105,11 @@ std::optional<Faults> open_outputs(const SimulateOptions& options, const World& 
 {
     Expected<std::optional<OutputFile>> report = open_if_asked(options.report);
     Expected<std::optional<OutputFile>> picture = open_if_asked(options.picture);
+    Expected<std::optional<OutputFile>> save = open_if_asked(options.save);
     Expected<std::optional<OutputFile>> trace = open_if_asked(options.trace);
     Expected<std::optional<OutputFile>> video = open_if_asked(options.video);
     Faults faults;
-    for (const auto* file : {&report, &picture, &trace, &video}) {
+    for (const auto* file : {&report, &picture, &save, &trace, &video}) {
         if (!*file) faults.insert(faults.end(), file->faults().begin(), file->faults().end());
     }
     if (video && video.value() && video.value()->is_special()) {
@@ -115,10 +119,11 @@ std::optional<Faults> open_outputs(const SimulateOptions& options, const World& 
 
     outputs.report = std::move(report).value();
     outputs.picture = std::move(picture).value();
+    outputs.save = std::move(save).value();
     if (outputs.picture) outputs.recorders.trails.emplace(end);
     if (trace.value()) {
         const double every = options.every ? *options.every : end > 0.0 ? end / k_default_lines : 1.0;
-        outputs.recorders.trace.emplace(std::move(*std::move(trace).value()), every, end);
+        outputs.recorders.trace.emplace(std::move(*std::move(trace).value()), every, world.time(), end);
     }
     if (video.value()) {
         Expected<VideoRecorder> recorder = VideoRecorder::open(std::move(*std::move(video).value()), world, end);
@@ -180,8 +185,7 @@ bool complain_of(const std::vector<std::string>& errors)
 }
 
 /// After the run: write, print, and say how it went.
-int conclude(const SimulateOptions& options, World& world, Outputs& outputs, const RunResult& result,
-             double wall_seconds)
+int conclude(const SimulateOptions& options, const WorldOptions& chosen, World& world, Outputs& outputs, const RunResult& result, double wall_seconds)
 {
     if (const auto* fault = std::get_if<Fault>(&result.end)) return fail_to_write(*fault);
     std::optional<RunFailure> failure;
@@ -201,6 +205,10 @@ int conclude(const SimulateOptions& options, World& world, Outputs& outputs, con
         files.push_back(&*outputs.picture);
         if (auto fault = write_picture(*outputs.picture, world, recorders.trails->take())) return fail_to_write(*fault);
     }
+    if (!failure && outputs.save) {
+        files.push_back(&*outputs.save);
+        if (auto fault = outputs.save->write(write_saved_run(world.scene(), chosen, world.snapshot()))) return fail_to_write(*fault);
+    }
     if (!failure && recorders.video) {
         files.push_back(&recorders.video->file());
         if (auto fault = recorders.video->finish()) return fail_to_write(*fault);
@@ -215,15 +223,66 @@ int conclude(const SimulateOptions& options, World& world, Outputs& outputs, con
     return failure ? status::k_failed : status::k_done;
 }
 
+EngineChoice engine_named(const std::string& name)
+{
+    return name == "events" ? EngineChoice::events : name == "rest" ? EngineChoice::rest : EngineChoice::automatic;
+}
+
+const char* name_of(EngineChoice engine)
+{
+    return engine == EngineChoice::events ? "events" : engine == EngineChoice::rest ? "rest" : "auto";
+}
+
 WorldOptions world_options(const SimulateOptions& options)
 {
     WorldOptions chosen;
     chosen.without = options.without;
-    chosen.engine = options.engine == "events" ? EngineChoice::events
-                    : options.engine == "rest" ? EngineChoice::rest
-                                               : EngineChoice::automatic;
+    if (options.engine) chosen.engine = engine_named(*options.engine);
     if (options.step) chosen.step = *options.step;
     return chosen;
+}
+
+/// What was asked for that a saved run would have to be run without: it goes on as it began.
+std::vector<std::string> disagreements(const SimulateOptions& options, double end, const SavedRun& saved)
+{
+    std::vector<std::string> errors;
+    const WorldOptions& own = saved.options;
+    if (options.engine && engine_named(*options.engine) != own.engine) {
+        errors.push_back(fmt::format("--engine {}: the saved run has {}", *options.engine, name_of(own.engine)));
+    }
+    if (options.step && *options.step != own.step) {
+        errors.push_back(fmt::format("--step {}: the saved run has {}", *options.step, own.step));
+    }
+    if (!options.without.empty() && options.without != own.without) {
+        errors.push_back(fmt::format("--without {}: the saved run has {}", fmt::join(options.without, ", "),
+                                     own.without.empty() ? "none" : fmt::format("{}", fmt::join(own.without, ", "))));
+    }
+    if (end < saved.snapshot.time) {
+        errors.push_back(fmt::format("until {} s: found a saved run that has come to {} s, expected one to go on with", end,
+                                     saved.snapshot.time));
+    }
+    return errors;
+}
+
+/// The world at its start, or where a saved run ended; what is wrong has been printed.
+std::optional<World> make_world_or_complain(const SimulateOptions& options, const Scene& scene, double end,
+                                            WorldOptions& chosen)
+{
+    std::optional<SavedRun> saved;
+    if (!options.resume.empty()) {
+        Expected<SavedRun> read = read_saved_run(options.resume, scene);
+        if (!read) {
+            complain(read.faults());
+            return std::nullopt;
+        }
+        saved = std::move(read).value();
+        if (complain_of(disagreements(options, end, *saved))) return std::nullopt;
+        chosen = saved->options;
+    }
+    Expected<World> made = saved ? World::resume(scene, saved->snapshot, chosen) : World::make(scene, chosen);
+    if (made) return std::move(made).value();
+    complain(made.faults());
+    return std::nullopt;
 }
 
 } // namespace
@@ -237,19 +296,17 @@ int simulate(const SimulateOptions& options)
     const double end = options.until.value_or(scene->until);
     if (complain_of(excesses(options, end))) return status::k_usage;
 
-    Expected<World> made = World::make(*scene, world_options(options));
-    if (!made) {
-        complain(made.faults());
-        return status::k_usage;
-    }
-    World& world = made.value();
+    WorldOptions chosen = world_options(options);
+    std::optional<World> made = make_world_or_complain(options, *scene, end, chosen);
+    if (!made) return status::k_usage;
+    World& world = *made;
     Outputs outputs;
     if (const std::optional<Faults> faults = open_outputs(options, world, end, outputs)) {
         complain(*faults);
         complain("nothing was written");
         return status::k_usage;
     }
-    if (options.step && options.engine == "events" && !options.quiet) {
+    if (options.step && chosen.engine == EngineChoice::events && !options.quiet) {
         complain("--step has no effect: the event engine takes no steps");
     }
     if (options.stats) world.set_stopwatch(seconds_now);
@@ -264,7 +321,7 @@ int simulate(const SimulateOptions& options)
         complain(fmt::format("stopped at {:g} s; nothing was written", world.time()));
         return 128 + interrupt->signal;
     }
-    return conclude(options, world, outputs, result, seconds_now() - started);
+    return conclude(options, chosen, world, outputs, result, seconds_now() - started);
 }
 
 } // namespace flying

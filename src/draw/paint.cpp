@@ -16,6 +16,7 @@ constexpr double k_shadow = 0.26;      ///< [units]
 constexpr double k_wall = 0.9;         ///< [units]
 constexpr double k_corner = 1.2;       ///< [units]
 constexpr double k_letters = 1.75;     ///< [units]
+constexpr double k_thinnest = 1.0;     ///< [pixels]
 constexpr double k_smallest_mark = 5.; ///< radius under which a body carries no marks [pixels]
 
 void use(cairo_t* cairo, const Colour& colour, double opacity = 1.0)
@@ -110,6 +111,22 @@ void paint_radius(cairo_t* cairo, const Vec2& centre, const DrawnBody& body, dou
     cairo_fill(cairo);
 }
 
+/// About how thick a body is: twice its area over the length of its boundary.  [m]
+double thickness_of(const Shape& shape)
+{
+    const auto* polygon = std::get_if<Polygon>(&shape);
+    if (!polygon) return bounding_radius(shape);
+    double twice_area = 0.0;
+    double length = 0.0;
+    for (const Edge& edge : polygon->edges()) {
+        const Vec2& from = polygon->vertices()[static_cast<std::size_t>(edge.from)];
+        const Vec2& to = polygon->vertices()[static_cast<std::size_t>(edge.to)];
+        twice_area += cross(from, to);
+        length += (to - from).norm();
+    }
+    return twice_area / length;
+}
+
 /// Dark fill under a smaller fill: strokes cost three times as much.
 void paint_body(cairo_t* cairo, const DrawnBody& body, const Layout& layout, const Theme& theme)
 {
@@ -123,6 +140,17 @@ void paint_body(cairo_t* cairo, const DrawnBody& body, const Layout& layout, con
         cairo_arc(cairo, at.x(), at.y(), std::max(radius, 0.8), 0.0, 2.0 * std::numbers::pi);
         use(cairo, fill);
         cairo_fill(cairo);
+        return;
+    }
+
+    // A line of its own colour is all that a needle can show: it is never thinner than a pixel
+    const double thickness = thickness_of(body.shape) * layout.map.scale;
+    if (thickness < k_thinnest) {
+        add_body_path(cairo, body, layout.map, 0.0);
+        use(cairo, fill);
+        cairo_set_line_width(cairo, k_thinnest - 0.5 * thickness);
+        cairo_set_line_join(cairo, CAIRO_LINE_JOIN_BEVEL);
+        cairo_stroke(cairo);
         return;
     }
 

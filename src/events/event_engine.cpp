@@ -29,6 +29,7 @@ EventEngine::EventEngine(std::vector<EventBody> bodies, const EventEngineOptions
     bounces_.resize(rows_.size());
     waiting_.resize(rows_.size());
     near_.resize(rows_.size() + 1);
+    find_seams_of_statics();
     set_up_grid();
     predict_all();
 }
@@ -156,6 +157,7 @@ std::optional<EventFailure> EventEngine::handle_impact(const Event& event)
 std::optional<EventFailure> EventEngine::strike(const Event& event, int a, int b)
 {
     bool ended = true;
+    bool stays_on = false;
     std::optional<double> bounces_end;
     {
         const StageTimer timer(options_.seconds, seconds_.impact);
@@ -194,10 +196,14 @@ std::optional<EventFailure> EventEngine::strike(const Event& event, int a, int b
         if (result.any_push) ++counts_.impacts;
         log_impact(event, a, b);
         // [events.impact.push]
-        if (options_.ends_bounces && falls_) bounces_end = end_of_bounces(a, b, event.time, touch);
+        if (options_.ends_bounces) {
+            if (falls_) bounces_end = end_of_bounces(a, b, event.time, touch);
+            stays_on = stays(a, b, touch);
+        }
     }
     if (!ended) return EventFailure{EventFailure::Kind::unresolved, event.time, event.a, event.b};
     if (bounces_end) return EventFailure{EventFailure::Kind::settled, event.time, event.a, event.b, *bounces_end};
+    if (stays_on) return EventFailure{EventFailure::Kind::stays, event.time, event.a, event.b};
 
     // [events.impact.crowd_limit]
     const int crowding_a = is_fixed(a) ? 0 : sheets_[a].crowding;
@@ -232,7 +238,7 @@ bool EventEngine::move_to(int body, double time)
 /// can't be told from contact that lasts, however fast it slides or rolls.
 bool EventEngine::is_creeping(int a, int b, double touch) const
 {
-    double press = acceleration_.norm();
+    double press = std::max(pull_on(a).norm(), pull_on(b).norm());
     for (const int body : {a, b}) {
         const double spin = sheets_[body].spin;
         if (spin != 0.0 && !is_fixed(body)) press += spin * spin * rows_[body].radius;
@@ -302,11 +308,20 @@ double EventEngine::find_points(int a, int b, double time)
     }
     // [events.find_points.gather]
     points_.clear();
+    if (has_seams(a) || has_seams(b)) {
+        touch_surface(a, b, slack);
+        return tolerance.touch;
+    }
+    add_points();
+    return tolerance.touch;
+}
+
+void EventEngine::add_points()
+{
     for (const Touch& touch : touches_) {
         points_.push_back({touch.r_a, touch.r_b, touch.normal});
         max_overlap_ = std::max(max_overlap_, -touch.separation);
     }
-    return tolerance.touch;
 }
 // [events.find_points]
 

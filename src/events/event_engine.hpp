@@ -7,6 +7,7 @@
 
 #include "broadphase/grid.hpp"
 #include "broadphase/pair_finder.hpp"
+#include "collide/seams.hpp"
 #include "collide/touching.hpp"
 #include "events/event_queue.hpp"
 #include "events/waiting.hpp"
@@ -38,7 +39,7 @@ struct EventEngineOptions
     bool skips_absent_field = true; ///< where nothing falls, paths are straight
     bool skips_apart_rings = true;  ///< round a centre, rings apart never meet
     bool skips_far_vertices = true; ///< vertices out of reach aren't followed
-    bool ends_bounces = false;      ///< say so where bounces that die away have shrunk to a touch, and when they end
+    bool ends_bounces = false;      ///< say so where an impact leaves a body on another, and when bounces ended that died away
     int most_crowded = 1000;        ///< impacts in a row of one body that leave it no room to move
     double (*seconds)() = nullptr;  ///< a clock, lent to measure the stages; null to measure nothing [s]
 };
@@ -53,6 +54,7 @@ struct EventFailure
         unresolved, ///< an impact's points could not all be made to part
         spun_out,   ///< a body turned through so large an angle that its sine is lost
         settled,    ///< a body's bounces on something flat have shrunk to a touch
+        stays,      ///< an impact has left a body on another, to which the field presses it
     };
     Kind kind = Kind::crowded;
     double time = 0.0; ///< [s]
@@ -280,6 +282,11 @@ private:
     void forget(int body);
 
     double find_points(int a, int b, double time);
+    void find_seams_of_statics();
+    void touch_surface(int a, int b, double slack);
+    void mend_touches(int a, int b);
+    void add_points();
+    [[nodiscard]] bool has_seams(int body) const { return !seams_[rows_[body].id].empty(); }
     [[nodiscard]] bool is_creeping(int a, int b, double touch) const;
     bool move_to(int body, double time);
     [[nodiscard]] bool has_spun_out(int body) const { return !(std::abs(sheets_[body].angle) <= k_largest_angle); }
@@ -291,6 +298,8 @@ private:
     [[nodiscard]] Kind kind_of(int body, Presence presence) const;
     [[nodiscard]] bool can_meet(int a, int b) const;
     [[nodiscard]] double energy_change(int body, const Vec2& velocity, double spin) const;
+    [[nodiscard]] Vec2 pull_on(int body) const;
+    [[nodiscard]] bool stays(int a, int b, double touch) const;
     [[nodiscard]] std::optional<double> end_of_bounces(int a, int b, double time, double touch);
     // [events.engine.verbs]
 
@@ -301,6 +310,8 @@ private:
     std::vector<Waiting> waiting_;
     std::vector<Place> places_;       // by id, like the shapes
     std::vector<Shape> shapes_;
+    std::vector<std::vector<Seam>> seams_; // of static bodies with what lies beside them, by id
+    std::vector<std::vector<int>> beside_; // ids of what lies beside them, by id
     std::vector<int> everywhere_;     // rows of static bodies that no cell can hold
     bool fetches_ahead_ = false;      // for more bodies than the fast memory holds
     std::int64_t line_up_at_ = 0;             // when so many cells have been left, rows are put in order again

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "events/event_engine.hpp"
@@ -68,6 +69,32 @@ double EventEngine::energy_change(int body, const Vec2& velocity, double spin) c
 }
 // [events.energy_change]
 
+// [events.stays]
+/// What the field does to a body where it is; nothing to what is fixed.  [m/s^2]
+Vec2 EventEngine::pull_on(int body) const
+{
+    if (is_fixed(body)) return Vec2::Zero();
+    return central_ ? acceleration_at(Field(*central_), rows_[body].position) : acceleration_;
+}
+
+/// After an impact that takes speed away, two bodies part at some point by so little that the field, which presses them
+/// together there, ends that within the tolerance of touching. Impact would follow impact with no time between them: from
+/// here on the two lean on each other.
+bool EventEngine::stays(int a, int b, double touch) const
+{
+    if (combine(sheets_[a].material, sheets_[b].material).restitution == 1.0) return false;
+    constexpr double k_hop = 16.0; // tolerances of touching: lower hops can't be told from contact
+    const Vec2 pull = pull_on(a) - pull_on(b);
+    return std::any_of(points_.begin(), points_.end(), [&](const ImpactPoint& point) {
+        const double press = point.normal.dot(pull);
+        const Vec2 velocity_a = rows_[a].velocity + cross(sheets_[a].spin, point.r_a);
+        const Vec2 velocity_b = rows_[b].velocity + cross(sheets_[b].spin, point.r_b);
+        const double leave = point.normal.dot(velocity_b - velocity_a);
+        return press > 0.0 && leave * leave <= 2.0 * press * (k_hop * touch);
+    });
+}
+// [events.stays]
+
 // [events.end_of_bounces]
 /// When bounces end that have just shrunk to a touch; nothing where they haven't.
 ///
@@ -99,7 +126,7 @@ std::optional<double> EventEngine::end_of_bounces(int a, int b, double time, dou
     if (!is_known) bounces = {rows_[other].id, into, time + 2.0 * leave / (press * (1.0 - e))};
 
     constexpr double k_hop = 16.0; // tolerances of touching: lower hops can't be told from contact
-    if (!is_known || leave * leave > 2.0 * press * (k_hop * touch)) return std::nullopt;
+    if (leave * leave > 2.0 * press * (k_hop * touch)) return std::nullopt;
     return bounces.end;
 }
 // [events.end_of_bounces]

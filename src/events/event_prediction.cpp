@@ -374,6 +374,8 @@ void EventEngine::predict_general(int p, int q, double from, int windows)
     options.skips_far_features = options_.skips_far_features;
     options.skips_apart_rings = options_.skips_apart_rings;
     options.skips_far_vertices = options_.skips_far_vertices;
+    options.seams_a = seams_[rows_[a].id];
+    options.seams_b = seams_[rows_[b].id];
     ++counts_.searches;
     const Prediction prediction = predict(shape_of(a), flyer_of(a), shape_of(b), flyer_of(b), from, options);
     if (prediction.kind == Prediction::Kind::never) {

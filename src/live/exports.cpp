@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "live/generate_words.hpp"
+#include "live/pieces.hpp"
 #include "live/run.hpp"
 #include "scene/fault.hpp"
 
@@ -56,22 +57,101 @@ FLYING_EXPORT(text_size) std::size_t text_size(const LiveText* text)
     return text->text.size();
 }
 
+/// The names that `open_run` counts by, a line each.
+FLYING_EXPORT(skips) LiveText* skips()
+{
+    std::string lines;
+    for (const std::string& name : skip_names()) lines += name + "\n";
+    return new LiveText{true, lines};
+}
+
 FLYING_EXPORT(drop_text) void drop_text(LiveText* text)
 {
     delete text;
 }
 
+// ---- Pieces of the engine --------------------------------------------------------------------------------------------
+
+/// What a piece answered, as JavaScript reads it: how many numbers are the engine's, those, then those on paper.
+struct LiveAnswer
+{
+    bool is_good = false;
+    std::uint64_t hash = 0;
+    std::vector<double> numbers;
+};
+
+FLYING_EXPORT(ask)
+LiveAnswer* ask(const char* name, std::size_t size, const double* numbers, std::size_t count)
+{
+    const std::optional<Answer> answer = answer_of(std::string_view(name, size), {numbers, count});
+    if (!answer) return new LiveAnswer{};
+    auto* out = new LiveAnswer{true, answer->hash(), {static_cast<double>(answer->engine.size())}};
+    out->numbers.insert(out->numbers.end(), answer->engine.begin(), answer->engine.end());
+    out->numbers.insert(out->numbers.end(), answer->paper.begin(), answer->paper.end());
+    return out;
+}
+
+FLYING_EXPORT(answer_is_good) int answer_is_good(const LiveAnswer* answer)
+{
+    return answer->is_good ? 1 : 0;
+}
+
+FLYING_EXPORT(answer_hash) std::uint64_t answer_hash(const LiveAnswer* answer)
+{
+    return answer->hash;
+}
+
+FLYING_EXPORT(answer_data) const double* answer_data(const LiveAnswer* answer)
+{
+    return answer->numbers.data();
+}
+
+FLYING_EXPORT(answer_size) std::size_t answer_size(const LiveAnswer* answer)
+{
+    return answer->numbers.size();
+}
+
+FLYING_EXPORT(drop_answer) void drop_answer(LiveAnswer* answer)
+{
+    delete answer;
+}
+
 // ---- Runs ------------------------------------------------------------------------------------------------------------
 
-/// engine  0 automatic, 1 events, 2 rest
-/// step    of the resting integrator; its default where not positive [s]
-FLYING_EXPORT(open_run) LiveRun* open_run(const char* scene, std::size_t size, int engine, double step)
+/// engine   0 automatic, 1 events, 2 rest
+/// step     of the resting integrator; its default where not positive [s]
+/// without  bit k: leave skip number k of `skip_names` inactive
+FLYING_EXPORT(open_run)
+LiveRun* open_run(const char* scene, std::size_t size, int engine, double step, std::uint32_t without)
 {
     WorldOptions options;
+    const std::vector<std::string> names = skip_names();
+    for (std::size_t k = 0; k < names.size(); ++k)
+        if ((without >> k & 1u) != 0) options.without.push_back(names[k]);
     if (engine == 1) options.engine = EngineChoice::events;
     if (engine == 2) options.engine = EngineChoice::rest;
     if (step > 0.0) options.step = step;
     return new LiveRun(std::string_view(scene, size), options);
+}
+
+/// Give a body another velocity, now. 1 where it was done, 0 where the body is static or where bodies that lean on each
+/// other can't start anew.
+FLYING_EXPORT(steer) int steer(LiveRun* run, int body, double velocity_x, double velocity_y)
+{
+    return run->steer(body, Vec2(velocity_x, velocity_y)) ? 1 : 0;
+}
+
+/// What the plan skips and saved so far: a line for each skip, its parts apart by tabs: name, class, 1 where it is active,
+/// how much it saved, of what, why.
+FLYING_EXPORT(plan_text) LiveText* plan_text(LiveRun* run)
+{
+    return new LiveText{true, run->plan_lines()};
+}
+
+/// 0 nothing, 1 events, 2 rest, 3 asleep
+FLYING_EXPORT(mover) int mover(const LiveRun* run, int body)
+{
+    return static_cast<int>(run->world().mover(body));
 }
 
 FLYING_EXPORT(close_run) void close_run(LiveRun* run)
@@ -102,7 +182,7 @@ FLYING_EXPORT(advance) int advance(LiveRun* run, double time, int most)
 
 FLYING_EXPORT(time) double time(const LiveRun* run)
 {
-    return run->world().time();
+    return run->time();
 }
 
 FLYING_EXPORT(until) double until(const LiveRun* run)

@@ -9,7 +9,7 @@
 
 namespace flying {
 
-LiveRun::LiveRun(std::string_view text, const WorldOptions& options)
+LiveRun::LiveRun(std::string_view text, const WorldOptions& options) : options_(options)
 {
     const Expected<Scene> scene = read_scene_text(text, "scene");
     if (!scene) {
@@ -29,14 +29,45 @@ LiveEnd LiveRun::advance(double time, int most)
     if (!message_.empty()) return LiveEnd::stopped;
 
     const std::int64_t before = world_->events();
-    if (const std::optional<RunFailure> failure = world_->advance(time, most)) {
+    if (const std::optional<RunFailure> failure = world_->advance(time - origin_, most)) {
         message_ = failure->message;
         return LiveEnd::stopped;
     }
 
     // More events may wait at the very time at which the clock stands
     const bool has_room = world_->events() - before < most;
-    return world_->time() >= time && has_room ? LiveEnd::there : LiveEnd::on_the_way;
+    return world_->time() >= time - origin_ && has_room ? LiveEnd::there : LiveEnd::on_the_way;
+}
+
+bool LiveRun::steer(int body, const Vec2& velocity)
+{
+    if (body < 0 || body >= world_->body_count() || world_->is_static(body)) return false;
+    Scene scene = world_->scene();
+    for (int k = 0; k < world_->body_count(); ++k) {
+        const BodyState state = world_->state(k);
+        BodyDef& def = scene.bodies[static_cast<std::size_t>(k)];
+        def.position = state.position;
+        def.angle = state.angle;
+        if (def.is_static) continue;
+        def.velocity = k == body ? velocity : state.velocity;
+        def.spin = state.spin;
+    }
+    Expected<World> made = World::make(scene, options_);
+    if (!made) return false;
+    origin_ += world_->time();
+    world_.emplace(std::move(made).value());
+    return true;
+}
+
+std::string LiveRun::plan_lines()
+{
+    std::string lines;
+    for (const Skip& skip : world_->report().plan.skips) {
+        const char* kind = skip.kind == SkipClass::neutral ? "N" : skip.kind == SkipClass::ordered ? "O" : "A";
+        lines += skip.name + "\t" + kind + "\t" + (skip.active ? "1" : "0") + "\t" + std::to_string(skip.saved) + "\t" +
+                 skip.saved_unit + "\t" + skip.reason + "\n";
+    }
+    return lines;
 }
 
 const std::vector<double>& LiveRun::states()

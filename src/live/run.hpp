@@ -35,6 +35,14 @@ public:
     /// most  >= 1
     [[nodiscard]] LiveEnd advance(double time, int most);
 
+    /// Give a body another velocity and go on from there: a new run of the scene with its bodies as they are now. Counts
+    /// and the hash start anew. False, and nothing is changed, for a static body, and where bodies rest on each other so
+    /// closely that the scene of this moment can't be started.
+    [[nodiscard]] bool steer(int body, const Vec2& velocity);
+
+    /// What the plan skips and how much it saved, a line for each skip.
+    [[nodiscard]] std::string plan_lines();
+
     /// Six numbers for each body of the scene at the run's time: x, y [m], angle [rad], velocity along x and y [m/s],
     /// spin [rad/s].
     [[nodiscard]] const std::vector<double>& states();
@@ -46,10 +54,15 @@ public:
     /// The box around the scene: left, bottom, right, top [m]; empty where there is none.
     [[nodiscard]] const std::vector<double>& box();
 
+    /// Of the run, whatever was steered.  [s]
+    [[nodiscard]] double time() const { return origin_ + world_->time(); }
+
     [[nodiscard]] World& world() { return *world_; }
     [[nodiscard]] const World& world() const { return *world_; }
 
 private:
+    WorldOptions options_;
+    double origin_ = 0.0; ///< time at which the world's clock was 0 [s]
     std::optional<World> world_;
     std::string message_;
     std::vector<double> states_;

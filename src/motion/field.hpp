@@ -41,4 +41,24 @@ using Field = std::variant<NoField, UniformField, CentralField>;
 }
 // [motion.uniform_acceleration]
 
+// [motion.potential]
+/// Acceleration at a place, which isn't the centre.  [m/s^2]
+[[nodiscard]] inline Vec2 acceleration_at(const Field& field, const Vec2& place)
+{
+    const auto* central = std::get_if<CentralField>(&field);
+    if (!central) return uniform_acceleration(field);
+    const Vec2 x = place - central->centre;
+    const double r = x.norm();
+    return (-central->mu / (r * r * r)) * x;
+}
+
+/// Potential energy of a body, for each of its kilograms: zero at the origin of a uniform field, and infinitely far
+/// from a centre.  [J/kg]
+[[nodiscard]] inline double potential_at(const Field& field, const Vec2& place)
+{
+    const auto* central = std::get_if<CentralField>(&field);
+    return central ? -central->mu / (place - central->centre).norm() : -uniform_acceleration(field).dot(place);
+}
+// [motion.potential]
+
 } // namespace flying

@@ -195,6 +195,17 @@ bool BlockSystem::factorise()
 }
 // [rest.block.factorise]
 
+// [rest.block.orientation]
+double BlockSystem::orientation() const
+{
+    bool is_negative = false;
+    for (const Block& m : diagonal_) {
+        for (int i = 0; i < 3; ++i) is_negative = is_negative != (m.at[i][i] < 0.0);
+    }
+    return is_negative ? -1.0 : 1.0;
+}
+// [rest.block.orientation]
+
 // [rest.block.solve]
 void BlockSystem::solve(std::span<double> x)
 {

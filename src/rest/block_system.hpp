@@ -50,6 +50,9 @@ public:
     /// Replaces right-hand sides, three numbers for each body, by the unknowns.
     void solve(std::span<double> x);
 
+    /// Sign of the determinant of what was factorised: 1 or -1.
+    [[nodiscard]] double orientation() const;
+
     /// Blocks beside the diagonal, fill included: the measure of the work.
     [[nodiscard]] std::size_t size() const { return row_.size(); }
 

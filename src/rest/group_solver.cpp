@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "rest/push_lines.hpp"
 #include "rest/rest_tolerance.hpp"
@@ -13,22 +14,21 @@ namespace {
 // [rest.group.limits]
 /// Newton's steps until the pieces must have been found, and corrections of what rounding leaves.
 constexpr int k_newton_steps = 8;
-/// A brief search is given up where more than one point in so many does something else than was guessed.
-constexpr std::size_t k_astray = 8;
 /// [worst approach] A point that parts more slowly may still bear.
 constexpr double k_may_bear = 0.25;
 constexpr int k_corrections = 48;
-/// Factorisations after which one solve ends with what it has, and sweeps that follow.
-constexpr std::int64_t k_budget = 24;
-constexpr std::int64_t k_brief_budget = 4;
-constexpr int k_last_sweeps = 64;
-/// Stiffness of the first descent; points so soft settle in a few steps, and leave more to the next, which is stiffer. A
-/// descent that doesn't settle is followed by a softer one.
-constexpr double k_descent_stiffness = 0x1p6;
-constexpr double k_stiffer = 2.0;
-constexpr double k_softer = 0x1p-4;
-/// A descent that took no more factorisations than this hardly changed who bears.
-constexpr std::int64_t k_quick = 3;
+/// Sweeps that lead nearer to where Newton's method works.
+constexpr int k_sweeps = 64;
+/// [greatest speeds] What parts so fast bears nothing.
+constexpr double k_never = 0x1p20;
+/// Pieces of a path that begins near its end: one for so many points, and so many at least.
+constexpr int k_few = 2;
+constexpr int k_fewest = 8;
+constexpr int k_most_few = 64;
+/// Points of the largest island that is solved from nothing: that takes a system for each, and more.
+constexpr std::size_t k_most_from_nothing = 256;
+/// [points] Pieces of one that begins with nothing; it rarely takes more than three.
+constexpr int k_many = 16;
 // [rest.group.limits]
 
 // [rest.group.rounding]
@@ -50,6 +50,14 @@ double rounding_of(std::span<const ContactPoint> points, std::size_t members)
     return rest_tolerance::k_content * static_cast<double>(members) * greatest_push(points);
 }
 // [rest.group.rounding_of]
+
+// [rest.group.start]
+void GroupSolver::set_start(std::span<ContactPoint> points) const
+{
+    if (warm_) return;
+    for (ContactPoint& c : points) c.normal = c.tangent = 0.0;
+}
+// [rest.group.start]
 
 // [rest.group.prepare]
 void GroupSolver::prepare(std::span<const int> members, std::span<const ContactPoint> points, std::size_t movers)
@@ -75,7 +83,6 @@ void GroupSolver::prepare(std::span<const int> members, std::span<const ContactP
     impulse_.resize(2 * points.size());
     mode_.resize(points.size());
     mode_factorised_.resize(points.size());
-    rays_.resize(2 * points.size());
     factorised_ = false;
 }
 // [rest.group.prepare]
@@ -104,11 +111,11 @@ void GroupSolver::settle_for_sweeps(std::span<Mover> movers, std::span<ContactPo
     // From the best that was met; sweeps never do work, whatever they leave
     sweep_points_.clear();
     for (const ContactPoint& c : points) sweep_points_.push_back(sweep_point(c));
-    for (int k = 0; k < k_last_sweeps; ++k) {
+    for (int k = 0; k < k_sweeps; ++k) {
         if (k % 2 == 0) sweep(sweep_points_, movers);
         else sweep_back(sweep_points_, movers);
     }
-    counts_.sweeps += k_last_sweeps;
+    counts_.sweeps += k_sweeps;
     for (std::size_t k = 0; k < points.size(); ++k) {
         points[k].normal = sweep_points_[k].normal;
         points[k].tangent = sweep_points_[k].tangent;
@@ -124,6 +131,7 @@ bool GroupSolver::solve(std::span<Mover> movers, std::span<const int> members, s
     for (const int member : members) free_.push_back(movers[member]);
 
     // What was right in the step before most often is right still
+    set_start(points);
     warm_start(points, movers);
     if (worst_complaint(points, movers) <=
         rest_tolerance::k_stagnant * std::max(tolerance, rounding_of(points, members.size()))) {
@@ -133,71 +141,103 @@ bool GroupSolver::solve(std::span<Mover> movers, std::span<const int> members, s
 
     forget_what_suits_worse(movers, members, points);
 
-    // Solve for all at once, again and again: each time from the impulses that the last solve found
+    // Pieces that are found at once; or from piece to piece, from what is there; or from within; or from nothing
     prepare(members, points, movers.size());
-    bool content = false;
-    double before = worst_complaint(points, movers);
-    double best = before;
+    const Island island{movers, members, points, tolerance};
+    best_ = worst_complaint(points, movers);
     kept_.assign(points.begin(), points.end());
-    bool bold = true;
-    bool swept = false;
-    double descent_stiffness = k_descent_stiffness;
-    const std::int64_t budget = counts_.factorisations + (effort == Effort::brief ? k_brief_budget : k_budget);
-    for (int k = 0; k < k_corrections && !content && counts_.factorisations < budget; ++k) {
-        measure_slips(movers, points);
-        stiffness_ = rest_tolerance::k_stiffness;
-        const bool found = bold && newton(movers, points, effort);
-        bool quick = false;
-        if (!found && effort == Effort::brief) break;
-        if (!found && !swept) {
-            // Small groups are swept to rounding in no time, and others nearer to where Newton's method works
-            settle_for_sweeps(movers, points);
-            swept = true;
-            bold = true;
-            before = worst_complaint(points, movers);
-            content = before <= rest_tolerance::k_stagnant * std::max(tolerance, rounding_of(points, members.size()));
-            if (before < best || content) {
-                best = before;
-                kept_.assign(points.begin(), points.end());
-            }
-            continue;
-        }
-        if (!found) {
-            const std::int64_t factorisations = counts_.factorisations;
-            stiffness_ = descent_stiffness;
-            const bool settled = descend(movers, points);
-            descent_stiffness = settled ? std::min(descent_stiffness * k_stiffer, rest_tolerance::k_stiffness)
-                                        : std::max(descent_stiffness * k_softer, 1.0);
-            quick = settled && counts_.factorisations - factorisations <= k_quick;
-        }
-        swept = false;
-
-        // Take the trial's impulses, and from them the velocities anew
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            points[i].normal = impulse_[2 * i];
-            points[i].tangent = impulse_[2 * i + 1];
-        }
-        restore_free(movers, members);
-        warm_start(points, movers);
-        const double now = worst_complaint(points, movers);
-        const double rounding = std::max(tolerance, rounding_of(points, members.size()));
-        content = now <= rounding || (now >= 0.5 * before && now <= rest_tolerance::k_stagnant * rounding);
-        if (now < best || content) {
-            best = now;
-            kept_.assign(points.begin(), points.end());
-        }
-        bold = now < 0x1p-6 * before || quick;
-        before = now;
+    bool content = improve(island, Way::newton);
+    for (const Way way : {Way::swept, Way::interior, Way::nothing}) {
+        if (content || effort == Effort::brief) break;
+        if (way == Way::nothing && points.size() > k_most_from_nothing) break;
+        go_back_to_best(island);
+        content = improve(island, way);
     }
-    if (!content || best != before) {
-        std::copy(kept_.begin(), kept_.end(), points.begin());
-        restore_free(movers, members);
-        warm_start(points, movers);
-    }
-    if (!content && effort == Effort::full) settle_for_sweeps(movers, points);
+    if (!content) go_back_to_best(island);
     for (const int member : members) local_[member] = -1;
     ++(content ? counts_.solved : counts_.unsolved);
     return content;
+}
+
+void GroupSolver::go_back_to_best(const Island& island)
+{
+    std::copy(kept_.begin(), kept_.end(), island.points.begin());
+    restore_free(island.movers, island.members);
+    warm_start(island.points, island.movers);
+}
+
+bool GroupSolver::improve(const Island& island, Way way)
+{
+    double before = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < k_corrections; ++k) {
+        measure_slips(island.movers, island.points);
+        const bool found = k == 0 ? find_pieces(island, way)
+                                  : find_pieces(island, Way::newton) || find_pieces(island, Way::path);
+        if (!found) return false;
+        take_impulses(island);
+        const double now = worst_complaint(island.points, island.movers);
+        const double rounding = std::max(island.tolerance, rounding_of(island.points, island.members.size()));
+        const bool content = now <= rounding || (now >= 0.5 * before && now <= rest_tolerance::k_stagnant * rounding);
+        if (now < best_ || content) {
+            best_ = now;
+            kept_.assign(island.points.begin(), island.points.end());
+        }
+        if (content) return true;
+        if (!(now < before)) return false;
+        before = now;
+    }
+    return false;
+}
+
+bool GroupSolver::find_pieces(const Island& island, Way way)
+{
+    const std::span<ContactPoint> points = island.points;
+    const int few = std::min(static_cast<int>(points.size()) / k_few + k_fewest, k_most_few);
+    const int many = k_many * static_cast<int>(points.size());
+    switch (way) {
+    case Way::newton: return newton(island.movers, points);
+    case Way::swept: settle_for_sweeps(island.movers, points); break;
+    case Way::interior: start_from_within(island); break;
+    case Way::nothing:
+        for (ContactPoint& c : points) c.normal = c.tangent = 0.0;
+        restore_free(island.movers, island.members);
+        break;
+    case Way::path: break;
+    }
+    measure_slips(island.movers, points);
+    if (way == Way::swept) return newton(island.movers, points);
+    if (way == Way::nothing) return follow_path(island.movers, points, PathStart::nothing, many);
+    return follow_path(island.movers, points, PathStart::impulses, few);
+}
+
+void GroupSolver::start_from_within(const Island& island)
+{
+    restore_free(island.movers, island.members);
+    problem_.points = island.points;
+    problem_.bodies.assign(free_.begin(), free_.end());
+    problem_.seats.clear();
+    for (std::size_t k = 0; k < island.points.size(); ++k) {
+        const ContactPoint& c = island.points[k];
+        problem_.seats.push_back({local_[c.a], local_[c.b], edge_of_[k]});
+    }
+    measure_slips(island.movers, island.points);
+    double top = 0.0; // [m/s]
+    for (const double slip : slip_) top = std::isfinite(slip) ? std::max(top, std::abs(slip)) : top;
+    problem_.slip.clear();
+    for (const double slip : slip_) problem_.slip.push_back(std::min(slip, k_never * top)); // some may never close
+    factorised_ = false;
+    (void)interior_.solve(problem_, system_, impulse_, counts_.factorisations);
+    take_impulses(island);
+}
+
+void GroupSolver::take_impulses(const Island& island)
+{
+    for (std::size_t k = 0; k < island.points.size(); ++k) {
+        island.points[k].normal = impulse_[2 * k];
+        island.points[k].tangent = impulse_[2 * k + 1];
+    }
+    restore_free(island.movers, island.members);
+    warm_start(island.points, island.movers);
 }
 // [rest.group.solve]
 
@@ -234,7 +274,7 @@ void GroupSolver::guess(std::span<const ContactPoint> points)
 // [rest.group.guess]
 
 bool GroupSolver::newton(std::span<const Mover> movers,
-                         std::span<const ContactPoint> points, Effort effort)
+                         std::span<const ContactPoint> points)
 {
     guess(points);
     for (int step = 0; step < k_newton_steps; ++step) {
@@ -245,9 +285,6 @@ bool GroupSolver::newton(std::span<const Mover> movers,
         // Where all points do as the pieces say, the pieces were right
         const std::size_t changes = try_points(points);
         if (changes == 0) return true;
-
-        // Where many do not, a brief search ends
-        if (effort == Effort::brief && changes > points.size() / k_astray) return false;
     }
     return false;
 }
@@ -264,14 +301,14 @@ std::size_t GroupSolver::try_points(std::span<const ContactPoint> points)
         const double* of_b = local_[c.b] >= 0 ? &delta_[3 * local_[c.b]] : k_still;
         const Line n = normal_line(c);
         const double approach = slip_[2 * k] + (along(n.a, of_a) + along(n.b, of_b));
-        const double normal = c.normal - (stiffness_ * c.normal_mass) * approach;
+        const double normal = c.normal - (rest_tolerance::k_stiffness * c.normal_mass) * approach;
 
         Mode mode = Mode::apart;
         double tangent = 0.0;
         if (normal > 0.0) {
             const Line t = tangent_line(c);
             const double slip = slip_[2 * k + 1] + (along(t.a, of_a) + along(t.b, of_b));
-            tangent = c.tangent - (stiffness_ * c.tangent_mass) * slip;
+            tangent = c.tangent - (rest_tolerance::k_stiffness * c.tangent_mass) * slip;
             const double most = c.friction * normal;
             mode = Mode::stuck;
             if (tangent > most || c.friction == 0.0) {
@@ -320,14 +357,14 @@ bool GroupSolver::assemble(std::span<const Mover> movers, std::span<const Contac
         const bool grips = mode_[k] == Mode::stuck;
         const Line n = normal_line(c);
         const Line t = tangent_line(c);
-        const double stiffness_n = stiffness_ * c.normal_mass;
+        const double stiffness_n = rest_tolerance::k_stiffness * c.normal_mass;
         Line left = n;
         if (!grips) {
             const double share = mode_[k] == Mode::slips_backwards ? c.friction : -c.friction;
             add(left.a, share, t.a);
             add(left.b, share, t.b);
         }
-        const double stiffness_t = grips ? stiffness_ * c.tangent_mass : 0.0;
+        const double stiffness_t = grips ? rest_tolerance::k_stiffness * c.tangent_mass : 0.0;
         const int a = local_[c.a];
         const int b = local_[c.b];
         if (a >= 0) add_product(system_.diagonal(a), stiffness_n, left.a, n.a);
@@ -356,11 +393,11 @@ void GroupSolver::imbalance(std::span<const ContactPoint> points)
     std::fill(delta_.begin(), delta_.end(), 0.0);
     for (std::size_t k = 0; k < points.size(); ++k) {
         const ContactPoint& c = points[k];
-        const double bears = c.normal - (stiffness_ * c.normal_mass) * slip_[2 * k];
+        const double bears = c.normal - (rest_tolerance::k_stiffness * c.normal_mass) * slip_[2 * k];
         double normal = -c.normal;
         double tangent = -c.tangent;
         if (mode_[k] != Mode::apart) normal += bears;
-        if (mode_[k] == Mode::stuck) tangent = -(stiffness_ * c.tangent_mass) * slip_[2 * k + 1];
+        if (mode_[k] == Mode::stuck) tangent = -(rest_tolerance::k_stiffness * c.tangent_mass) * slip_[2 * k + 1];
         if (mode_[k] == Mode::slips_backwards) tangent += c.friction * bears;
         if (mode_[k] == Mode::slips_forwards) tangent -= c.friction * bears;
         push_members(c, normal, tangent, delta_);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "rest/block_system.hpp"
+#include "rest/interior_point.hpp"
 #include "rest/contact_point.hpp"
 #include "rest/push_lines.hpp"
 #include "rest/sweep_batches.hpp"
@@ -19,7 +20,8 @@ struct SolveCounts
 {
     std::int64_t accepted = 0; ///< groups whose impulses of the step before were right already
     std::int64_t solved = 0;   ///< groups that were solved to rounding
-    std::int64_t unsolved = 0; ///< groups that ended with what sweeps could do
+    std::int64_t unsolved = 0; ///< groups of which no solution was found
+    std::int64_t swept = 0;    ///< groups that ended with what sweeps could do
     std::int64_t sweeps = 0;   ///< over all points of a group
     std::int64_t factorisations = 0;
 };
@@ -60,6 +62,8 @@ public:
                Effort effort = Effort::full);
 
     [[nodiscard]] const SolveCounts& counts() const { return counts_; }
+    /// Whether to begin with the impulses that the points have; else with none.
+    void set_warm(bool warm) { warm_ = warm; }
 
     /// How a group too large to factorise in each step is swept.
     struct SweepPlan
@@ -79,6 +83,7 @@ public:
                      const SweepPlan& plan, std::span<Mover> pushed);
 
 private:
+    void set_start(std::span<ContactPoint> points) const;
     void sweep_far(std::span<ContactPoint> points, std::span<Mover> movers);
     void push_apart(std::span<const int> members, std::span<const ContactPoint> points, const SweepPlan& plan,
                     std::span<Mover> pushed);
@@ -93,37 +98,63 @@ private:
     };
     // [rest.group.mode]
 
+    /// How the pieces are looked for.
+    enum class Way
+    {
+        newton,
+        swept,
+        path,
+        interior,
+        nothing
+    };
+    struct Island
+    {
+        std::span<Mover> movers;
+        std::span<const int> members;
+        std::span<ContactPoint> points;
+        double tolerance;
+    };
+    void go_back_to_best(const Island& island);
+    [[nodiscard]] bool improve(const Island& island, Way way);
+    [[nodiscard]] bool find_pieces(const Island& island, Way way);
+    void start_from_within(const Island& island);
+    void take_impulses(const Island& island);
     void prepare(std::span<const int> members, std::span<const ContactPoint> points, std::size_t movers);
     void forget_what_suits_worse(std::span<Mover> movers, std::span<const int> members, std::span<ContactPoint> points);
     void settle_for_sweeps(std::span<Mover> movers, std::span<ContactPoint> points);
     void restore_free(std::span<Mover> movers, std::span<const int> members) const;
-    /// One edge of a point's cone of friction.
-    struct Ray
-    {
-        double share = 0.0;     ///< of a push along the tangent, +-mu
-        double impulse = 0.0;   ///< before the trial [N s]
-        double speed = 0.0;     ///< before the trial, less what is asked for [m/s]
-        double stiffness = 0.0; ///< [kg]
-        bool bears = false;
-    };
-
     void guess(std::span<const ContactPoint> points);
     void measure_slips(std::span<const Mover> movers, std::span<const ContactPoint> points);
-    [[nodiscard]] bool newton(std::span<const Mover> movers, std::span<const ContactPoint> points, Effort effort);
-    [[nodiscard]] bool descend(std::span<const Mover> movers, std::span<const ContactPoint> points);
-    void measure_rays(std::span<const ContactPoint> points);
-    [[nodiscard]] Line ray_line(std::size_t ray, const ContactPoint& c) const;
-    [[nodiscard]] double along_ray(const Line& line, const ContactPoint& c, std::span<const double> delta) const;
-    [[nodiscard]] double ray_impulse(std::size_t ray, const ContactPoint& c, std::span<const double> delta) const;
-    void ray_force(std::span<const Mover> movers, std::span<const ContactPoint> points);
-    [[nodiscard]] bool assemble_rays(std::span<const Mover> movers, std::span<const ContactPoint> points);
-    [[nodiscard]] double slope(std::span<const Mover> movers, std::span<const ContactPoint> points, double part);
+    [[nodiscard]] bool newton(std::span<const Mover> movers, std::span<const ContactPoint> points);
+    /// Where a path of solutions begins: with the impulses that are there, or with none.
+    enum class PathStart
+    {
+        impulses,
+        nothing
+    };
+    /// A place of the path where a point changes what it does.
+    struct Turn
+    {
+        int point = -1; ///< -1 where none does
+        Mode from = Mode::apart;
+        Mode to = Mode::apart;
+        double way = 0.0; ///< along the path [shifts]
+    };
+    [[nodiscard]] bool follow_path(std::span<const Mover> movers, std::span<const ContactPoint> points, PathStart start,
+                                   int most);
+    [[nodiscard]] double shift_speeds(std::span<const ContactPoint> points, PathStart start);
+    void start_springs(std::span<const ContactPoint> points, double left);
+    void push_shifts(std::span<const ContactPoint> points);
+    void measure_rates(std::span<const ContactPoint> points, double sign);
+    [[nodiscard]] Turn next_turn(std::span<const ContactPoint> points, const Turn& last, double within) const;
+    void take_springs(std::span<const ContactPoint> points);
     void push_members(const ContactPoint& c, double normal, double tangent, std::span<double> force) const;
     [[nodiscard]] bool assemble(std::span<const Mover> movers, std::span<const ContactPoint> points);
     void assemble_masses(std::span<const Mover> movers);
     [[nodiscard]] std::size_t try_points(std::span<const ContactPoint> points);
     void imbalance(std::span<const ContactPoint> points);
 
+    bool warm_ = true;
     BlockSystem system_;
     SolveCounts counts_;
     std::vector<int> local_; // of each mover, its number in the group; -1 for static ones
@@ -136,16 +167,25 @@ private:
     std::vector<Mode> mode_;
     std::vector<Mode> mode_factorised_;
     bool factorised_ = false;
-    std::vector<Ray> rays_;     // two of each point
-    std::vector<double> step_;  // of the descent
-    std::vector<double> trial_; // changes part of the way
+    /// What the springs of a point push at a place of the path, and how that changes along it.
+    struct Springs
+    {
+        double normal;
+        double tangent;
+        double normal_rate;
+        double tangent_rate;
+    };
+    std::vector<Springs> springs_;
+    std::vector<double> shift_; // of normal and tangential speeds at the start of the path [m/s]
     std::vector<double> delta_; // change of the members' velocities
     std::vector<SweepPoint> sweep_points_;
     std::vector<int> swept_; // the points that are swept over
     std::vector<int> far_;   // those that wait
     SweepBatches batches_;
+    InteriorPoint interior_;
+    ContactProblem problem_;
+    double best_ = 0.0;
     std::vector<ContactPoint> kept_; // the best that was met
-    double stiffness_ = 1.0;         // of a bearing point against the inertia it moves
 };
 // [rest.group.class]
 

@@ -10,6 +10,7 @@ namespace flying {
 void GroupSolver::sweep_group(std::span<Mover> movers, std::span<const int> members, std::span<ContactPoint> points,
                               const SweepPlan& plan, std::span<Mover> pushed)
 {
+    set_start(points);
     warm_start(points, movers);
     if (are_content(points, movers, plan.tolerance)) {
         for (const int member : members) pushed[member] = movers[member];
@@ -35,7 +36,7 @@ void GroupSolver::sweep_group(std::span<Mover> movers, std::span<const int> memb
         batches_.get_velocities(movers, members);
         sweep_far(points, movers);
         for (const int member : members) pushed[member] = movers[member];
-        ++counts_.unsolved;
+        ++counts_.swept;
     }
     if (plan.push_sweeps > 0) push_apart(members, points, plan, pushed);
 }

@@ -65,6 +65,7 @@ bool PairList::update(std::span<const RestBody> bodies, std::span<const Collisio
     }
     find_partners(bodies);
     add_pairs(bodies, shapes);
+    sort_by_second(static_cast<int>(bodies.size()));
     valid_ = true;
     return true;
 }
@@ -139,5 +140,18 @@ void PairList::add_pairs(std::span<const RestBody> bodies, std::span<const Colli
     starts_.push_back(static_cast<int>(pairs_.size()));
 }
 // [rest.pairs.merge]
+
+// [rest.pairs.second]
+void PairList::sort_by_second(int bodies)
+{
+    second_starts_.assign(bodies + 1, 0);
+    for (const RestPair& pair : pairs_) ++second_starts_[pair.b + 1];
+    for (int k = 0; k < bodies; ++k) second_starts_[k + 1] += second_starts_[k];
+    by_second_.resize(pairs_.size());
+    for (int k = 0; k < static_cast<int>(pairs_.size()); ++k) by_second_[second_starts_[pairs_[k].b]++] = k;
+    for (int k = bodies; k > 0; --k) second_starts_[k] = second_starts_[k - 1];
+    second_starts_[0] = 0;
+}
+// [rest.pairs.second]
 
 } // namespace flying

@@ -63,12 +63,18 @@ public:
 
     /// Where the pairs with a given first body begin; one entry more than there are bodies.
     [[nodiscard]] std::span<const int> starts() const { return starts_; }
+    /// The pairs whose second body this is.
+    [[nodiscard]] std::span<const int> pairs_of_second(int body) const
+    {
+        return std::span(by_second_).subspan(second_starts_[body], second_starts_[body + 1] - second_starts_[body]);
+    }
 
 private:
     [[nodiscard]] bool all_inside(std::span<const RestBody> bodies, std::span<const double> radius,
                                   std::span<const double> reach) const;
     void find_partners(std::span<const RestBody> bodies);
     void add_pairs(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes);
+    void sort_by_second(int bodies);
 
     struct Home
     {
@@ -86,6 +92,8 @@ private:
     std::vector<RestPair> pairs_;
     std::vector<RestPair> old_;
     std::vector<int> starts_;
+    std::vector<int> second_starts_; // the same in `by_second_`
+    std::vector<int> by_second_;     // pairs, by their second body
 };
 // [rest.pairs.class]
 

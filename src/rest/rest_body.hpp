@@ -13,7 +13,7 @@ struct RestBody
     BodyState state; ///< `state.time` is set by the engine
     Inertia inertia; ///< both zero for a static body
     Material material;
-    Vec2 acceleration = Vec2::Zero(); ///< of the field, constant [m/s^2]
+    Vec2 acceleration = Vec2::Zero(); ///< of a field that is the same everywhere [m/s^2]
     bool is_static = false;           ///< never moves
     bool is_active = true;            ///< false: not here for now; touches nothing, and keeps its state
 };

@@ -199,6 +199,13 @@ double RestEngine::fall_of(const ContactPoint& c) const
     return (c.n_x * shift.x() + c.n_y * shift.y()) +
            (turn_pull_[c.b] * c.normal_arm_b - turn_pull_[c.a] * c.normal_arm_a);
 }
+
+/// The same if nothing but the field acts on them.
+double RestEngine::weight_of(const ContactPoint& c) const
+{
+    const Vec2 shift = field_[c.b] - field_[c.a];
+    return c.n_x * shift.x() + c.n_y * shift.y();
+}
 // [rest.collide]
 
 // [rest.points]
@@ -286,7 +293,9 @@ Manifold RestEngine::look_again(RestPair& pair, double margin)
     ++counts_.manifolds;
     const NearSide a{shapes_[pair.a].parts[pair.part_a].shape, poses_[pair.a], real_edges_[pair.a][pair.part_a]};
     const NearSide b{shapes_[pair.b].parts[pair.part_b].shape, poses_[pair.b], real_edges_[pair.b][pair.part_b]};
-    return near_points(a, b, margin, memory);
+    Manifold manifold = near_points(a, b, margin, memory);
+    if (manifold.count > 0) mend(pair, poses_[pair.a], poses_[pair.b], margin, manifold);
+    return manifold;
 }
 // [rest.look.again]
 
@@ -295,7 +304,9 @@ Manifold RestEngine::look(const RestPair& pair, const Pose& pose_a, const Pose& 
 {
     const NearSide a{shapes_[pair.a].parts[pair.part_a].shape, pose_a, real_edges_[pair.a][pair.part_a]};
     const NearSide b{shapes_[pair.b].parts[pair.part_b].shape, pose_b, real_edges_[pair.b][pair.part_b]};
-    return near_points(a, b, margin);
+    Manifold manifold = near_points(a, b, margin);
+    if (manifold.count > 0) mend(pair, pose_a, pose_b, margin, manifold);
+    return manifold;
 }
 // [rest.look]
 

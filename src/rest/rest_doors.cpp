@@ -96,7 +96,7 @@ bool RestEngine::stays_apart(const RestPair& pair, double within) const
     };
     const auto pull = [&](int index) {
         const bool rests = bodies_[index].is_static || asleep_[index];
-        return rests ? Vec2(Vec2::Zero()) : bodies_[index].acceleration;
+        return rests ? Vec2(Vec2::Zero()) : field_at(index, bodies_[index].state.position);
     };
     const double top = speed(pair.a) + speed(pair.b);
     const Vec2 fall = pull(pair.b) - pull(pair.a);

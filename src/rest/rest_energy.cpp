@@ -18,7 +18,7 @@ RestEngine::Gain RestEngine::gain_of(const Group& group) const
             0.5 * ((old.v_x * old.v_x + old.v_y * old.v_y) / old.inv_mass + old.spin * old.spin / old.inv_moment);
         const double after =
             0.5 * ((now.v_x * now.v_x + now.v_y * now.v_y) / now.inv_mass + now.spin * now.spin / now.inv_moment);
-        const double work = field_[member].dot(shift_[member]) / now.inv_mass;
+        const double work = work_of_field(member) / now.inv_mass;
         gain.gained += (after - before) - work;
         const Vec2& field = field_[member];
         const double through_field = field.cwiseProduct(shift_[member]).cwiseAbs().sum();
@@ -124,7 +124,7 @@ void RestEngine::limit_energy(const Group& group)
     const Gain rest = gain_of(group);
     double lift = 0.0;
     const std::span<const int> members = std::span(members_).subspan(group.first_member, group.member_count);
-    for (const int member : members) lift -= field_[member].dot(shift_[member]) / movers_[member].inv_mass;
+    for (const int member : members) lift -= work_of_field(member) / movers_[member].inv_mass;
     const double part = rest.gained < lift && !stood(group) ? 1.0 - rest.gained / lift : 0.0;
     for (const int member : members) {
         shift_[member] *= part;

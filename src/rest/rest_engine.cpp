@@ -67,6 +67,7 @@ RestEngine::RestEngine(std::vector<RestBody> bodies, const RestOptions& options,
         poses_.push_back(pose_of(body.state));
         movers_.push_back(mover_of(body));
     }
+    solver_.set_warm(options_.warm_starts);
     before_ = movers_;
     place_movers_ = movers_;
     span_ = options_.step;
@@ -80,7 +81,7 @@ RestEngine::RestEngine(std::vector<RestBody> bodies, const RestOptions& options,
     turn_.assign(count, 0.0);
     pull_.assign(count, Vec2::Zero());
     turn_pull_.assign(count, 0.0);
-    for (std::size_t k = 0; k < count; ++k) expect_flight(static_cast<int>(k));
+    for (std::size_t k = 0; k < count; ++k) expect_flight(static_cast<int>(k), bodies_[k].state.position);
     reach_.assign(count, 0.0);
     parent_.assign(count, 0);
     slot_.assign(count, -1);
@@ -88,13 +89,14 @@ RestEngine::RestEngine(std::vector<RestBody> bodies, const RestOptions& options,
     still_.assign(count, 0);
     in_crowd_.assign(count, 0);
     sleep_group_.assign(count, -1);
+    find_fixed_seams();
 }
 // [rest.engine.setup]
 
 // [rest.engine.expect_flight]
-void RestEngine::expect_flight(int body)
+void RestEngine::expect_flight(int body, const Vec2& place)
 {
-    pull_[body] = is_moved(body) ? field_[body] : Vec2(Vec2::Zero());
+    pull_[body] = is_moved(body) ? field_at(body, place) : Vec2(Vec2::Zero());
     turn_pull_[body] = 0.0;
 }
 // [rest.engine.expect_flight]
@@ -113,13 +115,14 @@ void RestEngine::measure_reach(std::span<const int> who)
 {
     const double dt = span_;
     for (const int k : who) {
+        aim_field(k);
         const RestBody& body = bodies_[k];
         const double speed = body.state.velocity.norm() + std::abs(body.state.spin) * radius_[k];
-        reach_[k] = dt * (speed + dt * field_size_[k]) + rest_tolerance::k_watch * radius_[k];
+        reach_[k] = dt * (speed + dt * greatest_field(k, dt)) + rest_tolerance::k_watch * radius_[k];
         // What would carry a body beyond its reach in a part of a step was no load: it was taken from a shorter one
         const double more = 0.5 * (dt * dt) * (pull_[k].norm() + std::abs(turn_pull_[k]) * radius_[k]);
         const double room = reach_[k] - dt * speed;
-        if (!std::isfinite(more)) expect_flight(k);
+        if (!std::isfinite(more)) expect_flight(k, body.state.position);
         else if (dt < options_.step && more > room) {
             pull_[k] *= room / more;
             turn_pull_[k] *= room / more;
@@ -155,7 +158,7 @@ void RestEngine::set_state(int number, const BodyState& state)
     bodies_[body].state.time = time();
     set_pose(body, pose_of(state));
     next_poses_[body] = poses_[body];
-    expect_flight(body);
+    expect_flight(body, state.position);
     pairs_.invalidate();
     wake_all_with(body);
 }

@@ -1,13 +1,17 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "collide/manifold.hpp"
+#include "collide/seams.hpp"
+#include "motion/field.hpp"
 #include "rest/group_solver.hpp"
 #include "rest/pair_list.hpp"
 #include "rest/rest_body.hpp"
+#include "rest/rest_way.hpp"
 
 namespace flying {
 
@@ -15,11 +19,13 @@ namespace flying {
 struct RestOptions
 {
     double step = 1.0 / 60.0; ///< > 0 [s]
+    bool warm_starts = true;  ///< impulses are sought from those of the step before
     bool sleeps = true;       ///< groups that a step leaves as they are, to the bit, are left out of the next
     int most_solved = 400;    ///< bodies in the largest group that is solved to rounding; more are swept
     int sweeps = 8;           ///< over larger groups
     int most_sweeps = 64;     ///< over those that have more to change, as where a pile lands
     int push_sweeps = 4;      ///< over larger groups, that push overlap apart
+    std::optional<CentralField> centre = {}; ///< round which all are pulled that move, in place of their accelerations
     double (*seconds)() = nullptr; ///< a clock, lent to measure the stages; null to measure nothing [s]
 };
 // [rest.options]
@@ -88,6 +94,8 @@ public:
 
     /// One step of another length, which ends at a moment that is known better than as a sum.  [s]
     void step_by(double length, double end);
+    /// The ways on which such a step would lead, of each body that is awake. Nothing is changed by it.
+    [[nodiscard]] std::vector<std::vector<Leg>> foresee(double length, double end);
     /// The moment at which the next step begins, where all bodies that are here sleep.  [s]
     void set_time(double time);
 
@@ -198,7 +206,13 @@ private:
     void make_parts(int depth);
     void scale_loads(std::span<const int> pairs, double factor);
     [[nodiscard]] bool is_solved_whole(const Group& group) const;
-    void expect_flight(int body);
+    void expect_flight(int body, const Vec2& place);
+    [[nodiscard]] Vec2 mean_field(int body, const Vec2& from, const Vec2& to) const;
+    [[nodiscard]] Vec2 field_at(int body, const Vec2& place) const;
+    [[nodiscard]] double work_of_field(int body) const;
+    void aim_field(int body);
+    [[nodiscard]] double greatest_field(int body, double within) const;
+    void fly(Group& group);
     void expect_same(int body);
     void expect(const Group& group);
     void collide();
@@ -216,12 +230,19 @@ private:
     [[nodiscard]] bool stays_open(const RestPair& pair, double touch) const;
     [[nodiscard]] double fall_at(const RestPair& pair, const Contact& contact, double moment) const;
     [[nodiscard]] double fall_of(const ContactPoint& c) const;
+    [[nodiscard]] double weight_of(const ContactPoint& c) const;
     [[nodiscard]] Vec2 place_at(int body, double moment) const;
     [[nodiscard]] Pose pose_at(int body, double moment) const;
     void add_points(int pair, const Manifold& manifold, double closes_at, double closing_speed);
     void set_pose(int body, const Pose& pose);
     [[nodiscard]] Manifold look_again(RestPair& pair, double margin);
     [[nodiscard]] Manifold look(const RestPair& pair, const Pose& pose_a, const Pose& pose_b, double margin) const;
+    void find_fixed_seams();
+    void find_seams_with(int body, int part, int neighbour, int neighbours_part, std::vector<Seam>& seams) const;
+    void find_moving_seams(const RestPair& pair, Owner owner, const Pose& pose, const Manifold& manifold,
+                           std::vector<Seam>& seams) const;
+    [[nodiscard]] Vec2 velocity_of(int body, const Vec2& point) const;
+    void mend(const RestPair& pair, const Pose& pose_a, const Pose& pose_b, double margin, Manifold& manifold) const;
     [[nodiscard]] bool wake_touched();
     void wake_all_with(int group);
     [[nodiscard]] int root_of(int body);
@@ -245,6 +266,8 @@ private:
     void sweep_large(Group& group);
     void bound_swept(const Group& group, bool is_calm);
     void move_as_swept(const Group& group);
+    [[nodiscard]] double approaches_left(std::span<const ContactPoint> points) const;
+    void end_approaches_whole(const Group& group, GroupSolver::SweepPlan plan, double most);
     void bear_less(const Group& group);
     [[nodiscard]] Vec2 push_of(int member) const;
     [[nodiscard]] double energy_of_fall(const Group& group) const;
@@ -305,6 +328,7 @@ private:
     void limit_energy(const Group& group);
     [[nodiscard]] bool stood_alike(int member) const;
     void move_group(const Group& group);
+    void note_legs(const Group& group);
     void set_arms(ContactPoint& point, const Vec2& normal, const Vec2& r_a, const Vec2& r_b) const;
     [[nodiscard]] double field_speed(const Group& group) const;
     [[nodiscard]] double top_speed(const Group& group) const;
@@ -326,10 +350,12 @@ private:
     double start_ = 0.0;
     std::int64_t steps_ = 0;
     double span_ = 0.0; // length of the step, or part of one, that is being made [s]
+    double after_ = 0.0; // from its end to that of the whole step [s]
     std::vector<CollisionShape> shapes_;
     std::vector<std::vector<std::vector<char>>> real_edges_; // of each body and part, as NearSide has it
+    std::vector<std::vector<std::vector<Seam>>> seams_; // of each body and part, with what never moves against it
     std::vector<double> radius_; // bounding radii [m]
-    std::vector<Vec2> field_;       // accelerations that the field gives [m/s^2]
+    std::vector<Vec2> field_;       // accelerations that the field gives, within the present step [m/s^2]
     std::vector<double> field_size_; // their sizes
     std::vector<double> turning_; // how far a turn may bring any point of each: the same, 0 for discs [m]
     std::vector<double> reach_;  // how far each may get in a step [m]
@@ -395,6 +421,7 @@ private:
     RestSeconds seconds_;
     double energy_limited_ = 0.0; // [J]
     double max_overlap_ = 0.0;
+    std::vector<std::vector<Leg>>* legs_ = nullptr; // of each body, as it is known outside, while they are noted
     // [rest.engine.data]
 };
 // [rest.engine]

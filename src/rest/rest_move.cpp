@@ -18,7 +18,7 @@ void RestEngine::expect_same(int body)
 void RestEngine::expect(const Group& group)
 {
     // Bodies that bear a load will do what they did in this step
-    for (const int member : std::span(members_).subspan(group.first_member, group.member_count)) expect_flight(member);
+    for (const int member : std::span(members_).subspan(group.first_member, group.member_count)) expect_flight(member, bodies_[member].state.position + shift_[member]);
     for (const ContactPoint& c : std::span(points_).subspan(group.first_point, group.point_count)) {
         if (c.normal == 0.0) continue;
         if (is_moved(c.a)) expect_same(c.a);
@@ -58,6 +58,8 @@ bool RestEngine::stood_alike(int member) const
 
 void RestEngine::move_group(const Group& group)
 {
+    note_legs(group);
+
     // Remember what the points bore
     bool same = true;
     for (int k = 0; k < group.point_count; ++k) {

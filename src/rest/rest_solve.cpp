@@ -54,7 +54,7 @@ bool RestEngine::is_solved_whole(const Group& group) const
 void RestEngine::solve_group(Group& group, int depth)
 {
     if (group.point_count == 0) {
-        set_free(group, span_);
+        fly(group);
         return;
     }
     // End the part where the first impact comes, or strike now; small islands go on from there with another look

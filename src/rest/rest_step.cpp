@@ -36,6 +36,7 @@ void RestEngine::step()
     Stopwatch watch(options_.seconds);
     // [rest.step.begin]
     span_ = options_.step;
+    after_ = 0.0;
     list_awake();
     measure_reach(awake_);
     if (pairs_.update(bodies_, shapes_, radius_, reach_)) ++counts_.looks;
@@ -172,16 +173,20 @@ void RestEngine::find_pairs_of(Again& again, std::span<const int> pairs)
 void RestEngine::make_parts(int depth)
 {
     const double whole = span_;
+    const double after_whole = after_;
     for (std::size_t k = 0; k < again_[depth].parts.size(); ++k) {
         const Again::Part part = again_[depth].parts[k];
         const std::span<const int> members = std::span(again_[depth].members).subspan(part.first_member, part.member_count);
         const std::span<const int> pairs = std::span(again_[depth].pairs).subspan(part.first_pair, part.pair_count);
         if (depth == 0) parts_made_ = 0;
         double before = whole;
+        double left = whole;
         for (const double length : {part.cut_at, whole - part.cut_at}) {
             if (!(length > 0.0)) continue;
             ++parts_made_;
             span_ = length;
+            left -= length;
+            after_ = after_whole + left;
             scale_loads(pairs, length / before);
             before = length;
             measure_reach(members);
@@ -193,6 +198,7 @@ void RestEngine::make_parts(int depth)
             make_parts(depth + 1);
         }
         span_ = whole;
+        after_ = after_whole;
         scale_loads(pairs, whole / before);
         ++counts_.parts;
     }

@@ -74,7 +74,7 @@ double RestEngine::slowest_rebound(const ContactPoint& c) const
     if (c.restitution == 1.0) return 0.0;
     if (c.restitution == 0.0) return std::numeric_limits<double>::infinity();
     const double by_load = c.normal / c.normal_mass;
-    const double by_fall = -fall_of(c) * span_;
+    const double by_fall = -std::min(fall_of(c), weight_of(c)) * (span_ + after_);
     return std::max({by_load, by_fall, 0.0}) / (2.0 * c.restitution);
 }
 // [rest.strike.rebound]
@@ -111,7 +111,7 @@ bool RestEngine::strike(const Group& group)
         if (state.velocity == Vec2(now.v_x, now.v_y) && state.spin == now.spin) continue;
         state.velocity = Vec2(now.v_x, now.v_y);
         state.spin = now.spin;
-        expect_flight(member); // what it bore before tells nothing any more
+        expect_flight(member, state.position); // what it bore before tells nothing any more
     }
     return true;
 }

@@ -20,6 +20,14 @@ constexpr double k_slow = 4.0;
 constexpr double k_far = 2.0;
 /// [energies of fall] What a sweep's changes are worth when there are enough of them.
 constexpr double k_enough = 0x1p-10;
+/// [sizes] Overlap that sweeps may add in one step, and in one of a group that is slow.
+constexpr double k_fair_approach = 0x1p-10;
+constexpr double k_slow_approach = 0x1p-13;
+/// Sweeps that go on where more is left, and bodies of the largest group that is worth them.
+constexpr int k_more_sweeps = 128;
+constexpr int k_most_swept_on = 1024;
+/// [approaches left] Sweeps that leave more don't get on.
+constexpr double k_gets_on = 0.25;
 /// Share of an overlap that one step takes off.
 constexpr double k_push_share = 0.25;
 /// Sweeps that end the impacts of a heap, and that push its overlap apart.
@@ -52,6 +60,11 @@ void RestEngine::sweep_large(Group& group)
         plan.push_share = k_push_share;
     }
     solver_.sweep_group(movers_, members, points, plan, place_movers_);
+    if (group.member_count <= k_most_swept_on) {
+        const double most = before > k_slow * field ? k_fair_approach : k_slow_approach;
+        const double left = approaches_left(points);
+        if (left > most) end_approaches_whole(group, plan, std::max(most, k_gets_on * left));
+    }
 
     // What hardly moves comes to rest
     const double after = greatest_speed(movers_, radius_, members);
@@ -65,7 +78,37 @@ void RestEngine::sweep_large(Group& group)
     bear_less(group);
     move_as_swept(group);
 }
+// [rest.swept]
 
+// [rest.swept.approaches]
+/// How much deeper points come to overlap in the step than they may.  [sizes]
+double RestEngine::approaches_left(std::span<const ContactPoint> points) const
+{
+    double worst = 0.0;
+    for (const ContactPoint& c : points) {
+        const double missed = span_ * (c.bound - normal_speed(c, movers_[c.a], movers_[c.b]));
+        worst = std::max(worst, missed / std::min(radius_[c.a], radius_[c.b]));
+    }
+    return worst;
+}
+
+/// Sweeps take the longer the more masses differ: what they leave is swept on, and what that leaves is solved whole.
+void RestEngine::end_approaches_whole(const Group& group, GroupSolver::SweepPlan plan, double most)
+{
+    const std::span<ContactPoint> points = std::span(points_).subspan(group.first_point, group.point_count);
+    const std::span<const int> members = std::span(members_).subspan(group.first_member, group.member_count);
+    plan.sweeps = plan.most_sweeps = k_more_sweeps;
+    plan.tolerance = 0.0;
+    set_free(group, span_);
+    solver_.sweep_group(movers_, members, points, plan, place_movers_);
+    if (approaches_left(points) <= most) return;
+    set_free(group, span_);
+    solver_.solve(movers_, members, points, rest_tolerance::k_content * top_speed(group));
+    for (const int member : members) place_movers_[member] = movers_[member];
+}
+// [rest.swept.approaches]
+
+// [rest.swept.scales]
 double RestEngine::greatest_speed(std::span<const Mover> movers, std::span<const double> radius,
                                   std::span<const int> members)
 {
@@ -86,7 +129,7 @@ double RestEngine::energy_of_fall(const Group& group) const
     }
     return sum > 0.0 ? sum : std::numeric_limits<double>::infinity();
 }
-// [rest.swept]
+// [rest.swept.scales]
 
 // [rest.swept.less]
 /// Sweeps that go on from what bore too much lift a heap. With no impulses it would fall through the step, and lose

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "math/tolerance.hpp"
 #include "toi/discs.hpp"
@@ -37,13 +38,15 @@ struct Search
     double acceleration = 0.0; ///< relative [m/s^2]
     double tip_speed = 0.0;   ///< of the fastest points about their centres [m/s]
     bool skips_far_vertices = true;
+    std::span<const Seam> seams_a = {};
+    std::span<const Seam> seams_b = {};
 };
 // [toi.search]
 
 // [toi.search.make]
 [[nodiscard]] Search make_search(const Flyer& a, double radius_a, const Flyer& b, double radius_b, double tip_speed)
 {
-    Search search{a, b, relative_flight(a, b, common_start(a, b)), radius_a, radius_b, 0.0, tip_speed, true};
+    Search search{a, b, relative_flight(a, b, common_start(a, b)), radius_a, radius_b, 0.0, tip_speed, true, {}, {}};
     search.acceleration = search.relative.acceleration.norm();
     return search;
 }
@@ -68,6 +71,8 @@ struct Search
     Window window;
     window.from = time;
     window.skips_far_vertices = search.skips_far_vertices;
+    window.seams_a = search.seams_a;
+    window.seams_b = search.seams_b;
     window.until = std::min(latest, std::max(time + length, next_after(time)));
     window.speed = speed;
     if (search.acceleration > 0.0) window.speed += search.acceleration * (window.until - time);
@@ -209,7 +214,8 @@ template <typename Look>
 [[nodiscard]] Prediction search(const Disc& a, const Flyer& flyer_a, const Polygon& b, const Flyer& flyer_b, double from,
                                 const PredictOptions& options)
 {
-    const Search pair = make_search(flyer_a, a.radius, flyer_b, b.radius(), tip_speed(b, flyer_b));
+    Search pair = make_search(flyer_a, a.radius, flyer_b, b.radius(), tip_speed(b, flyer_b));
+    pair.seams_b = options.seams_b;
     const Turning turning_b(flyer_b.state);
     const auto look = [&](const Window& window) { return first_strike(a, b, turning_b, pair.relative, window); };
     return search_pair(pair, look, from, options);
@@ -223,6 +229,8 @@ template <typename Look>
     const double tips = tip_speed(a, flyer_a) + tip_speed(b, flyer_b);
     Search pair = make_search(flyer_a, a.radius(), flyer_b, b.radius(), tips);
     pair.skips_far_vertices = options.skips_far_vertices;
+    pair.seams_a = options.seams_a;
+    pair.seams_b = options.seams_b;
     const Turning turning_a(flyer_a.state);
     const Turning turning_b(flyer_b.state);
     const auto look = [&](const Window& window) {
@@ -306,8 +314,11 @@ Prediction predict(const Shape& a, const Flyer& flyer_a, const Shape& b, const F
         using A = std::decay_t<decltype(shape_a)>;
         using B = std::decay_t<decltype(shape_b)>;
         if constexpr (Ordered<A, B>) return search(shape_a, flyer_a, shape_b, flyer_b, from, options);
-        else if constexpr (Ordered<B, A>) return swapped(search(shape_b, flyer_b, shape_a, flyer_a, from, options));
-        else return {};
+        else if constexpr (Ordered<B, A>) {
+            PredictOptions other_way = options;
+            std::swap(other_way.seams_a, other_way.seams_b);
+            return swapped(search(shape_b, flyer_b, shape_a, flyer_a, from, other_way));
+        } else return {};
     };
     return std::visit(visit, a, b);
 }

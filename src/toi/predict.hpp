@@ -1,5 +1,8 @@
 #pragma once
 
+#include <span>
+
+#include "collide/seams.hpp"
 #include "geometry/shape.hpp"
 #include "math/tolerance.hpp"
 #include "toi/prediction.hpp"
@@ -7,13 +10,15 @@
 namespace flying {
 
 // [toi.predict.options]
-/// Options of a prediction that cost time and change no bit.
+/// Options of a prediction that cost time and change no bit; and what is known of the two bodies beside their shapes.
 struct PredictOptions
 {
     int windows = 16;               ///< how many windows of turning features to look at before answering `not_before`
     bool skips_far_features = true; ///< leave features alone until the bounding circles meet
     bool skips_apart_rings = true;  ///< leave bodies alone whose rings don't overlap
     bool skips_far_vertices = true; ///< leave vertices alone that stay out of reach
+    std::span<const Seam> seams_a = {}; ///< where A's surface goes on over what lies beside it
+    std::span<const Seam> seams_b = {}; ///< the same of B
 };
 // [toi.predict.options]
 

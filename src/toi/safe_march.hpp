@@ -137,11 +137,13 @@ struct MarchEnd
 ///
 /// first       the reading at `from`, taken already
 /// read(time)  the reading at a moment of the world's clock
+/// counts(time)  false where a strike is none: a neighbour hides what would be struck
 /// The time found is at or before the root by no more than the rounding of the gap or of
 /// the time.
-template <typename Read>
+template <typename Read, typename Counts>
 [[nodiscard]] MarchEnd march(const EdgeReading& first, const Read& read,
-                             const MarchBounds& bounds, double from, double until)
+                             const MarchBounds& bounds, double from, double until,
+                             const Counts& counts)
 {
     constexpr int k_most_steps = 2000;
     EdgeReading now = first;
@@ -155,18 +157,29 @@ template <typename Read>
             if (fell_through(before, now, bounds)) return {MarchEnd::Kind::strike, time};
         }
         const double step = certain_step(now, bounds);
-        const double next = time + step;
+        double next = time + step;
 
         // [toi.march.root]
         // Stop at a root: the gap, or the time, is at its last digit
         const bool at_root = now.gap <= bounds.tolerance.noise || next <= next_after(time);
-        if (at_root && strikes(now, bounds)) return {MarchEnd::Kind::strike, time};
+        if (at_root && strikes(now, bounds)) {
+            if (counts(time)) return {MarchEnd::Kind::strike, time};
+            next = std::max(next, time - bounds.tolerance.touch / now.gap_rate);
+        }
 
         time = std::max(next, next_after(time));
         // [toi.march.root]
         // [toi.march.step]
     }
     return {MarchEnd::Kind::tired, time};
+}
+
+/// The same where every strike counts.
+template <typename Read>
+[[nodiscard]] MarchEnd march(const EdgeReading& first, const Read& read,
+                             const MarchBounds& bounds, double from, double until)
+{
+    return march(first, read, bounds, from, until, [](double) { return true; });
 }
 // [toi.march]
 

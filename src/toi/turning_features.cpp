@@ -1,5 +1,7 @@
 #include "toi/turning_features.hpp"
 
+#include <algorithm>
+
 #include "math/tolerance.hpp"
 #include "toi/bend.hpp"
 #include "toi/central_flight.hpp"
@@ -65,8 +67,47 @@ struct Side
     const Polygon& shape;
     const Turning& turning;
     Rotation at_start; ///< of the window
+    std::span<const Seam> seams;
 };
 // [toi.side]
+
+// [toi.seams]
+/// Part of an edge that can be struck: beyond its ends there may be a crack that is none, and a neighbour may hide an end.
+struct OpenPart
+{
+    double from = 0.0; ///< [m]
+    double length = 0.0; ///< [m]
+};
+
+[[nodiscard]] OpenPart open_part(const Edge& edge, std::span<const Seam> seams)
+{
+    OpenPart part{0.0, edge.length};
+    for (const Seam& seam : seams) {
+        const bool is_hidden = seam.hidden == edge.from;
+        if (!is_hidden && (seam.open != edge.from || seam.bend == Seam::Bend::ridge)) continue;
+        const double longer = is_hidden ? -seam.crack : seam.crack;
+        if (seam.corner == edge.from) part.from -= longer;
+        part.length += longer;
+    }
+    return part;
+}
+
+/// A corner that is none of the surface which it belongs to.
+[[nodiscard]] bool is_no_corner(int vertex, std::span<const Seam> seams)
+{
+    return std::any_of(seams.begin(), seams.end(), [&](const Seam& seam) {
+        return seam.corner == vertex && seam.bend != Seam::Bend::ridge;
+    });
+}
+
+/// A normal at a corner is one of the surface's. normal  out of the polygon, in its frame
+[[nodiscard]] bool is_open(const Polygon& polygon, int vertex, std::span<const Seam> seams, const Vec2& normal)
+{
+    return std::none_of(seams.begin(), seams.end(), [&](const Seam& seam) {
+        return seam.corner == vertex && !is_of_surface(polygon, seam, normal);
+    });
+}
+// [toi.seams]
 
 // [toi.in-front]
 /// How long a point stays in front of the edge that it is farthest in front of.  [s]
@@ -111,7 +152,7 @@ void scan_vertices(const Side& p, const Side& q, const Relative& relative, doubl
     // [toi.vertices-on-edges.reach]
 
     for (int k = 0; k < static_cast<int>(p.shape.vertices().size()); ++k) {
-        if (p.shape.is_reflex(k)) continue;
+        if (p.shape.is_reflex(k) || is_no_corner(k, p.seams)) continue;
         const Vec2& vertex = p.shape.vertices()[k];
         const Vec2 r = p.at_start * vertex;
         const Vec2 point = offset + r;
@@ -146,8 +187,9 @@ void scan_vertices(const Side& p, const Side& q, const Relative& relative, doubl
         // [toi.vertices-on-edges.march]
         // March on every edge that the first look doesn't rule out
         for (const Edge& edge : q.shape.edges()) {
-            const Vec2& edge_start = q.shape.vertices()[edge.from];
-            bounds.length = edge.length;
+            const OpenPart part = open_part(edge, q.seams);
+            const Vec2 edge_start = q.shape.vertices()[edge.from] + part.from * edge.tangent;
+            bounds.length = part.length;
             const EdgeReading first = read_edge(seen, edge, edge_start);
             if (!strikes(first, bounds) && window.from + certain_step(first, bounds) >= horizon(strike, window)) continue;
 
@@ -159,7 +201,11 @@ void scan_vertices(const Side& p, const Side& q, const Relative& relative, doubl
                 return read_edge(seen_from(q.turning.at(time), spin_q, point_then, rate_then), edge, edge_start);
             };
             // [toi.vertices-on-edges.read]
-            keep_earlier(strike, march(first, read, bounds, window.from, horizon(strike, window)),
+            const auto counts = [&](double time) {
+                const Vec2 normal = inverse(p.turning.at(time)) * Vec2(q.turning.at(time) * edge.normal);
+                return is_open(p.shape, k, p.seams, -normal);
+            };
+            keep_earlier(strike, march(first, read, bounds, window.from, horizon(strike, window), counts),
                          {kind, k, edge.from});
         }
         // [toi.vertices-on-edges.march]
@@ -170,10 +216,10 @@ void scan_vertices(const Side& p, const Side& q, const Relative& relative, doubl
 // [toi.distance]
 /// March of the distance between a point and a centre, less a radius. Distance bends
 /// upwards by itself, so that the acceleration alone bounds how fast it can fall.
-template <typename Offset>
+template <typename Offset, typename Counts>
 [[nodiscard]] MarchEnd march_distance(const Offset& offset_and_rate, double radius,
                                       double acceleration, const Window& window,
-                                      double until)
+                                      double until, const Counts& counts)
 {
     const double bend = acceleration * (1.0 + tolerance::k_bend_margin);
     const MarchBounds bounds{bend, k_never, k_never, window.tolerance};
@@ -183,7 +229,7 @@ template <typename Offset>
         const double rate = seen.point.dot(seen.rate) / distance;
         return EdgeReading{distance - radius, rate, 0.0, 0.0};
     };
-    return march(read(window.from), read, bounds, window.from, until);
+    return march(read(window.from), read, bounds, window.from, until, counts);
 }
 // [toi.distance]
 
@@ -195,8 +241,8 @@ Strike first_strike(const Polygon& a, const Turning& turning_a, const Polygon& b
                     const Relative& relative, const Window& window)
 {
     Strike strike;
-    const Side side_a{a, turning_a, turning_a.at(window.from)};
-    const Side side_b{b, turning_b, turning_b.at(window.from)};
+    const Side side_a{a, turning_a, turning_a.at(window.from), window.seams_a};
+    const Side side_b{b, turning_b, turning_b.at(window.from), window.seams_b};
     scan_vertices(side_a, side_b, relative, 1.0, FeatureKind::vertex_of_a, window, strike);
     scan_vertices(side_b, side_a, relative, -1.0, FeatureKind::vertex_of_b, window, strike);
     return strike;
@@ -223,8 +269,9 @@ Strike first_strike(const Disc& a, const Polygon& b, const Turning& turning_b, c
     for (const Edge& edge : b.edges()) {
         // [toi.disc-on-polygon.edge]
         // The disc's centre against the edge, moved out by the radius
-        bounds.length = edge.length;
-        const Vec2 moved_start = b.vertices()[edge.from] + a.radius * edge.normal;
+        const OpenPart part = open_part(edge, window.seams_b);
+        bounds.length = part.length;
+        const Vec2 moved_start = b.vertices()[edge.from] + a.radius * edge.normal + part.from * edge.tangent;
         const auto read = [&](double time) {
             return read_edge(seen_from(turning_b.at(time), spin, relative.offset_at(time), relative.rate_at(time)), edge,
                              moved_start);
@@ -236,7 +283,7 @@ Strike first_strike(const Disc& a, const Polygon& b, const Turning& turning_b, c
 
         // [toi.disc-on-polygon.corner]
         // And against the corner at its start
-        if (b.is_reflex(edge.from)) continue;
+        if (b.is_reflex(edge.from) || is_no_corner(edge.from, window.seams_b)) continue;
         const Vec2& corner = b.vertices()[edge.from];
         const auto from_corner = [&](double time) {
             const Vec2 r = turning_b.at(time) * corner;
@@ -245,8 +292,12 @@ Strike first_strike(const Disc& a, const Polygon& b, const Turning& turning_b, c
             return Seen{offset, rate};
         };
         const double corner_acceleration = acceleration + spin * spin * corner.norm();
+        const auto counts = [&](double time) {
+            const Vec2 normal = inverse(turning_b.at(time)) * from_corner(time).point.normalized();
+            return is_open(b, edge.from, window.seams_b, normal);
+        };
         keep_earlier(strike,
-                     march_distance(from_corner, a.radius, corner_acceleration, window, horizon(strike, window)),
+                     march_distance(from_corner, a.radius, corner_acceleration, window, horizon(strike, window), counts),
                      {FeatureKind::vertex_of_b, edge.from, -1});
         // [toi.disc-on-polygon.corner]
     }
@@ -260,8 +311,10 @@ Strike first_strike(const Disc& a, const Disc& b, const Relative& relative, cons
 {
     Strike strike;
     const auto between_centres = [&](double time) { return Seen{relative.offset_at(time), relative.rate_at(time)}; };
+    const auto counts = [](double) { return true; };
     keep_earlier(strike,
-                 march_distance(between_centres, a.radius + b.radius, acceleration_bound(relative), window, window.until),
+                 march_distance(between_centres, a.radius + b.radius, acceleration_bound(relative), window, window.until,
+                                counts),
                  {});
     return strike;
 }

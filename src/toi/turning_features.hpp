@@ -1,5 +1,8 @@
 #pragma once
 
+#include <span>
+
+#include "collide/seams.hpp"
 #include "geometry/disc.hpp"
 #include "geometry/half_plane.hpp"
 #include "geometry/polygon.hpp"
@@ -18,6 +21,8 @@ struct Window
     double speed = 0.0; ///< bound on the relative speed of the two positions within it [m/s]
     bool skips_far_vertices = true; ///< leave those alone that stay out of reach
     GapTolerance tolerance;
+    std::span<const Seam> seams_a = {}; ///< of A's surface with what lies beside it
+    std::span<const Seam> seams_b = {}; ///< the same of B
 };
 // [toi.features.window]
 

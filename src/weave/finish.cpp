@@ -47,7 +47,7 @@ std::vector<fs::path> html_files(const fs::path& folder)
 bool is_block(const std::string& html)
 {
     for (const char* start : {"<figure", "<div", "<pre", "<details", "</details", "<section", "</section", "<nav",
-                              "<header", "<ol", "<p", "</div"})
+                              "<header", "<script", "<ol", "<p", "</div"})
         if (html.rfind(start, 0) == 0) return true;
     return false;
 }

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "weave/live_matter.hpp"
 #include "weave/pages.hpp"
 #include "weave/receipts.hpp"
 #include "weave/text.hpp"
@@ -246,15 +247,32 @@ void add_generated_pages(const Material& material, const Counts& counts, TextWri
     const std::string map = fragments.add_html(chapter_map(material.book));
     const std::string list = fragments.add_html(contents(material));
 
+    const ChapterEntry* first = material.book.chapter(1);
+    const std::string start =
+        first == nullptr || !first->written
+            ? std::string()
+            : fragments.add_html(fmt::format("<p class=\"start\"><a href=\"{}.html\">Start with chapter {}: {}</a></p>",
+                                             first->page(), first->number, escape_html(first->title)));
     pages.list.push_back(
         {"index",
          fmt::format(
              "# {} {{#mainpage}}\n\n"
-             "A course on rigid bodies in the plane, and the simulator it explains. Every formula in it is "
-             "derived, run and checked by a test; the receipt stands beneath it.\n\n"
-             "Begin with \\ref course, or follow the map: a chapter stands below all that it builds on.\n\n{}\n\n"
+             "{}\n\n"
+             "Begin with one flying ball, end with a simulator of colliding polygons that you understand to the last "
+             "line, and check every formula on the way.\n\n{}\n\n"
+             "When you are through, you will be able to\n\n"
+             "- weigh any polygon: find its mass, its centre and its moment of inertia from its corners alone,\n"
+             "- say when two turning polygons touch, and which push parts them, as closely as a computer can,\n"
+             "- write a simulator and know how far to trust it, from one ball to a heap that lies still.\n\n"
+             "Each chapter answers a question. Scenes of your own run in the \\ref playground.\n\n{}\n\n"
+             "## What builds on what\n\nA chapter stands below all that it needs.\n\n{}\n\n"
              "For reference: \\ref equations, \\ref symbols, \\ref left_out, and the manual of the code in the menu.\n",
-             material.book.title, map)});
+             material.book.title, fragments.add_html(front_figure()), start, list, map)});
+    pages.list.push_back(
+        {"playground",
+         fmt::format("# Playground {{#playground}}\n\nEvery scene of the course, and your own. A scene is a text; change "
+                     "it, and what is wrong with it is said with line and column.\n\n{}\n",
+                     fragments.add_html(playground_figure()))});
     std::string subpages;
     for (const Chapter& chapter : material.chapters) subpages += fmt::format("- \\subpage {}\n", chapter.entry.page());
     pages.list.push_back({"course", fmt::format("# The chapters {{#course}}\n\n{}\n\n{}\n\n{}\n", list,

@@ -43,6 +43,7 @@ int main(int argc, char** argv)
     };
     CLI::App* book = app.add_subcommand("book", "make the whole book");
     CLI::App* check = app.add_subcommand("check", "check every rule that needs no Doxygen");
+    book->add_option("--module", tools.module, "the engine for pages, flying.wasm; without it they play recordings");
     CLI::App* filter = app.add_subcommand("filter", "print a source as Doxygen is to read it");
     add_folders(book);
     add_folders(check);

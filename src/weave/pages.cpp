@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "weave/live_matter.hpp"
 #include "weave/text.hpp"
 
 namespace flying::weave {
@@ -88,7 +89,7 @@ Pages make_pages(const Material& material, const Counts& counts, Problems& probl
                  fmt::format("# The rest of the code of chapter {} {{#{}_rest}}\n\n{}\n\n{}\n", chapter.entry.number,
                              name, writer.blocks(chapter, *chapter.rest, name + "_rest"), around)});
         }
-        text += "\n" + around + "\n";
+        text += "\n" + around + "\n" + pages.fragments.add_html(live_script(material.folders, chapter.entry)) + "\n";
         pages.list.push_back({name, text});
     }
     add_generated_pages(material, counts, writer, pages);

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "weave/finish.hpp"
+#include "weave/live_matter.hpp"
 #include "weave/receipts.hpp"
 #include "weave/rules.hpp"
 #include "weave/text.hpp"
@@ -126,14 +127,6 @@ void copy_matter(const Woven& woven, const fs::path& html, Problems& problems)
                 if (block.kind == BlockKind::figure)
                     copy(drawn_file(woven.material, chapter, block.name + ".svg"), html / "figures" / (name + ".svg"),
                          problems);
-                if (block.kind != BlockKind::live) continue;
-                const std::string trace =
-                    read_file(drawn_file(woven.material, chapter, block.name + ".ndjson")).value_or("");
-                const std::string script =
-                    fmt::format("(window.flyingTraces = window.flyingTraces || {{}})[\"{}\"] = [\n{}\n];\n", name,
-                                join(split_lines(trace), ",\n"));
-                if (!write_file(html / "traces" / (name + ".js"), script))
-                    problems.add(block.place, "a trace that can't be written", "a folder to write to");
             }
         }
     }
@@ -207,6 +200,7 @@ void make_book(const Folders& folders, const Tools& tools, Problems& problems)
     const fs::path html = folders.build / "html.new";
     if (!run_doxygen(folders, tools, woven, html, problems)) return;
     copy_matter(woven, html, problems);
+    copy_live_matter(woven, folders, tools, html, problems);
     finish_pages(woven.material, woven.pages.fragments.list(), woven.formulas,
                  read_manual(folders.build / "names.tag", folders.project), html, problems);
     check_links(html, problems);

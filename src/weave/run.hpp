@@ -9,11 +9,12 @@
 
 namespace flying::weave {
 
-/// The programs that the book is made with.
+/// What the book is made with.
 struct Tools
 {
     std::string doxygen = "doxygen";
     std::string node = "node";
+    std::string module{}; ///< the engine for pages, of WebAssembly; empty where there is none
 };
 
 /// Renders every formula, in one run of KaTeX for all that are new since the last time. One entry for each fragment;

@@ -353,7 +353,7 @@ std::string TextWriter::live(const Chapter& chapter, const Block& block)
         fragments_.add_html(fmt::format("<figure class=\"live\" data-trace=\"{0}\"><canvas role=\"img\" "
                                         "aria-label=\"{1}\"></canvas><figcaption>{2}</figcaption>"
                                         "<noscript>This picture moves only where scripts "
-                                        "run.</noscript></figure><script src=\"traces/{0}.js\"></script>",
+                                        "run.</noscript></figure>",
                                         escape_html(id), plain_caption(block), caption(block))));
 }
 

@@ -97,13 +97,15 @@ std::uint64_t final_hash(std::uint64_t log_hash, const std::vector<BodyReport>& 
 }
 // [account.hash]
 
-Plan plan_with_savings(Plan plan, const EventCounts& counts)
+Plan plan_with_savings(Plan plan, const EventCounts& counts, const RestEngine* rest)
 {
     for (Skip& skip : plan.skips) {
         if (!skip.active) continue;
         if (skip.name == "grid") skip.saved = counts.far_pairs_skipped;
         if (skip.name == "static-pairs") skip.saved = counts.static_pairs_skipped;
         if (skip.name == "search") skip.saved = counts.predictions + counts.looks - counts.searches;
+        if (rest && skip.name == "sleeping") skip.saved = rest->counts().asleep;
+        if (rest && skip.name == "warm-start") skip.saved = rest->solve_counts().accepted;
         if (skip.name == "far-features") skip.saved = counts.far_features_skipped;
     }
     return plan;
@@ -142,6 +144,9 @@ Handover describe(const Hybrid::Change& change, const Scene& scene)
     case Why::settled:
         handover.reason = describe({EventFailure::Kind::settled, handover.time, change.a, change.b}, scene).message;
         break;
+    case Why::stays:
+        handover.reason = describe({EventFailure::Kind::stays, handover.time, change.a, change.b}, scene).message;
+        break;
     case Why::unresolved:
         handover.reason = describe({EventFailure::Kind::unresolved, handover.time, change.a, change.b}, scene).message;
         break;
@@ -171,6 +176,9 @@ RunFailure describe(const EventFailure& failure, const Scene& scene)
         break;
     case EventFailure::Kind::settled:
         described.message = "bounces of " + pair + " die away" + when;
+        break;
+    case EventFailure::Kind::stays:
+        described.message = "an impact leaves " + pair + " on each other" + when;
         break;
     case EventFailure::Kind::unresolved:
         described.message = "an impact of " + pair + when + " could not be resolved: some of its points still approach";

@@ -42,7 +42,7 @@ struct Account
 [[nodiscard]] std::uint64_t final_hash(std::uint64_t log_hash, const std::vector<BodyReport>& bodies);
 
 /// The plan, with the work that its skips saved.
-[[nodiscard]] Plan plan_with_savings(Plan plan, const EventCounts& counts);
+[[nodiscard]] Plan plan_with_savings(Plan plan, const EventCounts& counts, const RestEngine* rest);
 
 [[nodiscard]] std::vector<StageCost> stage_costs(const EventCounts& counts, const EventSeconds& seconds);
 [[nodiscard]] std::vector<StageCost> stage_costs(const RestCounts& counts, const RestSeconds& seconds);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "math/tolerance.hpp"
+#include "world/leaning.hpp"
 
 namespace flying {
 namespace {
@@ -24,98 +25,145 @@ constexpr double k_ahead = 2.0;
 /// Steps in a row after which it must be so.
 constexpr char k_clear_steps = 2;
 
-[[nodiscard]] std::vector<RestBody> as_rest_bodies(const EventEngine& engine, const std::vector<Material>& materials,
-                                                   const std::vector<char>& is_static, const Vec2& gravity)
-{
-    std::vector<RestBody> bodies;
-    for (int k = 0; k < engine.body_count(); ++k) {
-        const bool moves = is_static[k] == 0;
-        bodies.push_back({engine.shape(k), engine.flyer(k).state, engine.inertia(k), materials[k],
-                          moves ? gravity : Vec2(Vec2::Zero()), !moves, !moves});
-    }
-    return bodies;
-}
+/// Whether a failure is one that ends by giving the bodies to the resting integrator.
+[[nodiscard]] bool is_taken(const EventFailure& failure) { return failure.kind != EventFailure::Kind::spun_out; }
 
-[[nodiscard]] RestOptions rest_options(const Hybrid::Setting& setting)
+[[nodiscard]] Hybrid::Change::Why reason_of(EventFailure::Kind kind)
 {
-    RestOptions options;
-    options.step = setting.step;
-    options.seconds = setting.seconds;
-    return options;
+    switch (kind) {
+    case EventFailure::Kind::settled: return Hybrid::Change::Why::settled;
+    case EventFailure::Kind::unresolved: return Hybrid::Change::Why::unresolved;
+    case EventFailure::Kind::stays: return Hybrid::Change::Why::stays;
+    default: return Hybrid::Change::Why::crowded;
+    }
 }
 
 } // namespace
 
 // [hybrid.set_up]
-Hybrid::Hybrid(const EventEngine& engine, const std::vector<Material>& materials, const std::vector<char>& is_static,
-               const Setting& setting)
-    : setting_(setting), rest_(as_rest_bodies(engine, materials, is_static, setting.gravity), rest_options(setting), engine.time())
+Hybrid::Hybrid(EventEngine engine, std::vector<Material> materials, const Setting& setting)
+    : setting_(setting), flying_(std::move(engine)), materials_(std::move(materials))
 {
-    for (int k = 0; k < engine.body_count(); ++k) {
-        radius_.push_back(bounding_radius(engine.shape(k)));
-        hands_.push_back(is_static[k] ? Hands::none : Hands::events);
+    for (int k = 0; k < flying_.body_count(); ++k) {
+        radius_.push_back(bounding_radius(flying_.shape(k)));
+        movers_.push_back(flying_.is_static(k) ? BodyMover::nobody : BodyMover::events);
     }
-    lies_.assign(hands_.size(), 0);
-    clear_.assign(hands_.size(), 0);
+    clear_.assign(movers_.size(), 0);
+}
+
+void Hybrid::begin()
+{
+    const bool is_central = std::holds_alternative<CentralField>(setting_.field);
+    const bool any_field = is_central || uniform_acceleration(setting_.field) != Vec2::Zero();
+    std::vector<int> first;
+    if (setting_.policy == EngineChoice::rest) {
+        for (int k = 0; k < static_cast<int>(movers_.size()); ++k) {
+            if (movers_[k] == BodyMover::events) first.push_back(k);
+        }
+    } else if (setting_.policy == EngineChoice::automatic && any_field) first = find_leaning(flying_, setting_.field);
+    if (first.empty()) return;
+    set_up_resting();
+    Change change;
+    change.why = Change::Why::leaning;
+    take_in(first, change);
+    if (setting_.policy == EngineChoice::rest) changes_.clear(); // nobody had them before
+    take_in_all_near();
+}
+
+/// The resting integrator, from now on beside the other: it has no body yet.
+void Hybrid::set_up_resting()
+{
+    if (resting_) return;
+    RestOptions options;
+    options.step = setting_.step;
+    options.sleeps = setting_.sleeps;
+    options.warm_starts = setting_.warm_starts;
+    options.seconds = seconds_;
+    if (const auto* central = std::get_if<CentralField>(&setting_.field)) options.centre = *central;
+    std::vector<RestBody> bodies;
+    for (int k = 0; k < flying_.body_count(); ++k) {
+        const bool moves = movers_[k] != BodyMover::nobody;
+        const Vec2 gravity = moves ? uniform_acceleration(setting_.field) : Vec2(Vec2::Zero());
+        bodies.push_back({flying_.shape(k), flying_.flyer(k).state, flying_.inertia(k), materials_[k], gravity, !moves, !moves});
+    }
+    resting_.emplace(std::move(bodies), options, flying_.time());
+}
+
+void Hybrid::set_stopwatch(double (*seconds)())
+{
+    seconds_ = seconds;
+    flying_.set_clock(seconds);
+    if (resting_) resting_->set_clock(seconds);
 }
 // [hybrid.set_up]
 
 // [hybrid.advance]
-std::optional<EventFailure> Hybrid::advance(EventEngine& engine, double time, std::int64_t most)
+std::optional<EventFailure> Hybrid::advance(double time, std::int64_t most)
 {
     for (std::int64_t done = 0;;) {
         const double last = time + k_same_moment * tolerance::k_epsilon * std::abs(time);
-        const bool steps = any_leans_ && step_ends_ <= last;
+        const bool steps = step_ends_ && *step_ends_ <= last;
 
         // A step whose end the events have reached is made whatever the count says: the clock has got there
-        const bool is_due = steps && engine.time() >= step_ends_;
-        if (most >= 0 && done >= most && !is_due) return std::nullopt;
+        const bool is_due = steps && flying_.time() >= *step_ends_;
+        if (most >= 0 && done >= most && !is_due) break;
 
         // Handle what comes before, one impact at a time where it may throw a body among those that lean
-        engine.notice_all(any_leans_);
-        const std::int64_t before = engine.counts().events;
-        const auto failure = engine.advance(steps ? step_ends_ : time, most < 0 || is_due ? -1 : most - done);
-        done += engine.counts().events - before;
-        if (failure && !takes(*failure)) return failure;
-        if (failure) take(engine, *failure);
-        else if (engine.noticed()) answer_impact(engine, engine.last_impact());
-        else if (!steps) return std::nullopt;
-        else if (engine.time() >= step_ends_) {
-            finish_step(engine);
+        flying_.notice_all(step_ends_.has_value());
+        const std::int64_t before = flying_.counts().events;
+        const auto failure = flying_.advance(steps ? *step_ends_ : time, most < 0 || is_due ? -1 : most - done);
+        done += flying_.counts().events - before;
+        if (failure && (setting_.policy != EngineChoice::automatic || !is_taken(*failure))) {
+            clock_ = failure->time;
+            return failure;
+        }
+        if (failure) take(*failure);
+        else if (flying_.noticed()) answer_impact(flying_.last_impact());
+        else if (!steps) break;
+        else if (flying_.time() >= *step_ends_) {
+            finish_step();
             ++done;
         }
     }
+    clock_ = std::max(clock_, most < 0 ? time : std::min(time, flying_.time()));
+    return std::nullopt;
 }
 
-void Hybrid::finish_step(EventEngine& engine)
+void Hybrid::finish_step()
 {
-    const double from = rest_.time();
-    const double count = std::round(from / setting_.step);
-    const bool is_whole = from == count * setting_.step && step_ends_ == (count + 1.0) * setting_.step;
-    step_by(is_whole ? setting_.step : step_ends_ - from, step_ends_);
-    follow_sleep(engine);
-    let_go_of_the_clear(engine);
-    take_in_all_near(engine);
+    step_by(step_length(), *step_ends_);
+    follow_sleep();
+    let_go_of_the_clear();
+    take_in_all_near();
 }
 // [hybrid.advance]
 
 // [hybrid.step]
 /// Bring those that lean to a moment within their step.
-void Hybrid::cut(EventEngine& engine, double time)
+void Hybrid::cut(double time)
 {
-    if (any_leans_ && time > rest_.time()) {
-        step_by(time - rest_.time(), time);
-        follow_sleep(engine);
+    if (step_ends_ && time > resting_->time()) {
+        step_by(time - resting_->time(), time);
+        follow_sleep();
     }
-    if (!any_leans_) rest_.set_time(time);
+    if (!step_ends_) resting_->set_time(time);
 }
 
 void Hybrid::step_by(double length, double end)
 {
-    glimpse_.reset();
+    ways_.clear();
     const double before = energy_of_leaning();
-    rest_.step_by(length, end);
+    resting_->step_by(length, end);
     energy_of_steps_ += energy_of_leaning() - before;
+}
+
+/// Of the present step: a whole one has its length to the bit, whatever the difference of its ends rounds to.  [s]
+double Hybrid::step_length() const
+{
+    const double from = resting_->time();
+    const double count = std::round(from / setting_.step);
+    const bool is_whole = from == count * setting_.step && *step_ends_ == (count + 1.0) * setting_.step;
+    return is_whole ? setting_.step : *step_ends_ - from;
 }
 
 /// The first multiple of the step's length, halved so often, after a moment, but for one that is all but reached.
@@ -128,16 +176,20 @@ double Hybrid::next_end(double time, int halvings) const
 }
 
 /// How often the step must be halved for those that lean, and those near them, to stay within a small part of their size.
-int Hybrid::halvings_for(const EventEngine& engine, const std::vector<int>& near) const
+int Hybrid::halvings_for(const std::vector<int>& near) const
 {
+    if (setting_.policy == EngineChoice::rest) return 0;
+    const auto* central = std::get_if<CentralField>(&setting_.field);
     double fastest = 0.0; // [sizes/s]
     const auto look = [&](const BodyState& state, int k) {
-        fastest = std::max(fastest, state.velocity.norm() / radius_[k] + std::abs(state.spin));
+        double size = radius_[k];
+        if (central) size = std::min(size, (state.position - central->centre).norm()); // the field changes as fast
+        fastest = std::max(fastest, state.velocity.norm() / size + std::abs(state.spin));
     };
-    for (const int k : rests_) {
-        if (leans(k)) look(rest_.state(k), k);
+    for (const int k : leaning_) {
+        if (movers_[k] == BodyMover::rest) look(resting_->state(k), k);
     }
-    for (const int k : near) look(engine.flyer(k).state, k);
+    for (const int k : near) look(flying_.flyer(k).state, k);
     int halvings = 0;
     for (double way = fastest * setting_.step; way > k_way && halvings < k_most_halvings; way *= 0.5) ++halvings;
     return halvings;
@@ -145,32 +197,32 @@ int Hybrid::halvings_for(const EventEngine& engine, const std::vector<int>& near
 // [hybrid.step]
 
 // [hybrid.impact]
-void Hybrid::answer_impact(EventEngine& engine, const Event& impact)
+void Hybrid::answer_impact(const Event& impact)
 {
-    // A body that lay and was struck wakes, and all that it touches
-    if (const std::vector<Blow> blows = blows_of(engine, impact.a, impact.b); !blows.empty()) {
-        cut(engine, impact.time);
+    // A body that slept and was struck wakes, and all that it touches
+    if (const std::vector<Blow> blows = blows_of(impact.a, impact.b); !blows.empty()) {
+        cut(impact.time);
         for (const Blow& blow : blows) take_blow(blow);
-        follow_sleep(engine);
-        take_in_all_near(engine);
+        follow_sleep();
+        take_in_all_near();
         return;
     }
 
     // A body that was thrown towards those that lean joins them
     for (const int body : {impact.a, impact.b}) {
-        if (hands_[body] != Hands::events || !comes_near(engine, body)) continue;
-        cut(engine, impact.time);
-        take_in_all_near(engine);
+        if (movers_[body] != BodyMover::events || !comes_near(body)) continue;
+        cut(impact.time);
+        take_in_all_near();
         return;
     }
 }
 
-/// What the event engine has just given to those of a pair that lay.
-std::vector<Hybrid::Blow> Hybrid::blows_of(const EventEngine& engine, int a, int b) const
+/// What the event engine has just given to those of a pair that slept.
+std::vector<Hybrid::Blow> Hybrid::blows_of(int a, int b) const
 {
     std::vector<Blow> blows;
     for (const int body : {a, b}) {
-        if (lies_[body]) blows.push_back({body, engine.flyer(body).state});
+        if (movers_[body] == BodyMover::asleep) blows.push_back({body, flying_.flyer(body).state});
     }
     return blows;
 }
@@ -179,109 +231,109 @@ void Hybrid::take_blow(const Blow& blow)
 {
     // The event engine took note of what it gave to a body that lay still; by now others may have moved it
     const int body = blow.body;
-    BodyState resting = blow.state;
-    resting.velocity = Vec2::Zero();
-    resting.spin = 0.0;
-    const double noted = energy(body, blow.state) - energy(body, resting);
-    const BodyState old = rest_.state(body);
+    BodyState still = blow.state;
+    still.velocity = Vec2::Zero();
+    still.spin = 0.0;
+    const double noted = energy(body, blow.state) - energy(body, still);
+    const BodyState old = resting_->state(body);
     BodyState state = old;
     state.velocity += blow.state.velocity;
     state.spin += blow.state.spin;
     energy_of_blows_ += (energy(body, state) - energy(body, old)) - noted;
-    lies_[body] = 0;
-    glimpse_.reset();
-    rest_.set_state(body, state);
+    movers_[body] = BodyMover::rest;
+    ways_.clear();
+    resting_->set_state(body, state);
 }
 // [hybrid.impact]
 
 // [hybrid.take]
-bool Hybrid::takes(const EventFailure& failure) { return failure.kind != EventFailure::Kind::spun_out; }
-
-void Hybrid::take_leaning(EventEngine& engine, const std::vector<int>& bodies)
+/// Take the two bodies of a failure, and those near them.
+void Hybrid::take(const EventFailure& failure)
 {
-    Change change;
-    change.why = Change::Why::leaning;
-    take_in(engine, bodies, change);
-    take_in_all_near(engine);
-}
-
-void Hybrid::take(EventEngine& engine, const EventFailure& failure)
-{
-    const std::vector<Blow> blows = blows_of(engine, failure.a, failure.b);
-    cut(engine, failure.time);
+    set_up_resting();
+    const std::vector<Blow> blows = blows_of(failure.a, failure.b);
+    cut(failure.time);
     for (const Blow& blow : blows) take_blow(blow);
     std::vector<int> bodies;
     for (const int body : {failure.a, failure.b}) {
-        if (hands_[body] == Hands::events) bodies.push_back(body);
+        if (movers_[body] == BodyMover::events) bodies.push_back(body);
     }
     Change change;
-    change.why = failure.kind == EventFailure::Kind::settled      ? Change::Why::settled
-                 : failure.kind == EventFailure::Kind::unresolved ? Change::Why::unresolved
-                                                                  : Change::Why::crowded;
+    change.why = reason_of(failure.kind);
     change.a = failure.a;
     change.b = failure.b;
     change.bounces_end = failure.bounces_end;
-    take_in(engine, bodies, change);
-    follow_sleep(engine);
-    take_in_all_near(engine);
+    take_in(bodies, change);
+    follow_sleep();
+    take_in_all_near();
 }
 
-void Hybrid::take_in(EventEngine& engine, const std::vector<int>& bodies, Change change)
+void Hybrid::take_in(const std::vector<int>& bodies, Change change)
 {
-    const double time = rest_.time();
+    if (bodies.empty()) return;
+    const double time = resting_->time();
     change.time = time;
     change.bodies = bodies;
     for (const int body : bodies) {
-        const BodyState state = state_at(engine.flyer(body), time);
+        const BodyState state = state_at(flying_.flyer(body), time);
         change.energy_before += energy(body, state);
-        engine.place(body, EventEngine::Presence::away, state);
-        rest_.set_active(body, true);
-        rest_.set_state(body, state);
-        change.energy_after += energy(body, rest_.state(body));
-        hands_[body] = Hands::rest;
-        rests_.insert(std::lower_bound(rests_.begin(), rests_.end(), body), body);
+        flying_.place(body, EventEngine::Presence::away, state);
+        resting_->set_active(body, true);
+        resting_->set_state(body, state);
+        change.energy_after += energy(body, resting_->state(body));
+        movers_[body] = BodyMover::rest;
+        leaning_.insert(std::lower_bound(leaning_.begin(), leaning_.end(), body), body);
         clear_[body] = 0;
     }
-    glimpse_.reset();
-    if (!bodies.empty()) changes_.push_back(std::move(change));
+    ways_.clear();
+    changes_.push_back(std::move(change));
 }
 
 /// Take in every body that may meet one that leans before the step ends, and again those that may meet these.
-void Hybrid::take_in_all_near(EventEngine& engine)
+void Hybrid::take_in_all_near()
 {
-    any_leans_ = std::any_of(rests_.begin(), rests_.end(), [&](int k) { return leans(k); });
-    if (!any_leans_) return;
-    int halvings = halvings_for(engine, {});
-    find_islands();
+    step_ends_.reset();
+    if (!any_leans()) return;
+    int halvings = halvings_for({});
+    step_ends_ = next_end(resting_->time(), halvings);
+    if (setting_.policy == EngineChoice::rest) return;
+    hand_over_.begin(leaning(leaning_));
     while (true) {
-        step_ends_ = next_end(rest_.time(), halvings);
-        find_reaches();
+        step_ends_ = next_end(resting_->time(), halvings);
+        hand_over_.reach(*step_ends_ - resting_->time());
         std::vector<int> near;
-        for (int k = 0; k < static_cast<int>(hands_.size()); ++k) {
-            if (hands_[k] == Hands::events && comes_near(engine, k)) near.push_back(k);
+        for (int k = 0; k < static_cast<int>(movers_.size()); ++k) {
+            if (movers_[k] == BodyMover::events && comes_near(k)) near.push_back(k);
         }
         if (near.empty()) return;
 
         // Those that come fast need short steps, in which fewer come near
-        const int needed = halvings_for(engine, near);
+        const int needed = halvings_for(near);
         if (needed > halvings) {
             halvings = needed;
             continue;
         }
         Change change;
         change.why = Change::Why::near;
-        take_in(engine, near, change);
-        add_to_islands(near);
+        take_in(near, change);
+        hand_over_.add(leaning(near));
     }
+}
+
+bool Hybrid::any_leans() const
+{
+    return std::any_of(leaning_.begin(), leaning_.end(), [&](int k) { return movers_[k] == BodyMover::rest; });
 }
 // [hybrid.take]
 
 // [hybrid.let_go]
-void Hybrid::let_go_of_the_clear(EventEngine& engine)
+void Hybrid::let_go_of_the_clear()
 {
-    // Find who bears no load and stays alone, for the second time
+    if (setting_.policy == EngineChoice::rest) return;
+
+    // Find what bears no load and stays alone, for the second time
     std::vector<char> may_go;
-    rest_.find_clear(k_ahead * setting_.step, may_go);
+    resting_->find_clear(k_ahead * setting_.step, may_go);
     bool any = false;
     for (std::size_t k = 0; k < may_go.size(); ++k) {
         clear_[k] = may_go[k] ? std::min<char>(k_clear_steps, static_cast<char>(clear_[k] + 1)) : 0;
@@ -290,125 +342,95 @@ void Hybrid::let_go_of_the_clear(EventEngine& engine)
     }
     if (!any) return;
 
-    // Whoever would be taken in again by one that stays, stays
-    step_ends_ = next_end(rest_.time(), 0);
-    find_islands();
-    find_reaches();
-    std::vector<int> going;
-    for (bool changed = true; changed;) {
-        changed = false;
-        going.clear();
-        for (const BoxCells::Entry& reach : reaches_.entries()) {
-            if (!may_go[reach.body]) continue;
-            if (has_leaning_near(reach.box, &may_go)) {
-                may_go[reach.body] = 0;
-                changed = true;
-            } else going.push_back(reach.body);
-        }
-    }
+    // What would be taken in again by one that stays, stays
+    hand_over_.begin(leaning(leaning_));
+    hand_over_.reach(next_end(resting_->time(), 0) - resting_->time());
+    const std::vector<int> going = hand_over_.may_leave(std::move(may_go));
     if (going.empty()) return;
 
     Change change;
     change.why = Change::Why::free;
-    change.time = rest_.time();
+    change.time = resting_->time();
     change.bodies = going;
     for (const int body : going) {
-        const BodyState state = rest_.state(body);
+        const BodyState state = resting_->state(body);
         change.energy_before += energy(body, state);
-        rest_.set_active(body, false);
-        hands_[body] = Hands::events;
-        rests_.erase(std::lower_bound(rests_.begin(), rests_.end(), body));
+        resting_->set_active(body, false);
+        movers_[body] = BodyMover::events;
+        leaning_.erase(std::lower_bound(leaning_.begin(), leaning_.end(), body));
         clear_[body] = 0;
     }
     for (const int body : going) {
-        engine.place(body, EventEngine::Presence::flies, rest_.state(body));
-        change.energy_after += energy(body, engine.flyer(body).state);
+        flying_.place(body, EventEngine::Presence::flies, resting_->state(body));
+        change.energy_after += energy(body, flying_.flyer(body).state);
     }
     changes_.push_back(std::move(change));
 }
 // [hybrid.let_go]
 
 // [hybrid.sleep]
-/// Tell the event engine who has fallen asleep, and who has woken.
-void Hybrid::follow_sleep(EventEngine& engine)
+/// Tell the event engine what has fallen asleep, and what has woken.
+void Hybrid::follow_sleep()
 {
-    any_leans_ = false;
-    for (const int k : rests_) {
-        const bool asleep = rest_.is_asleep(k);
-        const bool is_known = engine.presence(k) == (asleep ? EventEngine::Presence::lies : EventEngine::Presence::away);
-        if (!is_known) {
-            engine.place(k, asleep ? EventEngine::Presence::lies : EventEngine::Presence::away, rest_.state(k));
-        }
-        lies_[k] = asleep ? 1 : 0;
-        any_leans_ = any_leans_ || !asleep;
+    for (const int k : leaning_) {
+        const bool asleep = resting_->is_asleep(k);
+        const auto presence = asleep ? EventEngine::Presence::lies : EventEngine::Presence::away;
+        if (flying_.presence(k) != presence) flying_.place(k, presence, resting_->state(k));
+        movers_[k] = asleep ? BodyMover::asleep : BodyMover::rest;
     }
+    if (!any_leans()) step_ends_.reset();
 }
 // [hybrid.sleep]
 
 // [hybrid.state]
-BodyState Hybrid::state(const EventEngine& engine, int body, double time) const
+bool Hybrid::is_within_step(int body) const
 {
-    if (hands_[body] == Hands::events) return state_at(engine.flyer(body), time);
-    const double length = time - rest_.time();
-    if (!leans(body) || !(length > k_same_moment * tolerance::k_epsilon * std::abs(time))) {
-        BodyState state = rest_.state(body);
-        state.time = time;
-        return state;
-    }
+    const bool leans = movers_[body] == BodyMover::rest || movers_[body] == BodyMover::asleep; // a step may wake it
+    if (!leans || !step_ends_) return false;
+    return clock_ - resting_->time() > k_same_moment * tolerance::k_epsilon * std::abs(clock_);
+}
 
-    // Part of a step, on a copy: what is asked changes nothing
-    if (!glimpse_ || glimpse_->time() != time) {
-        glimpse_ = rest_;
-        glimpse_->step_by(length, time);
+BodyState Hybrid::state(int body)
+{
+    if (movers_[body] == BodyMover::nobody || movers_[body] == BodyMover::events) {
+        return state_at(flying_.flyer(body), clock_);
     }
-    return glimpse_->state(body);
+    const double since = clock_ - resting_->time();
+    const bool is_within = is_within_step(body);
+    if (is_within && ways_.empty()) ways_ = resting_->foresee(step_length(), *step_ends_);
+    const bool moves = is_within && !ways_[body].empty();
+    BodyState state = moves ? along(ways_[body], since) : resting_->state(body);
+    state.time = clock_;
+    return state;
 }
 // [hybrid.state]
-
-// [hybrid.energy]
-double Hybrid::energy(int body, const BodyState& state) const
-{
-    const Inertia& inertia = rest_.body(body).inertia;
-    if (inertia.inv_mass == 0.0) return 0.0;
-    const double shift = state.velocity.squaredNorm() / inertia.inv_mass;
-    const double turn = state.spin * state.spin / inertia.inv_moment_of_inertia;
-    return 0.5 * (shift + turn) - setting_.gravity.dot(state.position) / inertia.inv_mass;
-}
-
-double Hybrid::energy_of_leaning() const
-{
-    double sum = 0.0;
-    for (const int k : rests_) sum += energy(k, rest_.state(k));
-    return sum;
-}
-// [hybrid.energy]
 
 // [hybrid.memory]
 Hybrid::Memory Hybrid::memory() const
 {
-    Memory memory{rest_.memory(), {}, clear_, step_ends_, energy_of_steps_, energy_of_blows_};
-    for (const Hands hands : hands_) memory.rests.push_back(hands == Hands::rest ? 1 : 0);
+    Memory memory{flying_.resume(), {}, movers_, clear_, step_ends_.value_or(0.0), energy_of_steps_, energy_of_blows_};
+    if (resting_) memory.resting = resting_->memory();
     return memory;
 }
 
-void Hybrid::go_on_from(const EventEngine& engine, const Memory& memory)
+void Hybrid::go_on_from(const Memory& memory, const std::vector<BodyState>& flights, double clock)
 {
-    rest_.go_on_from(memory.rest);
-    clear_ = memory.clear;
+    flying_.go_on_from(memory.flying, flights);
+    clock_ = clock;
     energy_of_steps_ = memory.energy_of_steps;
     energy_of_blows_ = memory.energy_of_blows;
-    any_leans_ = false;
-    for (int k = 0; k < static_cast<int>(hands_.size()); ++k) {
-        if (!memory.rests[k]) continue;
-        hands_[k] = Hands::rest;
-        rests_.push_back(k);
-        lies_[k] = engine.presence(k) == EventEngine::Presence::lies ? 1 : 0;
-        any_leans_ = any_leans_ || !lies_[k];
+    if (!memory.resting) return;
+    movers_ = memory.movers;
+    clear_ = memory.clear;
+    set_up_resting();
+    resting_->go_on_from(*memory.resting);
+    for (int k = 0; k < static_cast<int>(movers_.size()); ++k) {
+        if (movers_[k] == BodyMover::rest || movers_[k] == BodyMover::asleep) leaning_.push_back(k);
     }
-    if (!any_leans_) return;
+    if (!any_leans()) return;
     step_ends_ = memory.step_ends;
-    find_islands();
-    find_reaches();
+    hand_over_.begin(leaning(leaning_));
+    hand_over_.reach(*step_ends_ - resting_->time());
 }
 // [hybrid.memory]
 

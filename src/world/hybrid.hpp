@@ -6,38 +6,42 @@
 #include <vector>
 
 #include "events/event_engine.hpp"
+#include "motion/field.hpp"
 #include "rest/rest_engine.hpp"
-#include "broadphase/box_cells.hpp"
+#include "world/hand_over.hpp"
+#include "world/policy.hpp"
 #include "world/report.hpp"
 
 namespace flying {
 
-/// Two integrators, one world. Every body that moves is in the hands of one of them:
+/// Two integrators, one world. Every body that moves is in the hands of one of them (BodyMover):
 ///
-///     flies  the event engine's: moved from impact to impact
-///     leans  the resting integrator's, and awake: moved by steps, to whose ends both engines come
-///     lies   the resting integrator's, and asleep: to the event engine a thing that stays where it is, until it is
-///            struck; the impact is located and answered like any other, and its group wakes
+///     events  the event engine's: moved from impact to impact
+///     rest    the resting integrator's, and awake: moved by steps, to whose ends both engines come
+///     asleep  the resting integrator's, and asleep: to the event engine a thing that stays where it is, until it is
+///             struck; the impact is located and answered like any other, and its group wakes
 ///
 /// Steps end at whole multiples of the step's length, and where a body changes hands between two of them. A body that
 /// might meet one that leans before the step ends is taken in at its start; one that bears no load and will touch
 /// nothing for two steps is let go. So the two never meet anywhere else, and what happens does not depend on when
-/// somebody asks.
+/// somebody asks. Where the user chose one integrator for all, no body ever changes hands.
 class Hybrid
 {
 public:
     /// What is the same for the whole run.
     struct Setting
     {
-        double step = 1.0 / 60.0;      ///< [s]
-        Vec2 gravity = Vec2::Zero();   ///< [m/s^2]
-        double (*seconds)() = nullptr; ///< a clock, or null
+        EngineChoice policy = EngineChoice::automatic;
+        double step = 1.0 / 60.0; ///< [s]
+        Field field = NoField{};
+        bool sleeps = true;
+        bool warm_starts = true;
     };
 
     /// A hand-over before the scene gives it its words.
     struct Change
     {
-        enum class Why { leaning, crowded, settled, unresolved, near, free };
+        enum class Why { leaning, crowded, settled, stays, unresolved, near, free };
         Why why = Why::crowded;
         double time = 0.0;        ///< when it happened [s]
         std::vector<int> bodies;
@@ -50,106 +54,99 @@ public:
 
     /// engine     whose bodies all fly
     /// materials  of the same bodies
-    /// is_static  of the same bodies
-    Hybrid(const EventEngine& engine, const std::vector<Material>& materials, const std::vector<char>& is_static,
-           const Setting& setting);
+    Hybrid(EventEngine engine, std::vector<Material> materials, const Setting& setting);
 
-    /// Whether a failure is one that ends by giving the bodies to the resting integrator.
-    [[nodiscard]] static bool takes(const EventFailure& failure);
-    /// Take bodies that lean on something from the start, and those near them.
-    void take_leaning(EventEngine& engine, const std::vector<int>& bodies);
-    /// Take the two bodies of such a failure, and those near them.
-    void take(EventEngine& engine, const EventFailure& failure);
+    /// Give to the resting integrator what is its from the start.
+    void begin();
 
     /// As EventEngine::advance; steps count as events.
-    [[nodiscard]] std::optional<EventFailure> advance(EventEngine& engine, double time, std::int64_t most);
+    [[nodiscard]] std::optional<EventFailure> advance(double time, std::int64_t most);
 
-    /// A body at a moment: not before the last event or step, and before the next.  [s]
-    [[nodiscard]] BodyState state(const EventEngine& engine, int body, double time) const;
+    /// The moment last asked for, or at which a run stopped early.  [s]
+    [[nodiscard]] double clock() const { return clock_; }
+    /// A body at the clock. Between the ends of a step, a body that leans is asked on the way on which the step leads it;
+    /// should a blow end the step before, after the clock, it will have gone the way of the shorter step.
+    [[nodiscard]] BodyState state(int body);
+    [[nodiscard]] BodyMover mover(int body) const { return movers_[body]; }
+    /// The clock stands between the ends of a step that moves the body.
+    [[nodiscard]] bool is_within_step(int body) const;
 
-    [[nodiscard]] bool leans(int body) const { return hands_[body] == Hands::rest && !lies_[body]; }
-    [[nodiscard]] bool lies(int body) const { return lies_[body] != 0; }
-    [[nodiscard]] const RestEngine& rest() const { return rest_; }
-    void set_clock(double (*clock)()) { rest_.set_clock(clock); }
+    [[nodiscard]] const EventEngine& flying() const { return flying_; }
+    /// Null as long as no body ever leant on anything.
+    [[nodiscard]] const RestEngine* resting() const { return resting_ ? &*resting_ : nullptr; }
+    [[nodiscard]] const Setting& setting() const { return setting_; }
+    void set_stopwatch(double (*seconds)());
     /// Hand-overs since they were last fetched.
     [[nodiscard]] std::vector<Change> fetch_changes() { return std::exchange(changes_, {}); }
     /// What the resting integrator's steps have changed of the energy.  [J]
     [[nodiscard]] double energy_of_steps() const { return energy_of_steps_; }
-    /// What blows to lying bodies changed of the energy beyond what the event engine took note of.  [J]
+    /// What blows to sleeping bodies changed of the energy beyond what the event engine took note of.  [J]
     [[nodiscard]] double energy_of_blows() const { return energy_of_blows_; }
 
-    /// All that a later run needs to go on with the same bits, beside the event engine's.
+    /// All that a later run needs to go on with the same bits, beside the event engine's states of bodies.
     struct Memory
     {
-        RestEngine::Memory rest;
-        std::vector<char> rests; ///< of each body, whether the resting integrator has it
+        EventEngine::Resume flying;
+        std::optional<RestEngine::Memory> resting; ///< where any body ever leant on anything
+        std::vector<BodyMover> movers;
         std::vector<char> clear;
         double step_ends = 0.0;
         double energy_of_steps = 0.0;
         double energy_of_blows = 0.0;
     };
     [[nodiscard]] Memory memory() const;
-    /// engine  resumed already
-    void go_on_from(const EventEngine& engine, const Memory& memory);
+    /// flights  of the first bodies, those that the event engine last knew of
+    void go_on_from(const Memory& memory, const std::vector<BodyState>& flights, double clock);
 
 private:
-    enum class Hands : char { none, events, rest };
-
-    /// Bodies that rest and that may be connected to each other within a step.
-    struct Island
-    {
-        double top_speed = 0.0; ///< [m/s]
-        bool is_awake = false;  ///< some of them
-    };
-
-    /// What an impact gave to a body that lay: its state, had nothing else moved it.
+    /// What an impact gave to a body that slept: its state, had nothing else moved it.
     struct Blow
     {
         int body = -1;
         BodyState state;
     };
 
-    void cut(EventEngine& engine, double time);
+    void set_up_resting();
+    void cut(double time);
     void step_by(double length, double end);
-    void finish_step(EventEngine& engine);
-    void answer_impact(EventEngine& engine, const Event& impact);
-    [[nodiscard]] std::vector<Blow> blows_of(const EventEngine& engine, int a, int b) const;
+    void finish_step();
+    void answer_impact(const Event& impact);
+    [[nodiscard]] std::vector<Blow> blows_of(int a, int b) const;
     void take_blow(const Blow& blow);
-    void take_in(EventEngine& engine, const std::vector<int>& bodies, Change change);
-    void take_in_all_near(EventEngine& engine);
-    void let_go_of_the_clear(EventEngine& engine);
-    void follow_sleep(EventEngine& engine);
-    void find_reaches();
-    void find_islands();
-    void add_to_islands(const std::vector<int>& bodies);
-    [[nodiscard]] int island_of(int k);
-    void join_islands(int one, int two);
-    [[nodiscard]] Aabb way_of(int k) const;
-    [[nodiscard]] bool comes_near(const EventEngine& engine, int body) const;
-    [[nodiscard]] bool has_leaning_near(const Aabb& box, const std::vector<char>* but) const;
+    void take(const EventFailure& failure);
+    void take_in(const std::vector<int>& bodies, Change change);
+    void take_in_all_near();
+    void let_go_of_the_clear();
+    void follow_sleep();
+    void find_step_end();
+    [[nodiscard]] bool any_leans() const;
+    [[nodiscard]] Leaning leaning(int body) const;
+    [[nodiscard]] std::vector<Leaning> leaning(const std::vector<int>& bodies) const;
+    [[nodiscard]] bool comes_near(int body) const;
+    [[nodiscard]] double greatest_pull(const Vec2& place) const;
+    [[nodiscard]] double bow_of(const Flyer& flyer, double from, double left) const;
     [[nodiscard]] double energy(int body, const BodyState& state) const;
     [[nodiscard]] double energy_of_leaning() const;
     [[nodiscard]] double next_end(double time, int halvings) const;
-    [[nodiscard]] int halvings_for(const EventEngine& engine, const std::vector<int>& near) const;
+    [[nodiscard]] double step_length() const;
+    [[nodiscard]] int halvings_for(const std::vector<int>& near) const;
 
     Setting setting_;
-    RestEngine rest_;
-    std::vector<double> radius_;   // of bounding circles [m]
-    std::vector<Hands> hands_;
-    std::vector<char> lies_;
-    std::vector<char> clear_;      // steps in a row after which a body was clear, no more than counts
-    double step_ends_ = 0.0;       // the present step, where some body leans [s]
-    bool any_leans_ = false;
-    std::vector<int> rests_;       // bodies that the resting integrator has, ascending
-    BoxCells reaches_;             // where those that lean may get before the step ends
-    BoxCells ways_;                // where those that rest may get within a whole step
-    std::vector<BoxCells::Entry> late_ways_; // the same, of those that have come since
-    std::vector<int> island_;      // of each body that rests: towards the lowest that it may be connected to
-    std::vector<Island> islands_;  // each in the place of its lowest body; workspace
+    double (*seconds_)() = nullptr;          // a clock, lent; or null
+    double clock_ = 0.0;                     // [s]
+    EventEngine flying_;
+    std::optional<RestEngine> resting_;
+    std::vector<Material> materials_;
+    std::vector<double> radius_;             // of bounding circles [m]
+    std::vector<BodyMover> movers_;
+    std::vector<char> clear_;                // steps in a row after which a body was clear, no more than counts
+    std::vector<int> leaning_;               // bodies that the resting integrator has, ascending
+    std::optional<double> step_ends_;        // the present step, where some body leans that is awake [s]
+    HandOver hand_over_;
     std::vector<Change> changes_;
     double energy_of_steps_ = 0.0;
     double energy_of_blows_ = 0.0;
-    mutable std::optional<RestEngine> glimpse_; // the bodies that lean, between two steps
+    std::vector<std::vector<Leg>> ways_;     // through the present step, where somebody asked within it; else empty
 };
 
 } // namespace flying

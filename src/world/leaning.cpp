@@ -26,7 +26,7 @@ struct Hold
 class Starts
 {
 public:
-    Starts(const EventEngine& engine, const Vec2& gravity) : engine_(engine), gravity_(gravity)
+    Starts(const EventEngine& engine, const Field& field) : engine_(engine), field_(field)
     {
         for (int k = 0; k < engine.body_count(); ++k) {
             radius_.push_back(bounding_radius(engine.shape(k)));
@@ -43,14 +43,15 @@ public:
         const double reach = std::max(state_a.position.norm(), state_b.position.norm());
         const double touch = gap_tolerance(size, larger, reach, 0.0, state_a.time).touch;
         find_touches(engine_.shape(a), pose_of(state_a), engine_.shape(b), pose_of(state_b), touch, touches_);
+        const Vec2 gravity = acceleration_at(field_, state_a.position);
         Hold hold;
         hold.stays = !touches_.empty();
         for (const Touch& point : touches_) {
             const Vec2 velocity_a = state_a.velocity + cross(state_a.spin, point.r_a);
             const Vec2 velocity_b = state_b.velocity + cross(state_b.spin, point.r_b);
             const double u = point.normal.dot(velocity_b - velocity_a);
-            hold.stays = hold.stays && u * u <= 2.0 * gravity_.norm() * (k_hop * touch);
-            hold.presses = hold.presses || gravity_.dot(point.normal) > 0.0;
+            hold.stays = hold.stays && u * u <= 2.0 * gravity.norm() * (k_hop * touch);
+            hold.presses = hold.presses || gravity.dot(point.normal) > 0.0;
         }
         return hold;
     }
@@ -66,7 +67,7 @@ public:
 
 private:
     const EventEngine& engine_;
-    Vec2 gravity_;
+    Field field_;
     std::vector<double> radius_; // of bounding circles [m]
     std::vector<Flyer> flyer_;
     std::vector<Touch> touches_; // workspace
@@ -76,7 +77,7 @@ private:
 } // namespace
 
 // [leaning.find]
-std::vector<int> find_leaning(const EventEngine& engine, const Vec2& gravity)
+std::vector<int> find_leaning(const EventEngine& engine, const Field& field)
 {
     // Where everything moves there is nothing to lean on
     bool any_static = false;
@@ -84,7 +85,7 @@ std::vector<int> find_leaning(const EventEngine& engine, const Vec2& gravity)
     if (!any_static) return {};
 
     // Sort all into cells, but for the walls
-    Starts starts(engine, gravity);
+    Starts starts(engine, field);
     std::vector<int> walls;
     std::vector<BoxCells::Entry> boxes;
     for (int k = 0; k < engine.body_count(); ++k) {

@@ -11,8 +11,8 @@ namespace flying {
 ///
 /// Left to the event engine they would fall through what rounding leaves between them, and bounce there without end.
 ///
-/// engine   whose bodies have just been put where they are
-/// gravity  not zero  [m/s^2]
-[[nodiscard]] std::vector<int> find_leaning(const EventEngine& engine, const Vec2& gravity);
+/// engine  whose bodies have just been put where they are
+/// field   there is one
+[[nodiscard]] std::vector<int> find_leaning(const EventEngine& engine, const Field& field);
 
 } // namespace flying

@@ -21,6 +21,8 @@ constexpr const char* k_search = "search";
 constexpr const char* k_field = "field";
 constexpr const char* k_rings = "rings";
 constexpr const char* k_far_vertices = "far-vertices";
+constexpr const char* k_sleeping = "sleeping";
+constexpr const char* k_warm_start = "warm-start";
 
 [[nodiscard]] std::string count_of(int count, const std::string& one,
                                    const std::string& many)
@@ -185,13 +187,38 @@ struct Census
 }
 // [plan.far_vertices]
 
+// [plan.resting]
+/// What the resting integrator leaves out, where bodies lean on each other. What sleeps is
+/// struck as what lies, and sweeps that begin elsewhere end elsewhere: both show in results.
+[[nodiscard]] Skip sleeping(const Census& census)
+{
+    const bool pays = census.movers > 0;
+    Skip skip{k_sleeping, SkipClass::altering, pays, "", 0, "bodies in steps"};
+    skip.reason = pays ? "bodies that a step leaves as they were are left out of the next, "
+                         "until something touches them"
+                       : "nothing moves";
+    return skip;
+}
+
+[[nodiscard]] Skip warm_start(const Census& census)
+{
+    const bool pays = census.movers > 0;
+    Skip skip{k_warm_start, SkipClass::altering, pays, "", 0, "solves of islands"};
+    skip.reason = pays ? "impulses between bodies that lean on each other are sought from "
+                         "those of the step before"
+                       : "nothing moves";
+    return skip;
+}
+// [plan.resting]
+
 } // namespace
 
 // [plan.skip_names]
 std::vector<std::string> skip_names()
 {
     return {k_grid,  k_cells, k_static_pairs, k_search,
-            k_field, k_rings, k_far_features, k_far_vertices};
+            k_field, k_rings, k_far_features, k_far_vertices,
+            k_sleeping, k_warm_start};
 }
 // [plan.skip_names]
 
@@ -202,7 +229,8 @@ Plan make_plan(const Scene& scene, const std::vector<std::string>& without)
     Plan plan;
     plan.skips = {far_pairs(census),    cells(census),       static_pairs(census),
                   search(census),       field(census),       rings(census),
-                  far_features(census), far_vertices(census)};
+                  far_features(census), far_vertices(census), sleeping(census),
+                  warm_start(census)};
 
     // [plan.make.without]
     // Leave out what the user asked to leave out
@@ -228,6 +256,8 @@ Plan make_plan(const Scene& scene, const std::vector<std::string>& without)
     plan.skips_absent_field = active(k_field);
     plan.skips_apart_rings = active(k_rings);
     plan.skips_far_vertices = active(k_far_vertices);
+    plan.sleeps = active(k_sleeping) || !sleeping(census).active;
+    plan.warm_starts = active(k_warm_start) || !warm_start(census).active;
     return plan;
 }
 // [plan.make]

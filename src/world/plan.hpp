@@ -44,6 +44,8 @@ struct Plan
     bool skips_absent_field = true; ///< without a uniform field, flights are straight lines
     bool skips_apart_rings = true;  ///< bodies on rings that don't overlap are left alone
     bool skips_far_vertices = true; ///< vertices out of reach are not followed
+    bool sleeps = true;             ///< what a step leaves as it was, to the bit, is left out of the next
+    bool warm_starts = true;        ///< contact impulses are sought from those of the step before
     std::vector<Skip> skips;        ///< every skip this program knows, active or not
 };
 // [plan.plan]

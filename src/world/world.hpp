@@ -10,6 +10,7 @@
 #include "motion/body.hpp"
 #include "geometry/shape.hpp"
 #include "world/plan.hpp"
+#include "world/policy.hpp"
 #include "world/report.hpp"
 #include "world/scene.hpp"
 
@@ -39,20 +40,16 @@ struct Snapshot
     std::vector<Handover> handovers;
 };
 
-/// Who moves the bodies. Automatic: the event-driven integrator; bodies whose impacts crowd together without end, and those
-/// about them, are the resting one's for as long as they lean on something.
-enum class EngineChoice { automatic, events, rest };
-
 /// How to run a scene.
 struct WorldOptions
 {
-    std::vector<std::string> without;                 ///< skips to leave inactive, of `skip_names`
+    std::vector<std::string> without; ///< skips to leave inactive, of `skip_names`
     EngineChoice engine = EngineChoice::automatic;
-    double step = 1.0 / 60.0;                         ///< of the resting integrator, > 0 [s]
+    double step = 1.0 / 60.0;         ///< of the resting integrator, > 0 [s]
 };
 
 /// A scene in motion. Moves forward only. What it answers at a moment doesn't depend, to the bit, on how often it was asked
-/// before. The resting integrator, where the user chose it for all, answers with its last whole step.
+/// before. Between the ends of a step, bodies that lean on others are on the ways on which it leads them.
 class World
 {
 public:
@@ -84,8 +81,8 @@ public:
     [[nodiscard]] std::int64_t events() const; ///< handled, steps of the resting integrator among them
     [[nodiscard]] std::int64_t collisions() const;
     [[nodiscard]] const std::vector<Handover>& handovers() const;
-    /// Who moves a body at the clock.
-    enum class Mover { nobody, events, rest, asleep };
+    /// What moves a body at the clock.
+    using Mover = BodyMover;
     [[nodiscard]] Mover mover(int index) const;
     [[nodiscard]] std::uint64_t log_hash() const; ///< of all events so far
     [[nodiscard]] Report report();                ///< measures overlap anew, changes nothing else
@@ -102,6 +99,7 @@ public:
 
 private:
     struct Parts;
+    [[nodiscard]] static Expected<World> set_up(const Scene& scene, const WorldOptions& options);
     explicit World(std::unique_ptr<Parts> parts);
     std::unique_ptr<Parts> parts_;
 };

@@ -22,9 +22,8 @@ fi
 
 build=$root/build/instructions
 mkdir -p "$build"
-if ! { cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=g++ \
-    -DFLYING_MACHINE=generic -DFLYING_INSTRUCTIONS=ON &&
-    cmake --build "$build" --parallel "${FLYING_JOBS:-$(nproc)}" --target flying_instructions; } >"$build/build.log" 2>&1; then
+if ! (cd "$root" && cmake --preset instructions &&
+    cmake --build "$build" --parallel "${FLYING_JOBS:-$(nproc)}" --target flying_instructions) >"$build/build.log" 2>&1; then
     tail -n 30 "$build/build.log" >&2
     exit 1
 fi

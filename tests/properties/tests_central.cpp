@@ -263,9 +263,4 @@ TEST_CASE("A central field is written and read back, and its faults are told")
     scene.bodies[0].is_static = true;
     scene.bodies[0].velocity = Vec2::Zero();
     CHECK(validate(scene).empty());
-
-    // Steps with one acceleration are not for it
-    WorldOptions options;
-    options.engine = EngineChoice::rest;
-    CHECK_FALSE(World::make(scene, options).has_value());
 }

@@ -1,8 +1,10 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "live/generate_words.hpp"
+#include "live/pieces.hpp"
 #include "live/run.hpp"
 #include "scene/generate.hpp"
 #include "scene/write.hpp"
@@ -84,6 +86,36 @@ position = [0.0, 2.0]
     CHECK(stopped < 10.0);
     CHECK(run.advance(10.0, 1'000'000) == LiveEnd::stopped);
     CHECK(run.world().time() == stopped);
+}
+
+TEST_CASE("a steered body goes on with its new velocity, from where it is, at the same time of the run")
+{
+    LiveRun run(k_fall, {});
+    CHECK(run.advance(0.5, 100) == LiveEnd::there);
+    REQUIRE(run.steer(0, Vec2(-2.0, 1.0)));
+    CHECK(run.time() == 0.5);
+    CHECK(run.advance(0.75, 100) == LiveEnd::there);
+    CHECK(run.time() == 0.75);
+    CHECK(run.states()[0] == 0.0);    // 1 / 2 - 2 / 4
+    CHECK(run.states()[1] == 6.6875); // 27 / 4 + 1 / 4 - 10 / 2 / 16
+    CHECK(!run.steer(1, Vec2(1.0, 0.0)));
+    CHECK(!run.steer(2, Vec2(1.0, 0.0)));
+    CHECK(!run.steer(-1, Vec2(1.0, 0.0)));
+}
+
+TEST_CASE("a piece answers by its name, and nothing where it is asked amiss")
+{
+    const double falls[] = {10.0, 0.5, 1.0};
+    const auto answer = live::answer_of("fall", falls);
+    REQUIRE(answer);
+    CHECK(answer->engine == live::Numbers{2.5, 5.0}); // the second step alone has a speed: 5 m/s for half a second
+    CHECK(answer->paper.empty());
+    const double later[] = {10.0, 0.5, 1.5};
+    CHECK(live::answer_of("fall", later)->hash() != answer->hash());
+    CHECK(!live::answer_of("fall", std::span(falls).first(2)));
+    CHECK(!live::answer_of("rise", falls));
+    const double bad[] = {10.0, 0.5, std::numeric_limits<double>::quiet_NaN()};
+    CHECK(!live::answer_of("fall", bad));
 }
 
 TEST_CASE("the words of generate make the scene that its options make")

@@ -65,6 +65,7 @@ constexpr Part k_parts[] = {
     {"spins", "equal shares of energy in a gas of squares that starts without spin", "spins", 1'000'000, run_spins},
     {"cooling", "a gas of discs at e = 0.99 cools as Haff says", "discs", 10'000, run_cooling},
     {"collapse", "a gas of discs at e = 0.1 collapses again and again, and goes on to its end", "discs", 10'000, run_collapse},
+    {"tests", "the tests that try random cases, with more of them", "times as many", 10, run_tests},
     {"rest", "random scenes by small steps: nobody lost, no energy won, no overlap left", "scenes", 10'000, run_rest},
 };
 
@@ -77,6 +78,8 @@ void print_help()
                "  --count N   how much of what the part counts\n\nParts:\n");
     for (const Part& part : k_parts)
         fmt::print("  {:<12} {} ({} {})\n", part.name, part.what, part.count, part.counted);
+    fmt::print("\nThe part `tests` has the random cases that a test run has not, of these tests:\n");
+    print_tried();
 }
 
 const Part* find_part(std::string_view name)

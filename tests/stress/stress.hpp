@@ -47,6 +47,9 @@ void run_speeds(const Job& job, Tally& tally);
 void run_spins(const Job& job, Tally& tally);
 void run_cooling(const Job& job, Tally& tally);
 void run_collapse(const Job& job, Tally& tally);
+void run_tests(const Job& job, Tally& tally);
+/// The tests of the part, a line each.
+void print_tried();
 void run_rest(const Job& job, Tally& tally);
 
 } // namespace flying::stress

@@ -1,16 +1,30 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <initializer_list>
+#include <vector>
+
 namespace flying::testing {
 
-/// How many of so many random cases a build tries: all; with the sanitizers, which take ten to twenty times as long for
-/// each, an eighth, one at least.
-[[nodiscard]] constexpr int tried(int many)
+/// How many of random cases a test tries, where every run is to try so many: with the sanitizers, which take ten to twenty
+/// times as long for each, an eighth, one at least. `./course stress tests` sets FLYING_TIMES, and multiplies them.
+[[nodiscard]] inline int tried(int many)
 {
+    const char* const times = std::getenv("FLYING_TIMES");
 #ifdef __SANITIZE_ADDRESS__
-    return many < 8 ? 1 : many / 8;
-#else
-    return many;
+    many = std::max(many / 8, 1);
 #endif
+    return times == nullptr ? many : many * std::max(std::atoi(times), 1);
+}
+
+/// Of the seeds of cases that went wrong once, all; with the sanitizers the first eighth, one at least.
+[[nodiscard]] inline std::vector<std::uint64_t> tried(std::initializer_list<std::uint64_t> seeds)
+{
+    const int count = std::min(tried(static_cast<int>(seeds.size())), static_cast<int>(seeds.size()));
+    return {seeds.begin(), seeds.begin() + static_cast<std::ptrdiff_t>(count)};
 }
 
 } // namespace flying::testing

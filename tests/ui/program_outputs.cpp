@@ -109,7 +109,7 @@ TEST_CASE("looking on does not change a run")
     const std::string plain = hash("");
     CHECK(hash("--trace t --every 0.001") == plain);
     CHECK(hash("--picture p.png --stats --explain") == plain);
-    CHECK(hash("--seed 77 --engine auto --step 0.1") == plain);
+    CHECK(hash("--engine auto --step 0.1") == plain);
     CHECK(hash("--until 2.999") != plain);
 }
 

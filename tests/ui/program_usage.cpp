@@ -17,7 +17,7 @@ TEST_CASE("help and version go to standard output with status 0")
         CHECK(outcome.errors.empty());
     }
     const std::string help = folder.run("$FLYING simulate --help").output;
-    for (const std::string option : {"--until", "--engine", "--step", "--without", "--seed", "--report", "--trace",
+    for (const std::string option : {"--until", "--engine", "--step", "--without", "--save", "--resume", "--report", "--trace",
                                      "--every", "--picture", "--video", "--explain", "--stats", "--quiet"}) {
         CAPTURE(option);
         CHECK(contains(help, option));

@@ -37,7 +37,8 @@ make_page() { # chapter: builds its programs and runs what its page quotes
 }
 
 refresh
-cmake -S "$folder/sources" -B "$folder/build" -G Ninja -DCMAKE_BUILD_TYPE=Release >"$folder/configure.log"
+cmake -S "$folder/sources" -B "$folder/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DFLYING_OPTIMISE=-O1 \
+    >"$folder/configure.log"
 for page in 01 02 03 04 05 06 07 08; do
     make_page "$page" || {
         tail -n 40 "$folder/page.log"

@@ -90,3 +90,28 @@ TEST_CASE("a reference to a chapter has a capital where it begins a sentence")
     }
     CHECK(words.find(">Chapter 1<>chapter 1<") != std::string::npos);
 }
+
+TEST_CASE("a chapter's page loads its experiments where it has any")
+{
+    const ExampleTree tree;
+    const auto page_loads = [&] {
+        Problems problems;
+        const Woven woven = tree.weave(problems);
+        CHECK(problems.report() == "");
+        for (const Fragment& fragment : woven.pages.fragments.list())
+            if (fragment.text.find("<script src=\"live/01-hinge.js\"") != std::string::npos) return true;
+        return false;
+    };
+    CHECK(!page_loads());
+    tree.write("chapters/01-hinge/live.js", "flyingLive('01-hinge/rod', {});\n");
+    CHECK(page_loads());
+}
+
+TEST_CASE("a live figure needs a recording for where the engine can't run")
+{
+    const ExampleTree tree;
+    tree.replace("chapters/01-hinge/chapter.md", "## Summary", "::live swing \"The rod swings about its hinge\"\n\n## Summary");
+    CHECK(tree.problems().find("::live swing without swing.ndjson") != std::string::npos);
+    tree.write("build/figures/01-hinge/swing.ndjson", "{\"shapes\": []}\n");
+    CHECK(tree.problems() == "");
+}

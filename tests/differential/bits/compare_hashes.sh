@@ -51,30 +51,36 @@ programs=("$@")
 agree=0
 differ=0
 
-# What one program makes of a scene, as "status hash events time"
-answer() { # program scene [option...]
-    local status=0 report=$work/report.json
+# What program number k makes of a scene, as "status hash events time", into answer.k; what it says, into said.k
+answer() { # k scene [option...]
+    local status=0 report=$work/report.$1.json
     rm -f "$report"
-    "$1" simulate "$2" --report "$report" --quiet "${@:3}" >"$work/said" 2>&1 </dev/null || status=$?
+    "${programs[$1]}" simulate "$2" --report "$report" --quiet "${@:3}" >"$work/said.$1" 2>&1 </dev/null || status=$?
     local key found line="status=$status"
     for key in hash events time; do
         found=$(grep -o -E -m 1 "\"$key\": *\"?[-+0-9a-zA-Z.]+" "$report" 2>/dev/null | head -n 1 || true)
         line+=" $key=${found##*[ :\"]}"
     done
-    echo "$line"
+    echo "$line" >"$work/answer.$1"
 }
 
 compare() { # name scene [option...]: every program on the same file
-    local first='' line program
-    for program in "${programs[@]}"; do
-        line=$(answer "$program" "${@:2}")
+    local first='' line k
+    for k in "${!programs[@]}"; do
+        # Two at a time
+        ((k < 2)) || wait -n || true
+        answer "$k" "${@:2}" &
+    done
+    wait
+    for k in "${!programs[@]}"; do
+        line=$(<"$work/answer.$k")
         [[ -n $first ]] || first=$line
         if [[ $line != "$first" || $line != status=0\ hash=?*\ events=* ]]; then
             differ=$((differ + 1))
             echo "DIFFERS  $1"
             echo "    $first  from ${programs[0]}"
-            echo "    $line  from $program"
-            sed 's/^/    | /' "$work/said" | head -n 5
+            echo "    $line  from ${programs[k]}"
+            sed 's/^/    | /' "$work/said.$k" | head -n 5
             return 0
         fi
     done

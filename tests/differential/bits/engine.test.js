@@ -115,3 +115,36 @@ test('runs beside each other do not meet', async () => {
     second.advance(1);
     assert.equal(second.time, 1);
 });
+
+test('a skip that is turned off changes no bit, and an unknown one is refused', async () => {
+    const engine = await FlyingEngine.load(bytes);
+    const scene = engine.generate('gas --count 60 --seed 5 --until 3');
+    const runs = [[], ['grid']].map((without) => engine.open(scene, { engine: 'events', without }));
+    for (const run of runs) run.advance(3);
+    assert.equal(runs[0].logHash, runs[1].logHash);
+    const active = runs.map((run) => run.plan().find(({ name }) => name === 'grid').isActive);
+    assert.deepEqual(active, [true, false]);
+    assert.throws(() => engine.open(scene, { without: ['thinking'] }), FlyingError);
+});
+
+test('a steered body goes on with its new velocity, and what is static is not steered', async () => {
+    const run = (await FlyingEngine.load(bytes)).open(FALL);
+    run.advance(0.5);
+    assert.ok(run.steer(0, -2, 1));
+    assert.equal(run.time, 0.5);
+    run.advance(0.75);
+    assert.equal(run.time, 0.75);
+    assert.deepEqual(run.states()[0].slice(0, 2), [0, 6.6875]); // 6.75 + 0.25 - 10 / 2 * 0.0625
+    assert.ok(!run.steer(1, 1, 1));
+    run.close();
+});
+
+test('pieces of the engine answer by name, and refuse what they can not answer', async () => {
+    const engine = await FlyingEngine.load(bytes);
+    const { engine: numbers, hash } = engine.ask('fall', [10, 0.5, 1]);
+    assert.deepEqual(numbers, [2.5, 5]); // two steps of half a second: 0 + 5 * 0.5
+    assert.match(hash, /^[0-9a-f]{16}$/);
+    assert.throws(() => engine.ask('fall', [10]), FlyingError);
+    assert.throws(() => engine.ask('fall', [10, NaN, 1]), FlyingError);
+    assert.throws(() => engine.ask('nothing', [1, 2, 3]), FlyingError);
+});

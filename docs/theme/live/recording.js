@@ -1,4 +1,4 @@
-// Plays recorded motion. A trace is a list: first {view, shapes}, then the frames {time, bodies, ghosts?}; a body or a ghost is
+// Plays recorded motion, where the engine can't run. A trace is a list: first {view, shapes}, then the frames {time, bodies, ghosts?}; a body or a ghost is
 // [x, y, angle, ...]. A shape is {radius} or {rings: [[[x, y], ...], ...]} about the body's origin. Ghosts, drawn as outlines,
 // are where the closed form has the same bodies.
 // With ?at=S in the address every trace stands at the share S of its length, for pictures of the page.
@@ -152,8 +152,10 @@
         draw();
     }
 
-    for (const figure of document.querySelectorAll('figure.live')) {
-        const trace = (window.flyingTraces || {})[figure.dataset.trace];
-        if (trace) start(figure, trace);
-    }
+    window.FlyingRecording = {
+        start(figure) {
+            const trace = (window.flyingTraces || {})[figure.dataset.trace];
+            if (trace) start(figure, trace);
+        }
+    };
 })();

@@ -1,0 +1,47 @@
+// Controls of live figures: sliders, choices, ticks, each with its label.
+'use strict';
+
+(function (home) {
+    const { short } = home.FlyingStage;
+
+    function make(tag, attributes = {}, ...inside) {
+        const element = document.createElement(tag);
+        for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+        element.append(...inside);
+        return element;
+    }
+
+    // One control with its label: a slider, a choice, or a tick. `changed` is called after each change.
+    function knob(key, of, values, changed) {
+        values[key] = of.value;
+        const name = make('span', {}, of.label);
+        if (of.options) {
+            const select = make('select', { name: key });
+            of.options.forEach(([value, label]) => select.append(make('option', { value }, label)));
+            select.value = of.value;
+            select.onchange = () => {
+                values[key] = of.options.find(([value]) => String(value) === select.value)[0];
+                changed();
+            };
+            return make('label', { class: 'choice' }, name, select);
+        }
+        if (of.check) {
+            const tick = make('input', { type: 'checkbox', name: key });
+            tick.checked = of.value;
+            tick.onchange = () => { values[key] = tick.checked; changed(); };
+            return make('label', { class: 'tick' }, tick, name);
+        }
+        const input = make('input', { type: 'range', name: key, min: of.min, max: of.max, step: of.step, value: of.value });
+        const shown = make('output');
+        const show = () => {
+            const text = of.show ? of.show(values[key]) : short(values[key]) + (of.unit ? '\u202f' + of.unit : '');
+            shown.textContent = text;
+            input.setAttribute('aria-valuetext', text);
+        };
+        input.oninput = () => { values[key] = Number(input.value); show(); changed(); };
+        show();
+        return make('label', { class: 'range' }, name, input, shown);
+    }
+
+    home.FlyingControls = { make, knob };
+})(globalThis);

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "rest/contact_point.hpp"
+
+namespace flying {
+
+// [rest.problem]
+/// One island as the direct solvers see it: impulses are sought from none.
+struct ContactProblem
+{
+    /// Where a point stands in the island.
+    struct Seat
+    {
+        int a = -1;    ///< number of the body A among the members; -1 where it is static
+        int b = -1;    ///< the same of the body B
+        int edge = -1; ///< of the block system, where both move
+    };
+
+    std::span<const ContactPoint> points;
+    std::vector<Seat> seats;   ///< of each point
+    std::vector<Mover> bodies; ///< the members, with the velocities that they would have without contacts
+    std::vector<double> slip;  ///< normal speed less the bound, and tangential speed, of each point without contacts [m/s]
+};
+// [rest.problem]
+
+} // namespace flying

@@ -1,0 +1,61 @@
+// Heaps of more than 64 bodies whose masses differ sank into each other and through the floor: so many sweeps as they had
+// hardly move what is heavy and lies on what is light.
+
+#include <algorithm>
+#include <cmath>
+
+#include "math/random.hpp"
+#include "support/worlds.hpp"
+
+using namespace flying;
+using namespace flying::testing;
+
+namespace {
+
+constexpr double k_radius = 0.42; // [m]
+
+Scene heap(int count, double heaviest, std::uint64_t seed)
+{
+    Random random(seed);
+    Scene scene;
+    scene.world.field = UniformField{{0.0, -9.81}};
+    scene.world.restitution = 0.0;
+    scene.world.friction = 0.5;
+    scene.world.box = BoxDef{{0.0, 0.0}, {9.0, 60.0}};
+    for (int k = 0; k < count; ++k) {
+        BodyDef body = disc(k_radius, {0.5 + (k % 9) + random.uniform(-0.05, 0.05), 0.5 + 0.95 * (k / 9)});
+        body.mass = std::pow(heaviest, random.uniform(0.0, 1.0));
+        scene.bodies.push_back(body);
+    }
+    return scene;
+}
+
+/// Deepest overlap of any two discs, or of one with the floor.  [m]
+double overlap_of(const World& world)
+{
+    const int count = static_cast<int>(world.scene().bodies.size());
+    double deepest = 0.0;
+    for (int k = 0; k < count; ++k) {
+        const Vec2 place = world.state(k).position;
+        deepest = std::max(deepest, k_radius - place.y());
+        for (int i = 0; i < k; ++i) {
+            deepest = std::max(deepest, 2.0 * k_radius - (world.state(i).position - place).norm());
+        }
+    }
+    return deepest;
+}
+
+} // namespace
+
+TEST_CASE("heaps of unequal masses keep apart by a hundredth of their size")
+{
+    for (const double heaviest : {1e1, 1e2, 1e3}) {
+        for (const std::uint64_t seed : {3u, 8u}) {
+            CAPTURE(heaviest);
+            CAPTURE(seed);
+            World world = world_of(heap(81, heaviest, seed));
+            REQUIRE_FALSE(world.advance(8.0).has_value());
+            CHECK(overlap_of(world) < 0.01 * k_radius);
+        }
+    }
+}
