@@ -121,7 +121,6 @@ void RestEngine::end_approaches(const Group& group)
     const std::span<const int> members = std::span(members_).subspan(group.first_member, group.member_count);
     if (is_heap(group)) sweep_heap(group, before_, struck_);
     else solver_.solve(before_, members, struck_, rest_tolerance::k_content * top_speed(group));
-    ++counts_.impacts;
 }
 // [rest.strike]
 
