@@ -100,7 +100,7 @@ TEST_CASE("a heap that is swept falls asleep soon after it has settled; then ste
             return asleep;
         };
         int steps = 0;
-        for (; steps < 60 * 10 && sleepers() < count; ++steps) engine.step();
+        for (; steps < 60 * 30 && sleepers() < count; ++steps) engine.step();
         CHECK(sleepers() == count);
         MESSAGE("asleep after " << steps / 60.0 << " s");
 

@@ -126,7 +126,7 @@ TEST_CASE("sleep changes no bit, and a sleeper wakes in the step in which it is 
     RestEngine other(bodies, awake);
     bool slept = false;
     bool woke = false;
-    for (int k = 0; k < 60 * 20; ++k) {
+    for (int k = 0; k < 60 * 40; ++k) {
         one.step();
         other.step();
         REQUIRE(one.hash() == other.hash());
