@@ -308,6 +308,7 @@ private:
     [[nodiscard]] Gain gain_of(const Group& group) const;
     [[nodiscard]] double overlap_at_start(const Group& group) const;
     [[nodiscard]] double first_impact(const Group& group) const;
+    [[nodiscard]] double end_of_load(const Group& group) const;
     [[nodiscard]] bool is_fair(const Group& group, double overlap) const;
     [[nodiscard]] bool may_overlap(const ContactPoint& c) const;
     [[nodiscard]] double look_at_end(const Group& group);

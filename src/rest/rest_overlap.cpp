@@ -198,6 +198,24 @@ double RestEngine::overlap_at_start(const Group& group) const
     return worst;
 }
 
+/// When a load that wanes evenly comes to its end: where it is less than a third of what it was over the step before, that
+/// is within this one; 0 where none does.  [s]
+double RestEngine::end_of_load(const Group& group) const
+{
+    double first = span_;
+    for (const ContactPoint& c : std::span(points_).subspan(group.first_point, group.point_count)) {
+        const RestPair& pair = pairs_.pairs()[c.pair];
+        const auto* own = std::find(pair.feature, pair.feature + pair.count, c.feature);
+        const double before = own != pair.feature + pair.count ? pair.normal[own - pair.feature] : 0.0;
+        if (!(3.0 * c.normal < before)) continue;
+
+        // Both are means, and stand for the middles of their steps; of one that has ended before that, less is known
+        const double share = c.normal > 0.0 ? 0.5 + c.normal / (before - c.normal) : 0.25;
+        first = std::min(first, share * span_);
+    }
+    return first < span_ ? first : 0.0;
+}
+
 /// The step may end as it was found: with little overlap or no more than there was, little turning, and no more energy
 /// than the limiter may take off.
 bool RestEngine::is_fair(const Group& group, double overlap) const

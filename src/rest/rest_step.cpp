@@ -98,6 +98,7 @@ void RestEngine::finish_groups(int depth, std::span<const int> pairs)
         }
         if (group.is_exact) find_places(group);
         if (group.in_turn) group.cut_at = missed_impact(group);
+        if (group.in_turn && group.has_ways && group.cut_at == 0.0 && span_ == options_.step) group.cut_at = end_of_load(group);
         if (group.cut_at > 0.0) {
             note_again(group, again);
             continue;
