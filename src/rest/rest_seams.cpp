@@ -22,13 +22,16 @@ void RestEngine::find_seams_with(int body, int part, int neighbour, int neighbou
 {
     const auto& polygon = std::get<Polygon>(shapes_[body].parts[part].shape);
     const double size = std::min(radius_[body], radius_[neighbour]);
-    const double reach = poses_[body].position.cwiseAbs().maxCoeff() + poses_[neighbour].position.cwiseAbs().maxCoeff();
+    // Parts of one body lie as they do wherever it is
+    const bool is_own = body == neighbour;
+    const double reach =
+        is_own ? 0.0 : poses_[body].position.cwiseAbs().maxCoeff() + poses_[neighbour].position.cwiseAbs().maxCoeff();
     SeamTolerance tolerance = seam_tolerance(size, reach);
     // Bricks that move lie as level as the solve leaves them
-    if (is_moved(body) || is_moved(neighbour)) tolerance.step = tolerance.crack;
+    if (!is_own && (is_moved(body) || is_moved(neighbour))) tolerance.step = tolerance.crack;
     const bool is_wall = std::holds_alternative<HalfPlane>(shapes_[neighbour].parts[neighbours_part].shape);
     const Pose there = is_wall ? Pose{} : poses_[neighbour];
-    find_seams(polygon, relative_pose(poses_[body], there), shapes_[neighbour].parts[neighbours_part].shape,
+    find_seams(polygon, is_own ? Pose{} : relative_pose(poses_[body], there), shapes_[neighbour].parts[neighbours_part].shape,
                real_edges_[neighbour][neighbours_part], tolerance, seams);
 }
 
