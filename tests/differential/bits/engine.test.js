@@ -82,9 +82,16 @@ test('energy holds in a gas of elastic discs, and the resting engine makes the s
     gas.advance(5);
     assert.ok(gas.collisions > 0);
     assert.ok(Math.abs(gas.energy / before - 1) < 1e-12);
-    const stack = engine.open(engine.generate('stack --count 3 --seed 9'), { engine: 'rest', step: 1 / 128 });
-    stack.advance(1);
-    assert.equal(stack.events, 128);
+    const scene = engine.generate('stack --count 3 --seed 9');
+    const awake = engine.open(scene, { engine: 'rest', step: 1 / 128, without: ['sleeping'] });
+    awake.advance(1);
+    assert.equal(awake.events, 128);
+    // A stack that sleeps asks for no more steps, and the clock goes on all the same
+    const asleep = engine.open(scene, { engine: 'rest', step: 1 / 128 });
+    asleep.advance(1);
+    assert.equal(asleep.time, 1);
+    assert.ok(asleep.events < 16);
+    assert.equal(asleep.energy, awake.energy);
 });
 
 test('all faults of a scene come back together, and a text that is none does no harm', async () => {
