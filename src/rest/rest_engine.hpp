@@ -238,6 +238,7 @@ private:
     [[nodiscard]] Manifold look_again(RestPair& pair, double margin);
     [[nodiscard]] Manifold look(const RestPair& pair, const Pose& pose_a, const Pose& pose_b, double margin) const;
     void find_fixed_seams();
+    void find_notches(int body);
     void find_seams_with(int body, int part, int neighbour, int neighbours_part, std::vector<Seam>& seams) const;
     void find_moving_seams(const RestPair& pair, Owner owner, const Pose& pose, const Manifold& manifold,
                            std::vector<Seam>& seams) const;

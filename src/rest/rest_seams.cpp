@@ -31,8 +31,38 @@ void RestEngine::find_seams_with(int body, int part, int neighbour, int neighbou
     if (!is_own && (is_moved(body) || is_moved(neighbour))) tolerance.step = tolerance.crack;
     const bool is_wall = std::holds_alternative<HalfPlane>(shapes_[neighbour].parts[neighbours_part].shape);
     const Pose there = is_wall ? Pose{} : poses_[neighbour];
-    find_seams(polygon, is_own ? Pose{} : relative_pose(poses_[body], there), shapes_[neighbour].parts[neighbours_part].shape,
-               real_edges_[neighbour][neighbours_part], tolerance, seams);
+    find_seams(polygon, is_own ? Pose{} : relative_pose(poses_[body], there),
+               shapes_[neighbour].parts[neighbours_part].shape, real_edges_[neighbour][neighbours_part], tolerance,
+               seams);
+}
+
+/// Adds those at the bottoms of a body's notches, where cuts between its parts begin. A part that has one flank of a
+/// notch goes on up the other flank, whichever part has that one.
+void RestEngine::find_notches(int body)
+{
+    const auto* outline = std::get_if<Polygon>(&bodies_[body].shape);
+    if (!outline) return;
+    const double crack = seam_tolerance(radius_[body], 0.0).crack;
+    for (std::size_t p = 0; p < shapes_[body].parts.size(); ++p) {
+        const auto& part = std::get<Polygon>(shapes_[body].parts[p].shape);
+        const std::vector<char>& real = real_edges_[body][p];
+        for (int bottom = 0; bottom < static_cast<int>(outline->vertices().size()); ++bottom) {
+            if (!outline->is_reflex(bottom)) continue;
+            for (int v = 0; v < static_cast<int>(part.vertices().size()); ++v) {
+                if ((part.vertices()[v] - outline->vertices()[bottom]).norm() > crack) continue;
+                const int before = part.previous(v);
+                Seam seam{v, before, v, Vec2::Zero(), Vec2::Zero(), crack, Seam::Bend::buried, false};
+                if (real[before] || real[v]) {
+                    seam.bend = Seam::Bend::hollow;
+                    if (real[before]) std::swap(seam.hidden, seam.open);
+                    const Edge& flank = outline->edges()[real[before] ? bottom : outline->previous(bottom)];
+                    seam.onwards = real[before] ? flank.tangent : Vec2(-flank.tangent);
+                    seam.outwards = flank.normal;
+                }
+                seams_[body][p].push_back(seam);
+            }
+        }
+    }
 }
 
 /// Those that last: of parts of one body, and of what never moves.
@@ -51,7 +81,10 @@ void RestEngine::find_fixed_seams()
     };
     for (int k = 0; k < static_cast<int>(bodies_.size()); ++k) {
         seams_[k].resize(shapes_[k].parts.size());
-        if (shapes_[k].parts.size() > 1) add(k, k);
+        if (shapes_[k].parts.size() > 1) {
+            find_notches(k);
+            add(k, k);
+        }
         if (!bodies_[k].is_static) continue;
         if (std::holds_alternative<HalfPlane>(bodies_[k].shape)) {
             walls.push_back(k);
@@ -125,7 +158,8 @@ Vec2 RestEngine::velocity_of(int body, const Vec2& point) const
 
 // [rest.seams.mend]
 /// Puts right what the two of a pair would touch of sides that neighbours hide.
-void RestEngine::mend(const RestPair& pair, const Pose& pose_a, const Pose& pose_b, double margin, Manifold& manifold) const
+void RestEngine::mend(const RestPair& pair, const Pose& pose_a, const Pose& pose_b, double margin,
+                      Manifold& manifold) const
 {
     const double near = rest_tolerance::k_same_place * std::min(radius_[pair.a], radius_[pair.b]);
     std::vector<Seam> moving;
