@@ -7,18 +7,12 @@
 #include "collide/manifold.hpp"
 #include "collide/separating_axis.hpp"
 #include "math/tolerance.hpp"
+#include "rest/rest_tolerance.hpp"
 
 namespace flying {
 namespace {
 
 // [rest.near.cut]
-/// [sine] Normals this near are those of one edge.
-constexpr double k_same_normal = 0x1p-10;
-
-/// [way out over a side] What reaches over a cut by less than this share of the way out lies on the part beyond the
-/// cut, or beside it in a notch.
-constexpr double k_hardly = 0.0625;
-
 /// A normal that leads out of a part through a cut.
 [[nodiscard]] bool leads_through_cut(const NearSide& side, const Vec2& outwards)
 {
@@ -26,7 +20,8 @@ constexpr double k_hardly = 0.0625;
     const auto& edges = std::get<Polygon>(side.shape).edges();
     const Vec2 local = inverse(side.pose.rotation) * outwards;
     for (std::size_t k = 0; k < edges.size(); ++k) {
-        if (!side.real[k] && (edges[k].normal - local).cwiseAbs().maxCoeff() < k_same_normal) return true;
+        if (!side.real[k] && (edges[k].normal - local).cwiseAbs().maxCoeff() < rest_tolerance::k_same_normal)
+            return true;
     }
     return false;
 }
@@ -156,7 +151,7 @@ void keep_to_sides(const NearSide& a, const NearSide& b, double margin, Manifold
 
     // Out over a side, by the shortest way; a part between two cuts may have none that is near
     const Contact best = shortest_way_apart(a, b);
-    if (depth >= -k_hardly * best.separation) manifold.contacts[manifold.count++] = best;
+    if (depth >= -rest_tolerance::k_hardly_over_cut * best.separation) manifold.contacts[manifold.count++] = best;
 }
 // [rest.near.sides]
 

@@ -48,41 +48,41 @@ RestEngine::RestEngine(std::vector<RestBody> bodies, const RestOptions& options,
 }
 
 RestEngine::RestEngine(std::vector<RestBody> bodies, const RestOptions& options, double time, std::vector<int> order)
-    : order_(std::move(order)), options_(options), start_(time)
+    : bodies_.order(std::move(order)), options_(options), start_(time)
 {
     const std::size_t count = bodies.size();
-    place_.resize(count);
+    bodies_.place.resize(count);
     for (std::size_t k = 0; k < count; ++k) {
-        bodies_.push_back(std::move(bodies[order_[k]]));
-        place_[order_[k]] = static_cast<int>(k);
+        bodies_.list.push_back(std::move(bodies[bodies_.order[k]]));
+        bodies_.place[bodies_.order[k]] = static_cast<int>(k);
     }
-    for (RestBody& body : bodies_) {
+    for (RestBody& body : bodies_.list) {
         body.state.time = time;
-        shapes_.push_back(make_collision_shape(body.shape));
-        real_edges_.push_back(real_edges(body.shape, shapes_.back()));
-        radius_.push_back(bounding_radius(body.shape));
-        field_.push_back(body.acceleration);
-        field_size_.push_back(body.acceleration.norm());
-        turning_.push_back(body.is_static || std::holds_alternative<Disc>(body.shape) ? 0.0 : radius_.back());
-        poses_.push_back(pose_of(body.state));
-        movers_.push_back(mover_of(body));
+        bodies_.shapes.push_back(make_collision_shape(body.shape));
+        bodies_.real_edges.push_back(real_edges(body.shape, bodies_.shapes.back()));
+        bodies_.radius.push_back(bounding_radius(body.shape));
+        motion_.field.push_back(body.acceleration);
+        motion_.field_size.push_back(body.acceleration.norm());
+        bodies_.turning.push_back(body.is_static || std::holds_alternative<Disc>(body.shape) ? 0.0 : bodies_.radius.back());
+        bodies_.poses.push_back(pose_of(body.state));
+        motion_.now.push_back(mover_of(body));
     }
     solver_.set_warm(options_.warm_starts);
-    before_ = movers_;
-    place_movers_ = movers_;
-    span_ = options_.step;
-    next_poses_ = poses_;
+    motion_.before = motion_.now;
+    place_movers_ = motion_.now;
+    motion_.span = options_.step;
+    motion_.end_poses = bodies_.poses;
     travel_.assign(count, Travel{});
     part_of_.assign(count, -1);
     is_inside_.assign(count, 0);
     shift_before_.assign(count, Vec2::Zero());
     turn_before_.assign(count, 0.0);
-    shift_.assign(count, Vec2::Zero());
-    turn_.assign(count, 0.0);
-    pull_.assign(count, Vec2::Zero());
-    turn_pull_.assign(count, 0.0);
-    for (std::size_t k = 0; k < count; ++k) expect_flight(static_cast<int>(k), bodies_[k].state.position);
-    reach_.assign(count, 0.0);
+    motion_.shift.assign(count, Vec2::Zero());
+    motion_.turn.assign(count, 0.0);
+    motion_.pull.assign(count, Vec2::Zero());
+    motion_.turn_pull.assign(count, 0.0);
+    for (std::size_t k = 0; k < count; ++k) expect_flight(static_cast<int>(k), bodies_.list[k].state.position);
+    motion_.reach.assign(count, 0.0);
     parent_.assign(count, 0);
     slot_.assign(count, -1);
     asleep_.assign(count, 0);
@@ -96,8 +96,8 @@ RestEngine::RestEngine(std::vector<RestBody> bodies, const RestOptions& options,
 // [rest.engine.expect_flight]
 void RestEngine::expect_flight(int body, const Vec2& place)
 {
-    pull_[body] = is_moved(body) ? field_at(body, place) : Vec2(Vec2::Zero());
-    turn_pull_[body] = 0.0;
+    motion_.pull[body] = is_moved(body) ? field_at(body, place) : Vec2(Vec2::Zero());
+    motion_.turn_pull[body] = 0.0;
 }
 // [rest.engine.expect_flight]
 
@@ -113,25 +113,25 @@ void RestEngine::advance(double time)
 // [rest.reach]
 void RestEngine::measure_reach(std::span<const int> who)
 {
-    const double dt = span_;
+    const double dt = motion_.span;
     for (const int k : who) {
         aim_field(k);
-        const RestBody& body = bodies_[k];
-        const double speed = body.state.velocity.norm() + std::abs(body.state.spin) * radius_[k];
-        reach_[k] = dt * (speed + dt * greatest_field(k, dt)) + rest_tolerance::k_watch * radius_[k];
+        const RestBody& body = bodies_.list[k];
+        const double speed = body.state.velocity.norm() + std::abs(body.state.spin) * bodies_.radius[k];
+        motion_.reach[k] = dt * (speed + dt * greatest_field(k, dt)) + rest_tolerance::k_watch * bodies_.radius[k];
         // What would carry a body beyond its reach in a part of a step was no load: it was taken from a shorter one
-        const double more = 0.5 * (dt * dt) * (pull_[k].norm() + std::abs(turn_pull_[k]) * radius_[k]);
-        const double room = reach_[k] - dt * speed;
+        const double more = 0.5 * (dt * dt) * (motion_.pull[k].norm() + std::abs(motion_.turn_pull[k]) * bodies_.radius[k]);
+        const double room = motion_.reach[k] - dt * speed;
         if (!std::isfinite(more)) expect_flight(k, body.state.position);
         else if (dt < options_.step && more > room) {
-            pull_[k] *= room / more;
-            turn_pull_[k] *= room / more;
+            motion_.pull[k] *= room / more;
+            motion_.turn_pull[k] *= room / more;
         }
-        movers_[k] = mover_of(body);
-        before_[k] = movers_[k];
+        motion_.now[k] = mover_of(body);
+        motion_.before[k] = motion_.now[k];
         set_pose(k, pose_of(body.state));
-        shift_[k] = Vec2::Zero();
-        turn_[k] = 0.0;
+        motion_.shift[k] = Vec2::Zero();
+        motion_.turn[k] = 0.0;
     }
 }
 // [rest.reach]
@@ -139,13 +139,13 @@ void RestEngine::measure_reach(std::span<const int> who)
 // [rest.engine.touch_gap]
 double RestEngine::touch_gap(int a, int b) const
 {
-    return touch_gap(a, bodies_[a].state.position, b, bodies_[b].state.position);
+    return touch_gap(a, bodies_.list[a].state.position, b, bodies_.list[b].state.position);
 }
 
 double RestEngine::touch_gap(int a, const Vec2& place_a, int b, const Vec2& place_b) const
 {
     const double coordinates = place_a.cwiseAbs().maxCoeff() + place_b.cwiseAbs().maxCoeff();
-    return rest_tolerance::k_touch * std::min(radius_[a], radius_[b]) +
+    return rest_tolerance::k_touch * std::min(bodies_.radius[a], bodies_.radius[b]) +
            tolerance::coordinate_rounding(coordinates);
 }
 // [rest.engine.touch_gap]
@@ -153,11 +153,11 @@ double RestEngine::touch_gap(int a, const Vec2& place_a, int b, const Vec2& plac
 // [rest.engine.change]
 void RestEngine::set_state(int number, const BodyState& state)
 {
-    const int body = place_[number];
-    bodies_[body].state = state;
-    bodies_[body].state.time = time();
+    const int body = bodies_.place[number];
+    bodies_.list[body].state = state;
+    bodies_.list[body].state.time = time();
     set_pose(body, pose_of(state));
-    next_poses_[body] = poses_[body];
+    motion_.end_poses[body] = bodies_.poses[body];
     expect_flight(body, state.position);
     pairs_.invalidate();
     wake_all_with(body);
@@ -165,10 +165,10 @@ void RestEngine::set_state(int number, const BodyState& state)
 
 void RestEngine::set_active(int number, bool active)
 {
-    const int body = place_[number];
-    if (bodies_[body].is_active == active) return;
+    const int body = bodies_.place[number];
+    if (bodies_.list[body].is_active == active) return;
     wake_all_with(body);
-    bodies_[body].is_active = active;
+    bodies_.list[body].is_active = active;
     pairs_.invalidate();
 }
 
@@ -177,7 +177,7 @@ void RestEngine::wake_all_with(int body)
     sleepers_ = -1;
     const auto wake = [&](int group) {
         if (group < 0) return;
-        for (std::size_t k = 0; k < bodies_.size(); ++k) {
+        for (std::size_t k = 0; k < bodies_.list.size(); ++k) {
             if (sleep_group_[k] != group) continue;
             asleep_[k] = 0;
             sleep_group_[k] = -1;
@@ -198,12 +198,12 @@ std::vector<RestContact> RestEngine::contacts() const
     std::vector<RestContact> result;
     for (const RestPair& pair : pairs_.pairs()) {
         if (pair.count == 0) continue;
-        const double margin = reach_[pair.a] + reach_[pair.b] + 2.0 * touch_gap(pair.a, pair.b);
-        const Manifold manifold = look(pair, pose_of(bodies_[pair.a].state), pose_of(bodies_[pair.b].state), margin);
+        const double margin = motion_.reach[pair.a] + motion_.reach[pair.b] + 2.0 * touch_gap(pair.a, pair.b);
+        const Manifold manifold = look(pair, pose_of(bodies_.list[pair.a].state), pose_of(bodies_.list[pair.b].state), margin);
         for (int k = 0; k < pair.count; ++k) {
             for (int i = 0; i < manifold.count; ++i) {
                 if (manifold.contacts[i].feature != pair.feature[k]) continue;
-                result.push_back({order_[pair.a], order_[pair.b], manifold.contacts[i].normal,
+                result.push_back({bodies_.order[pair.a], bodies_.order[pair.b], manifold.contacts[i].normal,
                                   manifold.contacts[i].separation, pair.normal[k] / options_.step,
                                   pair.tangent[k] / options_.step});
                 RestContact& contact = result.back();
@@ -223,7 +223,7 @@ std::vector<RestContact> RestEngine::contacts() const
 // [rest.engine.groups]
 std::vector<int> RestEngine::groups() const
 {
-    std::vector<int> group(bodies_.size());
+    std::vector<int> group(bodies_.list.size());
     for (std::size_t k = 0; k < group.size(); ++k) group[k] = static_cast<int>(k);
     const auto root = [&](int k) {
         while (group[k] != k) k = group[k] = group[group[k]];
@@ -231,7 +231,7 @@ std::vector<int> RestEngine::groups() const
     };
     for (const RestContact& contact : contacts()) {
         if (body(contact.a).is_static || body(contact.b).is_static) continue;
-        if (contact.normal_force == 0.0 && contact.gap > touch_gap(place_[contact.a], place_[contact.b])) continue;
+        if (contact.normal_force == 0.0 && contact.gap > touch_gap(bodies_.place[contact.a], bodies_.place[contact.b])) continue;
         const int one = root(contact.a);
         const int two = root(contact.b);
         group[std::max(one, two)] = std::min(one, two);
@@ -247,8 +247,8 @@ std::vector<int> RestEngine::groups() const
 std::uint64_t RestEngine::hash() const
 {
     Hash hash;
-    for (const int place : place_) {
-        const BodyState& s = bodies_[place].state;
+    for (const int place : bodies_.place) {
+        const BodyState& s = bodies_.list[place].state;
         for (const double x : {s.position.x(), s.position.y(), s.angle, s.velocity.x(), s.velocity.y(), s.spin})
             hash.add(x);
     }

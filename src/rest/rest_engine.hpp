@@ -103,10 +103,10 @@ public:
     [[nodiscard]] double time() const { return start_ + static_cast<double>(steps_) * options_.step; }
 
     [[nodiscard]] int body_count() const { return static_cast<int>(bodies_.size()); }
-    [[nodiscard]] const RestBody& body(int body) const { return bodies_[place_[body]]; }
+    [[nodiscard]] const RestBody& body(int body) const { return bodies_.list[bodies_.place[body]]; }
     [[nodiscard]] BodyState state(int body) const
     {
-        BodyState state = bodies_[place_[body]].state;
+        BodyState state = bodies_.list[bodies_.place[body]].state;
         state.time = time();
         return state;
     }
@@ -146,9 +146,9 @@ public:
     /// For each body, the number of its group: bodies that touch, by whatever chain of moving bodies, share one, which
     /// is its lowest body. -1 for static bodies and those not active.
     [[nodiscard]] std::vector<int> groups() const;
-    [[nodiscard]] bool is_asleep(int body) const { return asleep_[place_[body]] != 0; }
+    [[nodiscard]] bool is_asleep(int body) const { return asleep_[bodies_.place[body]] != 0; }
     /// The last step changed nothing of the body.
-    [[nodiscard]] bool is_still(int body) const { return still_[place_[body]] != 0; }
+    [[nodiscard]] bool is_still(int body) const { return still_[bodies_.place[body]] != 0; }
 
     [[nodiscard]] const RestCounts& counts() const { return counts_; }
     [[nodiscard]] const SolveCounts& solve_counts() const { return solver_.counts(); }
@@ -339,7 +339,7 @@ private:
     /// Whether anything moves a body: what the solver knows says it, and lies nearer than the body.
     [[nodiscard]] bool is_moved(int body) const
     {
-        return movers_[body].inv_mass > 0.0 || movers_[body].inv_moment > 0.0;
+        return motion_.now[body].inv_mass > 0.0 || motion_.now[body].inv_moment > 0.0;
     }
     [[nodiscard]] bool stays_apart(const RestPair& pair, double within) const;
     void scale_loads_awake(double factor);

@@ -15,7 +15,7 @@ namespace flying {
 /// it is, y = x, it is the field at that place.
 Vec2 RestEngine::mean_field(int body, const Vec2& from, const Vec2& to) const
 {
-    if (!options_.centre) return field_[body];
+    if (!options_.centre) return motion_.field[body];
     if (!is_moved(body)) return Vec2::Zero();
     const Vec2 x = from - options_.centre->centre;
     const Vec2 y = to - options_.centre->centre;
@@ -31,8 +31,8 @@ Vec2 RestEngine::field_at(int body, const Vec2& place) const { return mean_field
 /// What the field does on the way of a body's step, for each kilogram.  [J/kg]
 double RestEngine::work_of_field(int body) const
 {
-    const Vec2& from = bodies_[body].state.position;
-    return mean_field(body, from, from + shift_[body]).dot(shift_[body]);
+    const Vec2& from = bodies_.list[body].state.position;
+    return mean_field(body, from, from + motion_.shift[body]).dot(motion_.shift[body]);
 }
 // [rest.field.mean]
 
@@ -41,21 +41,21 @@ double RestEngine::work_of_field(int body) const
 void RestEngine::aim_field(int body)
 {
     if (!options_.centre) return;
-    const BodyState& s = bodies_[body].state;
-    const Vec2 there = s.position + span_ * (s.velocity + (0.5 * span_) * pull_[body]);
+    const BodyState& s = bodies_.list[body].state;
+    const Vec2 there = s.position + motion_.span * (s.velocity + (0.5 * motion_.span) * motion_.pull[body]);
 
     // A way that leads past the centre itself says nothing: there is no body that could go it
     const double near = 0.5 * (s.position - options_.centre->centre).norm();
     const bool is_past = !((there - options_.centre->centre).norm() >= near);
-    field_[body] = is_past ? field_at(body, s.position) : mean_field(body, s.position, there);
-    field_size_[body] = field_[body].norm();
+    motion_.field[body] = is_past ? field_at(body, s.position) : mean_field(body, s.position, there);
+    motion_.field_size[body] = motion_.field[body].norm();
 }
 
 /// No less than the field anywhere that the body may get to within so long, unless it comes to half its distance.  [m/s^2]
 double RestEngine::greatest_field(int body, double within) const
 {
-    if (!options_.centre || !is_moved(body)) return field_size_[body];
-    const BodyState& s = bodies_[body].state;
+    if (!options_.centre || !is_moved(body)) return motion_.field_size[body];
+    const BodyState& s = bodies_.list[body].state;
     const double distance = (s.position - options_.centre->centre).norm();
     const double here = field_at(body, s.position).norm();
     const double way = within * (s.velocity.norm() + within * here);
@@ -68,17 +68,17 @@ double RestEngine::greatest_field(int body, double within) const
 /// Bodies that no point holds fly: round a centre by the closed form, as everywhere.
 void RestEngine::fly(Group& group)
 {
-    set_free(group, span_);
+    set_free(group, motion_.span);
     if (!options_.centre) return;
-    for (const int member : std::span(members_).subspan(group.first_member, group.member_count)) {
-        const BodyState& s = bodies_[member].state;
+    for (const int member : group.members) {
+        const BodyState& s = bodies_.list[member].state;
         const Vec2 x = s.position - options_.centre->centre;
         if (!is_moved(member) || x.isZero(0.0)) continue;
-        const PointMotion end = KeplerFlight({x, s.velocity}, options_.centre->mu).after(span_);
-        movers_[member].v_x = end.velocity.x();
-        movers_[member].v_y = end.velocity.y();
-        shift_[member] = end.position - x;
-        turn_[member] = span_ * s.spin;
+        const PointMotion end = KeplerFlight({x, s.velocity}, options_.centre->mu).after(motion_.span);
+        motion_.now[member].v_x = end.velocity.x();
+        motion_.now[member].v_y = end.velocity.y();
+        motion_.shift[member] = end.position - x;
+        motion_.turn[member] = motion_.span * s.spin;
         group.has_ways = true;
     }
 }

@@ -2,16 +2,10 @@
 #include <cmath>
 
 #include "rest/rest_engine.hpp"
+#include "rest/rest_tolerance.hpp"
 
 namespace flying {
 namespace {
-
-// [rest.groups.limits]
-/// [speeds that the field gives in a step] A large group whose bodies are all slower may part.
-constexpr double k_slow = 0x1p-4;
-/// [steps] Who would not touch within so many, as things go, is not held together by that.
-constexpr double k_ahead = 4.0;
-// [rest.groups.limits]
 
 } // namespace
 
@@ -96,14 +90,14 @@ void RestEngine::part_slow(std::span<const int> who)
     for (const int k : who) {
         if (!is_large(k)) continue;
         parts_.push_back(k);
-        field = std::max(field, span_ * field_size_[k]);
+        field = std::max(field, motion_.span * motion_.field_size[k]);
     }
-    if (parts_.empty() || greatest_speed(before_, radius_, parts_) > k_slow * field) return;
+    if (parts_.empty() || greatest_speed(motion_.before, bodies_.radius, parts_) > rest_tolerance::k_slow_island * field) return;
 
     const auto holds = [&](const ContactPoint& c) {
-        if (c.normal > 0.0 || c.closes_at < span_) return true;
-        const double time = k_ahead * span_;
-        const double u = normal_speed(c, before_[c.a], before_[c.b]);
+        if (c.normal > 0.0 || c.closes_at < motion_.span) return true;
+        const double time = rest_tolerance::k_ahead * motion_.span;
+        const double u = normal_speed(c, motion_.before[c.a], motion_.before[c.b]);
         return c.gap + time * (std::min(u, 0.0) + 0.5 * time * std::min(fall_of(c), 0.0)) <= touch_gap(c.a, c.b);
     };
     const auto groups = std::count_if(parts_.begin(), parts_.end(), [&](int k) { return parent_[k] == k; });

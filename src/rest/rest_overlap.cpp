@@ -8,27 +8,14 @@
 namespace flying {
 namespace {
 
-// [rest.overlap.limits]
-/// [sizes] Where two come nearer by less, parts of theirs that had no point are not looked at.
-constexpr double k_short_way = 0x1p-10;
-/// [rad] Turn within a step that a group with contacts may make.
-constexpr double k_fair_turn = 0.25;
-/// [radii] Push that may take off overlap.
-constexpr double k_most_push = 0.5;
-/// [energies] Rise that slowing down may end; where it is more, the step is made in halves.
-constexpr double k_fair_rise = 0x1p-8;
-/// Rounds of taking off overlap: each leaves about the square of what the last has found.
-constexpr int k_rounds = 4;
-// [rest.overlap.limits]
-
 } // namespace
 
 // [rest.overlap.may]
 bool RestEngine::may_overlap(const ContactPoint& c) const
 {
     // A gap along a fixed normal is never more than the distance; turning may bring anything along it by its whole arc
-    const double way = c.n_x * (shift_[c.b].x() - shift_[c.a].x()) + c.n_y * (shift_[c.b].y() - shift_[c.a].y());
-    const double arcs = std::abs(turn_[c.a]) * turning_[c.a] + std::abs(turn_[c.b]) * turning_[c.b];
+    const double way = c.n_x * (motion_.shift[c.b].x() - motion_.shift[c.a].x()) + c.n_y * (motion_.shift[c.b].y() - motion_.shift[c.a].y());
+    const double arcs = std::abs(motion_.turn[c.a]) * bodies_.turning[c.a] + std::abs(motion_.turn[c.b]) * bodies_.turning[c.b];
     return c.gap + way - arcs < -touch_gap(c.a, c.b);
 }
 // [rest.overlap.may]
@@ -37,14 +24,15 @@ bool RestEngine::may_overlap(const ContactPoint& c) const
 double RestEngine::look_at_end(const Group& group)
 {
     place_points_.clear();
-    const std::span<const ContactPoint> points = std::span(points_).subspan(group.first_point, group.point_count);
-    const bool any_nearer = std::any_of(points.begin(), points.end(), [&](const ContactPoint& c) { return comes_nearer(c.a, c.b); });
-    const bool may_any = std::any_of(points.begin(), points.end(), [&](const ContactPoint& c) { return may_overlap(c); });
+    const std::span<const ContactPoint> points = group.points;
+    const bool any_nearer =
+        std::any_of(points.begin(), points.end(), [&](const ContactPoint& c) { return comes_nearer(c.a, c.b); });
+    const bool may_any =
+        std::any_of(points.begin(), points.end(), [&](const ContactPoint& c) { return may_overlap(c); });
     if (!may_any && !any_nearer) return 0.0;
-    for (int k = 0; k < group.member_count; ++k) {
-        const int member = members_[group.first_member + k];
-        const BodyState& s = bodies_[member].state;
-        next_poses_[member] = {s.position + shift_[member], Rotation::of(s.angle + turn_[member])};
+    for (const int member : group.members) {
+        const BodyState& s = bodies_.list[member].state;
+        motion_.end_poses[member] = {s.position + motion_.shift[member], Rotation::of(s.angle + motion_.turn[member])};
     }
     list_pairs_of(points);
     const auto is_overlap = [&](int index) {
@@ -61,8 +49,8 @@ double RestEngine::look_at_end(const Group& group)
 bool RestEngine::comes_nearer(int a, int b) const
 {
     const double nearer =
-        (shift_[b] - shift_[a]).norm() + std::abs(turn_[a]) * turning_[a] + std::abs(turn_[b]) * turning_[b];
-    return nearer > k_short_way * std::min(radius_[a], radius_[b]);
+        (motion_.shift[b] - motion_.shift[a]).norm() + std::abs(motion_.turn[a]) * bodies_.turning[a] + std::abs(motion_.turn[b]) * bodies_.turning[b];
+    return nearer > rest_tolerance::k_short_way * std::min(bodies_.radius[a], bodies_.radius[b]);
 }
 
 /// The pairs that points belong to, and where the two come nearer to each other those of all their parts.
@@ -72,7 +60,7 @@ void RestEngine::list_pairs_of(std::span<const ContactPoint> points)
     const std::span<const RestPair> pairs = pairs_.pairs();
     for (const ContactPoint& c : points) {
         if (!looked_at_.empty() && looked_at_.back() == c.pair) continue;
-        const bool has_parts = shapes_[c.a].parts.size() + shapes_[c.b].parts.size() > 2;
+        const bool has_parts = bodies_.shapes[c.a].parts.size() + bodies_.shapes[c.b].parts.size() > 2;
         const bool all = has_parts && comes_nearer(c.a, c.b);
         // The pairs of all parts of the two stand together
         const auto is_theirs = [&](int pair) { return pairs[pair].a == c.a && pairs[pair].b == c.b; };
@@ -90,13 +78,13 @@ void RestEngine::list_pairs_of(std::span<const ContactPoint> points)
 Contact RestEngine::overlap_at_end(const RestPair& pair) const
 {
     Contact contact;
-    const ConvexPart& part_a = shapes_[pair.a].parts[pair.part_a];
-    const ConvexPart& part_b = shapes_[pair.b].parts[pair.part_b];
+    const ConvexPart& part_a = bodies_.shapes[pair.a].parts[pair.part_a];
+    const ConvexPart& part_b = bodies_.shapes[pair.b].parts[pair.part_b];
     const auto* a = std::get_if<Polygon>(&part_a.shape);
     const auto* b = std::get_if<Polygon>(&part_b.shape);
     if (!a || !b) return contact;
-    const Pose& pose_a = next_poses_[pair.a];
-    const Pose& pose_b = next_poses_[pair.b];
+    const Pose& pose_a = motion_.end_poses[pair.a];
+    const Pose& pose_b = motion_.end_poses[pair.b];
     const Pose a_from_b = relative_pose(pose_a, pose_b);
     const double clear = part_a.radius + part_b.radius;
     if ((a_from_b * part_b.centre - part_a.centre).squaredNorm() > clear * clear) return contact;
@@ -114,8 +102,8 @@ Contact RestEngine::overlap_at_end(const RestPair& pair) const
 double RestEngine::look_at_pair(int index)
 {
     const RestPair& pair = pairs_.pairs()[index];
-    const double size = std::min(radius_[pair.a], radius_[pair.b]);
-    const Manifold manifold = look(pair, next_poses_[pair.a], next_poses_[pair.b], rest_tolerance::k_watch * size);
+    const double size = std::min(bodies_.radius[pair.a], bodies_.radius[pair.b]);
+    const Manifold manifold = look(pair, motion_.end_poses[pair.a], motion_.end_poses[pair.b], rest_tolerance::k_watch * size);
     ++counts_.manifolds;
     double worst = 0.0;
     const auto add = [&](const Contact& contact) {
@@ -124,8 +112,8 @@ double RestEngine::look_at_pair(int index)
         c.b = pair.b;
         c.pair = index;
         c.feature = contact.feature;
-        set_arms(c, contact.normal, contact.point - next_poses_[pair.a].position,
-                 contact.point - next_poses_[pair.b].position);
+        set_arms(c, contact.normal, contact.point - motion_.end_poses[pair.a].position,
+                 contact.point - motion_.end_poses[pair.b].position);
         c.bound = -contact.separation;
         const double depth = -contact.separation - touch_gap(pair.a, pair.b);
         worst = std::max(worst, depth / size);
@@ -141,36 +129,36 @@ double RestEngine::look_at_pair(int index)
 // [rest.overlap.look]
 
 // [rest.overlap.apart]
-/// Moves bodies out of what they overlap: the same conditions for places as for velocities, least by the masses, without
-/// friction. It adds no velocity.
+/// Moves bodies out of what they overlap: the same conditions for places as for velocities, least by the masses,
+/// without friction. It adds no velocity.
 void RestEngine::put_apart(const Group& group, double overlap)
 {
     if (overlap <= 0.0) return;
     ++counts_.projected;
-    const std::span<const int> members = std::span(members_).subspan(group.first_member, group.member_count);
-    for (int round = 0; round < k_rounds && overlap > 0.0; ++round) {
+    const std::span<const int> members = group.members;
+    for (int round = 0; round < rest_tolerance::k_projection_rounds && overlap > 0.0; ++round) {
         double touch = touch_gap(place_points_[0].a, place_points_[0].b);
         for (const ContactPoint& c : place_points_) touch = std::min(touch, touch_gap(c.a, c.b));
         for (const int member : members) {
-            place_movers_[member] = movers_[member];
+            place_movers_[member] = motion_.now[member];
             place_movers_[member].v_x = place_movers_[member].v_y = place_movers_[member].spin = 0.0;
-            shift_before_[member] = shift_[member];
-            turn_before_[member] = turn_[member];
+            shift_before_[member] = motion_.shift[member];
+            turn_before_[member] = motion_.turn[member];
         }
         find_pushes(group, 0.125 * touch);
         bool too_far = false;
         for (const int member : members) {
             const Mover& mover = place_movers_[member];
-            const double push = std::abs(mover.v_x) + std::abs(mover.v_y) + std::abs(mover.spin) * radius_[member];
-            too_far = too_far || !(push <= k_most_push * radius_[member]);
-            shift_[member] += Vec2(mover.v_x, mover.v_y);
-            turn_[member] += mover.spin;
+            const double push = std::abs(mover.v_x) + std::abs(mover.v_y) + std::abs(mover.spin) * bodies_.radius[member];
+            too_far = too_far || !(push <= rest_tolerance::k_most_push * bodies_.radius[member]);
+            motion_.shift[member] += Vec2(mover.v_x, mover.v_y);
+            motion_.turn[member] += mover.spin;
         }
         const double after = too_far ? overlap : look_at_end(group);
         if (!(after < overlap)) {
             for (const int member : members) {
-                shift_[member] = shift_before_[member];
-                turn_[member] = turn_before_[member];
+                motion_.shift[member] = shift_before_[member];
+                motion_.turn[member] = turn_before_[member];
             }
             return;
         }
@@ -181,7 +169,7 @@ void RestEngine::put_apart(const Group& group, double overlap)
 /// Pushes that take off overlap.
 void RestEngine::find_pushes(const Group& group, double tolerance)
 {
-    const std::span<const int> members = std::span(members_).subspan(group.first_member, group.member_count);
+    const std::span<const int> members = group.members;
     if (is_heap(group)) sweep_heap(group, place_movers_, place_points_, tolerance);
     else solver_.solve(place_movers_, members, place_points_, tolerance);
 }
@@ -192,18 +180,18 @@ void RestEngine::find_pushes(const Group& group, double tolerance)
 double RestEngine::overlap_at_start(const Group& group) const
 {
     double worst = 0.0;
-    for (const ContactPoint& c : std::span(points_).subspan(group.first_point, group.point_count)) {
-        worst = std::max(worst, -c.gap / std::min(radius_[c.a], radius_[c.b]));
+    for (const ContactPoint& c : group.points) {
+        worst = std::max(worst, -c.gap / std::min(bodies_.radius[c.a], bodies_.radius[c.b]));
     }
     return worst;
 }
 
-/// When a load that wanes evenly comes to its end: where it is less than a third of what it was over the step before, that
-/// is within this one; 0 where none does.  [s]
+/// When a load that wanes evenly comes to its end: where it is less than a third of what it was over the step before,
+/// that is within this one; 0 where none does.  [s]
 double RestEngine::end_of_load(const Group& group) const
 {
-    double first = span_;
-    for (const ContactPoint& c : std::span(points_).subspan(group.first_point, group.point_count)) {
+    double first = motion_.span;
+    for (const ContactPoint& c : group.points) {
         const RestPair& pair = pairs_.pairs()[c.pair];
         const auto* own = std::find(pair.feature, pair.feature + pair.count, c.feature);
         const double before = own != pair.feature + pair.count ? pair.normal[own - pair.feature] : 0.0;
@@ -211,9 +199,9 @@ double RestEngine::end_of_load(const Group& group) const
 
         // Both are means, and stand for the middles of their steps; of one that has ended before that, less is known
         const double share = c.normal > 0.0 ? 0.5 + c.normal / (before - c.normal) : 0.25;
-        first = std::min(first, share * span_);
+        first = std::min(first, share * motion_.span);
     }
-    return first < span_ ? first : 0.0;
+    return first < motion_.span ? first : 0.0;
 }
 
 /// The step may end as it was found: with little overlap or no more than there was, little turning, and no more energy
@@ -221,11 +209,12 @@ double RestEngine::end_of_load(const Group& group) const
 bool RestEngine::is_fair(const Group& group, double overlap) const
 {
     if (overlap > rest_tolerance::k_fair_overlap && overlap > overlap_at_start(group)) return false;
-    for (const int member : std::span(members_).subspan(group.first_member, group.member_count)) {
-        if (!(std::abs(turn_[member]) * turning_[member] <= k_fair_turn * radius_[member])) return false;
+    for (const int member : group.members) {
+        if (!(std::abs(motion_.turn[member]) * bodies_.turning[member] <= rest_tolerance::k_fair_turn * bodies_.radius[member]))
+            return false;
     }
     const Gain gain = gain_of(group);
-    return gain.gained <= k_fair_rise * gain.scale;
+    return gain.gained <= rest_tolerance::k_fair_rise * gain.scale;
 }
 // [rest.overlap.fair]
 

@@ -7,11 +7,6 @@
 namespace flying {
 namespace {
 
-// [rest.seams.limits]
-/// [speeds] Two that part no faster than this, beside one that passes both, go together.
-constexpr double k_together = 0x1p-6;
-// [rest.seams.limits]
-
 } // namespace
 
 // [rest.seams.find]
@@ -20,19 +15,19 @@ constexpr double k_together = 0x1p-6;
 /// Adds the seams of a part with a part of another body, or of its own.
 void RestEngine::find_seams_with(int body, int part, int neighbour, int neighbours_part, std::vector<Seam>& seams) const
 {
-    const auto& polygon = std::get<Polygon>(shapes_[body].parts[part].shape);
-    const double size = std::min(radius_[body], radius_[neighbour]);
+    const auto& polygon = std::get<Polygon>(bodies_.shapes[body].parts[part].shape);
+    const double size = std::min(bodies_.radius[body], bodies_.radius[neighbour]);
     // Parts of one body lie as they do wherever it is
     const bool is_own = body == neighbour;
     const double reach =
-        is_own ? 0.0 : poses_[body].position.cwiseAbs().maxCoeff() + poses_[neighbour].position.cwiseAbs().maxCoeff();
+        is_own ? 0.0 : bodies_.poses[body].position.cwiseAbs().maxCoeff() + bodies_.poses[neighbour].position.cwiseAbs().maxCoeff();
     SeamTolerance tolerance = seam_tolerance(size, reach);
     // Bricks that move lie as level as the solve leaves them
     if (!is_own && (is_moved(body) || is_moved(neighbour))) tolerance.step = tolerance.crack;
-    const bool is_wall = std::holds_alternative<HalfPlane>(shapes_[neighbour].parts[neighbours_part].shape);
-    const Pose there = is_wall ? Pose{} : poses_[neighbour];
-    find_seams(polygon, is_own ? Pose{} : relative_pose(poses_[body], there),
-               shapes_[neighbour].parts[neighbours_part].shape, real_edges_[neighbour][neighbours_part], tolerance,
+    const bool is_wall = std::holds_alternative<HalfPlane>(bodies_.shapes[neighbour].parts[neighbours_part].shape);
+    const Pose there = is_wall ? Pose{} : bodies_.poses[neighbour];
+    find_seams(polygon, is_own ? Pose{} : relative_pose(bodies_.poses[body], there),
+               bodies_.shapes[neighbour].parts[neighbours_part].shape, bodies_.real_edges[neighbour][neighbours_part], tolerance,
                seams);
 }
 
@@ -40,12 +35,12 @@ void RestEngine::find_seams_with(int body, int part, int neighbour, int neighbou
 /// notch goes on up the other flank, whichever part has that one.
 void RestEngine::find_notches(int body)
 {
-    const auto* outline = std::get_if<Polygon>(&bodies_[body].shape);
+    const auto* outline = std::get_if<Polygon>(&bodies_.list[body].shape);
     if (!outline) return;
-    const double crack = seam_tolerance(radius_[body], 0.0).crack;
-    for (std::size_t p = 0; p < shapes_[body].parts.size(); ++p) {
-        const auto& part = std::get<Polygon>(shapes_[body].parts[p].shape);
-        const std::vector<char>& real = real_edges_[body][p];
+    const double crack = seam_tolerance(bodies_.radius[body], 0.0).crack;
+    for (std::size_t p = 0; p < bodies_.shapes[body].parts.size(); ++p) {
+        const auto& part = std::get<Polygon>(bodies_.shapes[body].parts[p].shape);
+        const std::vector<char>& real = bodies_.real_edges[body][p];
         for (int bottom = 0; bottom < static_cast<int>(outline->vertices().size()); ++bottom) {
             if (!outline->is_reflex(bottom)) continue;
             for (int v = 0; v < static_cast<int>(part.vertices().size()); ++v) {
@@ -68,30 +63,30 @@ void RestEngine::find_notches(int body)
 /// Those that last: of parts of one body, and of what never moves.
 void RestEngine::find_fixed_seams()
 {
-    seams_.resize(bodies_.size());
+    seams_.resize(bodies_.list.size());
     std::vector<BoxCells::Entry> boxes;
     std::vector<int> walls;
     const auto add = [&](int one, int two) {
-        for (int p = 0; p < static_cast<int>(shapes_[one].parts.size()); ++p) {
-            if (!std::holds_alternative<Polygon>(shapes_[one].parts[p].shape)) continue;
-            for (int q = 0; q < static_cast<int>(shapes_[two].parts.size()); ++q) {
+        for (int p = 0; p < static_cast<int>(bodies_.shapes[one].parts.size()); ++p) {
+            if (!std::holds_alternative<Polygon>(bodies_.shapes[one].parts[p].shape)) continue;
+            for (int q = 0; q < static_cast<int>(bodies_.shapes[two].parts.size()); ++q) {
                 if (one != two || p != q) find_seams_with(one, p, two, q, seams_[one][p]);
             }
         }
     };
-    for (int k = 0; k < static_cast<int>(bodies_.size()); ++k) {
-        seams_[k].resize(shapes_[k].parts.size());
-        if (shapes_[k].parts.size() > 1) {
+    for (int k = 0; k < static_cast<int>(bodies_.list.size()); ++k) {
+        seams_[k].resize(bodies_.shapes[k].parts.size());
+        if (bodies_.shapes[k].parts.size() > 1) {
             find_notches(k);
             add(k, k);
         }
-        if (!bodies_[k].is_static) continue;
-        if (std::holds_alternative<HalfPlane>(bodies_[k].shape)) {
+        if (!bodies_.list[k].is_static) continue;
+        if (std::holds_alternative<HalfPlane>(bodies_.list[k].shape)) {
             walls.push_back(k);
             continue;
         }
-        const Aabb box = bounding_box(bodies_[k].shape, poses_[k]);
-        const Vec2 room = Vec2::Constant(rest_tolerance::k_watch * radius_[k]);
+        const Aabb box = bounding_box(bodies_.list[k].shape, bodies_.poses[k]);
+        const Vec2 room = Vec2::Constant(rest_tolerance::k_watch * bodies_.radius[k]);
         boxes.push_back({{box.min - room, box.max + room}, k});
     }
     for (const BoxCells::Entry& entry : boxes) {
@@ -115,9 +110,9 @@ void RestEngine::find_moving_seams(const RestPair& pair, Owner owner, const Pose
     const int body = owner == Owner::a ? pair.a : pair.b;
     const int part = owner == Owner::a ? pair.part_a : pair.part_b;
     const int toucher = owner == Owner::a ? pair.b : pair.a;
-    const auto& polygon = std::get<Polygon>(shapes_[body].parts[part].shape);
+    const auto& polygon = std::get<Polygon>(bodies_.shapes[body].parts[part].shape);
     const double sign = owner == Owner::a ? 0.5 : -0.5;
-    const double near = rest_tolerance::k_same_place * std::min(radius_[pair.a], radius_[pair.b]);
+    const double near = rest_tolerance::k_same_place * std::min(bodies_.radius[pair.a], bodies_.radius[pair.b]);
     for (int k = 0; k < manifold.count; ++k) {
         const Contact& contact = manifold.contacts[k];
         const Vec2 point = contact.point - (sign * contact.separation) * contact.normal;
@@ -133,11 +128,12 @@ void RestEngine::find_moving_seams(const RestPair& pair, Owner owner, const Pose
             const int other = is_first ? next.b : next.a;
             if (other == toucher || (is_first ? next.part_a : next.part_b) != part) return;
             const int others_part = is_first ? next.part_b : next.part_a;
-            const ConvexPart& neighbour = shapes_[other].parts[others_part];
-            const Vec2 way = point - poses_[other] * neighbour.centre;
+            const ConvexPart& neighbour = bodies_.shapes[other].parts[others_part];
+            const Vec2 way = point - bodies_.poses[other] * neighbour.centre;
             const double reach = neighbour.radius + 2.0 * near;
             if (way.squaredNorm() > reach * reach) return;
-            if ((velocity_of(body, point) - velocity_of(other, point)).norm() > k_together * pass) return;
+            if ((velocity_of(body, point) - velocity_of(other, point)).norm() > rest_tolerance::k_together * pass)
+                return;
             find_seams_with(body, part, other, others_part, seams);
         };
         const std::span<const RestPair> pairs = pairs_.pairs();
@@ -151,8 +147,8 @@ void RestEngine::find_moving_seams(const RestPair& pair, Owner owner, const Pose
 /// Velocity of a body's point, as the step or a part of one begins.
 Vec2 RestEngine::velocity_of(int body, const Vec2& point) const
 {
-    const BodyState& s = bodies_[body].state;
-    return bodies_[body].is_static ? Vec2(Vec2::Zero()) : velocity_at(s, point - poses_[body].position);
+    const BodyState& s = bodies_.list[body].state;
+    return bodies_.list[body].is_static ? Vec2(Vec2::Zero()) : velocity_at(s, point - bodies_.poses[body].position);
 }
 // [rest.seams.moving]
 
@@ -161,14 +157,14 @@ Vec2 RestEngine::velocity_of(int body, const Vec2& point) const
 void RestEngine::mend(const RestPair& pair, const Pose& pose_a, const Pose& pose_b, double margin,
                       Manifold& manifold) const
 {
-    const double near = rest_tolerance::k_same_place * std::min(radius_[pair.a], radius_[pair.b]);
+    const double near = rest_tolerance::k_same_place * std::min(bodies_.radius[pair.a], bodies_.radius[pair.b]);
     std::vector<Seam> moving;
     for (const Owner owner : {Owner::a, Owner::b}) {
         const bool of_a = owner == Owner::a;
         const int body = of_a ? pair.a : pair.b;
         const int part = of_a ? pair.part_a : pair.part_b;
-        const Shape& other = of_a ? shapes_[pair.b].parts[pair.part_b].shape : shapes_[pair.a].parts[pair.part_a].shape;
-        const auto* polygon = std::get_if<Polygon>(&shapes_[body].parts[part].shape);
+        const Shape& other = of_a ? bodies_.shapes[pair.b].parts[pair.part_b].shape : bodies_.shapes[pair.a].parts[pair.part_a].shape;
+        const auto* polygon = std::get_if<Polygon>(&bodies_.shapes[body].parts[part].shape);
         if (!polygon || std::holds_alternative<HalfPlane>(other)) continue;
         const Pose& pose = of_a ? pose_a : pose_b;
         const Pose& other_pose = of_a ? pose_b : pose_a;

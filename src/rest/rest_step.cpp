@@ -2,22 +2,11 @@
 #include <cmath>
 
 #include "rest/rest_engine.hpp"
+#include "rest/rest_tolerance.hpp"
 #include "rest/stopwatch.hpp"
 
 namespace flying {
 namespace {
-
-// [rest.step.limits]
-/// [steps] Shorter parts of a step are not cut again: an island takes what comes out.
-constexpr double k_shortest = 0x1p-10;
-/// Parts that the step of one island is made in, where its impacts have moments of their own, and where they have not;
-/// how often one is cut within another.
-constexpr int k_most_parts = 64;
-constexpr int k_most_parts_of_many = 8;
-constexpr int k_deepest = 64;
-/// Bodies of the largest island whose step is cut at all.
-constexpr int k_most_cut = 64;
-// [rest.step.limits]
 
 } // namespace
 
@@ -35,11 +24,11 @@ void RestEngine::step()
     // [rest.step.nobody]
     Stopwatch watch(options_.seconds);
     // [rest.step.begin]
-    span_ = options_.step;
-    after_ = 0.0;
+    motion_.span = options_.step;
+    motion_.after = 0.0;
     list_awake();
     measure_reach(awake_);
-    if (pairs_.update(bodies_, shapes_, radius_, reach_)) ++counts_.looks;
+    if (pairs_.update(bodies_.list, bodies_.shapes, bodies_.radius, motion_.reach)) ++counts_.looks;
     watch.stop(seconds_.pairs);
     // [rest.step.begin]
 
@@ -70,23 +59,23 @@ void RestEngine::list_awake()
 {
     awake_.clear();
     none_sleeps_ = true;
-    wakes_.assign(bodies_.size(), 0);
-    for (int k = 0; k < static_cast<int>(bodies_.size()); ++k) {
+    wakes_.assign(bodies_.list.size(), 0);
+    for (int k = 0; k < static_cast<int>(bodies_.list.size()); ++k) {
         if (asleep_[k]) {
             ++counts_.asleep;
             none_sleeps_ = false;
-        } else if (!bodies_[k].is_static && bodies_[k].is_active) awake_.push_back(k);
+        } else if (!bodies_.list[k].is_static && bodies_.list[k].is_active) awake_.push_back(k);
     }
-    saved_.resize(bodies_.size());
+    saved_.resize(bodies_.list.size());
     for (const int k : awake_) wakes_[k] = 1;
-    for (const int k : awake_) saved_[k] = {bodies_[k].state, pull_[k], turn_pull_[k], in_crowd_[k]};
+    for (const int k : awake_) saved_[k] = {bodies_.list[k].state, motion_.pull[k], motion_.turn_pull[k], in_crowd_[k]};
 }
 // [rest.step.awake]
 
 // [rest.step.finish]
 void RestEngine::finish_groups(int depth, std::span<const int> pairs)
 {
-    again_.resize(k_deepest + 1);
+    again_.resize(rest_tolerance::k_deepest + 1);
     Again& again = again_[depth];
     again.parts.clear();
     again.members.clear();
@@ -98,7 +87,8 @@ void RestEngine::finish_groups(int depth, std::span<const int> pairs)
         }
         if (group.is_exact) find_places(group);
         if (group.in_turn) group.cut_at = missed_impact(group);
-        if (group.in_turn && group.has_ways && group.cut_at == 0.0 && span_ == options_.step) group.cut_at = end_of_load(group);
+        if (group.in_turn && group.has_ways && group.cut_at == 0.0 && motion_.span == options_.step)
+            group.cut_at = end_of_load(group);
         if (group.cut_at > 0.0) {
             note_again(group, again);
             continue;
@@ -106,7 +96,7 @@ void RestEngine::finish_groups(int depth, std::span<const int> pairs)
         if (group.is_exact && group.point_count > 0) {
             const double overlap = look_at_end(group);
             if (may_be_cut(group, depth) && !is_fair(group, overlap)) {
-                group.cut_at = 0.5 * span_;
+                group.cut_at = 0.5 * motion_.span;
                 note_again(group, again);
                 continue;
             }
@@ -122,16 +112,16 @@ void RestEngine::finish_groups(int depth, std::span<const int> pairs)
 // [rest.step.again]
 bool RestEngine::may_be_cut(const Group& group, int depth) const
 {
-    const int most = strikes_at_start(group) ? k_most_parts_of_many : k_most_parts;
-    return group.member_count <= k_most_cut && depth < k_deepest && parts_made_ < most && span_ > k_shortest * options_.step;
+    const int most = strikes_at_start(group) ? rest_tolerance::k_step_parts_of_many : rest_tolerance::k_step_parts;
+    return group.member_count <= rest_tolerance::k_most_cut && depth < rest_tolerance::k_deepest &&
+           parts_made_ < most && motion_.span > rest_tolerance::k_shortest_part * options_.step;
 }
 
 void RestEngine::note_again(const Group& group, Again& again)
 {
     const int part = static_cast<int>(again.parts.size());
     again.parts.push_back({static_cast<int>(again.members.size()), group.member_count, 0, 0, group.cut_at});
-    for (int k = 0; k < group.member_count; ++k) {
-        const int member = members_[group.first_member + k];
+    for (const int member : group.members) {
         again.members.push_back(member);
         part_of_[member] = part;
     }
@@ -143,8 +133,8 @@ void RestEngine::find_pairs_of(Again& again, std::span<const int> pairs)
     const auto part_of = [&](const RestPair& pair) {
         const int a = part_of_[pair.a];
         const int b = part_of_[pair.b];
-        if (bodies_[pair.a].is_static) return b;
-        if (bodies_[pair.b].is_static) return a;
+        if (bodies_.list[pair.a].is_static) return b;
+        if (bodies_.list[pair.b].is_static) return a;
         return a == b ? a : -1;
     };
     const auto each = [&](auto&& act) {
@@ -173,11 +163,12 @@ void RestEngine::find_pairs_of(Again& again, std::span<const int> pairs)
 /// The steps of islands that end early, at a moment each: the part up to there, and what is left.
 void RestEngine::make_parts(int depth)
 {
-    const double whole = span_;
-    const double after_whole = after_;
+    const double whole = motion_.span;
+    const double after_whole = motion_.after;
     for (std::size_t k = 0; k < again_[depth].parts.size(); ++k) {
         const Again::Part part = again_[depth].parts[k];
-        const std::span<const int> members = std::span(again_[depth].members).subspan(part.first_member, part.member_count);
+        const std::span<const int> members =
+            std::span(again_[depth].members).subspan(part.first_member, part.member_count);
         const std::span<const int> pairs = std::span(again_[depth].pairs).subspan(part.first_pair, part.pair_count);
         if (depth == 0) parts_made_ = 0;
         double before = whole;
@@ -185,9 +176,9 @@ void RestEngine::make_parts(int depth)
         for (const double length : {part.cut_at, whole - part.cut_at}) {
             if (!(length > 0.0)) continue;
             ++parts_made_;
-            span_ = length;
+            motion_.span = length;
             left -= length;
-            after_ = after_whole + left;
+            motion_.after = after_whole + left;
             scale_loads(pairs, length / before);
             before = length;
             measure_reach(members);
@@ -198,8 +189,8 @@ void RestEngine::make_parts(int depth)
             finish_groups(depth + 1, pairs);
             make_parts(depth + 1);
         }
-        span_ = whole;
-        after_ = after_whole;
+        motion_.span = whole;
+        motion_.after = after_whole;
         scale_loads(pairs, whole / before);
         ++counts_.parts;
     }

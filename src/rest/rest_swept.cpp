@@ -8,32 +8,6 @@
 namespace flying {
 namespace {
 
-// [rest.swept.limits]
-/// [speeds that the field gives in a step] A group that was slower and stays so is at rest: what it was about to do is
-/// the price of its sleep. Its bodies would speed up by twice as much of the field's acceleration at most.
-constexpr double k_calm = 0x1p-8;
-/// [k_calm] Where no point asks for a greater change, impulses stay as they are, to the bit.
-constexpr double k_content_enough = 0x1p-2;
-/// [speeds that the field gives in a step] In slower groups nothing is pushed apart any more: that would shake them.
-constexpr double k_slow = 4.0;
-/// [greatest speeds] Points that would have to close faster than that wait for the end of the sweeps.
-constexpr double k_far = 2.0;
-/// [energies of fall] What a sweep's changes are worth when there are enough of them.
-constexpr double k_enough = 0x1p-10;
-/// [sizes] Overlap that sweeps may add in one step, and in one of a group that is slow.
-constexpr double k_fair_approach = 0x1p-10;
-constexpr double k_slow_approach = 0x1p-13;
-/// Sweeps that go on where more is left, and bodies of the largest group that is worth them.
-constexpr int k_more_sweeps = 128;
-constexpr int k_most_swept_on = 1024;
-/// [approaches left] Sweeps that leave more don't get on.
-constexpr double k_gets_on = 0.25;
-/// Share of an overlap that one step takes off.
-constexpr double k_push_share = 0.25;
-/// Sweeps that end the impacts of a heap, and that push its overlap apart.
-constexpr int k_heap_sweeps = 16;
-// [rest.swept.limits]
-
 } // namespace
 
 // [rest.swept]
@@ -41,36 +15,37 @@ constexpr int k_heap_sweeps = 16;
 void RestEngine::sweep_large(Group& group)
 {
     group.is_exact = false;
-    const std::span<ContactPoint> points = std::span(points_).subspan(group.first_point, group.point_count);
-    const std::span<const int> members = std::span(members_).subspan(group.first_member, group.member_count);
+    const std::span<ContactPoint> points = group.points;
+    const std::span<const int> members = group.members;
     const double field = field_speed(group);
-    const double before = greatest_speed(before_, radius_, members);
-    bound_swept(group, before <= k_calm * field);
-    set_free(group, span_);
+    const double before = greatest_speed(motion_.before, bodies_.radius, members);
+    bound_swept(group, before <= rest_tolerance::k_calm * field);
+    set_free(group, motion_.span);
     GroupSolver::SweepPlan plan;
     plan.sweeps = options_.sweeps;
     plan.looks_ahead = true;
     plan.most_sweeps = options_.most_sweeps;
-    plan.enough = k_enough * energy_of_fall(group);
-    plan.far_from_closing = k_far * std::max(before, field);
-    plan.time = span_;
-    plan.tolerance = k_content_enough * k_calm * field;
-    if (before > k_slow * field) {
+    plan.enough = rest_tolerance::k_enough * energy_of_fall(group);
+    plan.far_from_closing = rest_tolerance::k_far * std::max(before, field);
+    plan.time = motion_.span;
+    plan.tolerance = rest_tolerance::k_content_enough * rest_tolerance::k_calm * field;
+    if (before > rest_tolerance::k_slow_heap * field) {
         plan.push_sweeps = options_.push_sweeps;
-        plan.push_share = k_push_share;
+        plan.push_share = rest_tolerance::k_push_share;
     }
-    solver_.sweep_group(movers_, members, points, plan, place_movers_);
-    if (group.member_count <= k_most_swept_on) {
-        const double most = before > k_slow * field ? k_fair_approach : k_slow_approach;
+    solver_.sweep_group(motion_.now, members, points, plan, place_movers_);
+    if (group.member_count <= rest_tolerance::k_most_swept_on) {
+        const double most = before > rest_tolerance::k_slow_heap * field ? rest_tolerance::k_fair_approach
+                                                                         : rest_tolerance::k_slow_approach;
         const double left = approaches_left(points);
-        if (left > most) end_approaches_whole(group, plan, std::max(most, k_gets_on * left));
+        if (left > most) end_approaches_whole(group, plan, std::max(most, rest_tolerance::k_gets_on * left));
     }
 
     // What hardly moves comes to rest
-    const double after = greatest_speed(movers_, radius_, members);
-    if (before <= k_calm * field && after <= k_calm * field) {
+    const double after = greatest_speed(motion_.now, bodies_.radius, members);
+    if (before <= rest_tolerance::k_calm * field && after <= rest_tolerance::k_calm * field) {
         for (const int member : members) {
-            Mover& mover = movers_[member];
+            Mover& mover = motion_.now[member];
             mover.v_x = mover.v_y = mover.spin = 0.0;
             place_movers_[member] = mover;
         }
@@ -86,8 +61,8 @@ double RestEngine::approaches_left(std::span<const ContactPoint> points) const
 {
     double worst = 0.0;
     for (const ContactPoint& c : points) {
-        const double missed = span_ * (c.bound - normal_speed(c, movers_[c.a], movers_[c.b]));
-        worst = std::max(worst, missed / std::min(radius_[c.a], radius_[c.b]));
+        const double missed = motion_.span * (c.bound - normal_speed(c, motion_.now[c.a], motion_.now[c.b]));
+        worst = std::max(worst, missed / std::min(bodies_.radius[c.a], bodies_.radius[c.b]));
     }
     return worst;
 }
@@ -95,16 +70,16 @@ double RestEngine::approaches_left(std::span<const ContactPoint> points) const
 /// Sweeps take the longer the more masses differ: what they leave is swept on, and what that leaves is solved whole.
 void RestEngine::end_approaches_whole(const Group& group, GroupSolver::SweepPlan plan, double most)
 {
-    const std::span<ContactPoint> points = std::span(points_).subspan(group.first_point, group.point_count);
-    const std::span<const int> members = std::span(members_).subspan(group.first_member, group.member_count);
-    plan.sweeps = plan.most_sweeps = k_more_sweeps;
+    const std::span<ContactPoint> points = group.points;
+    const std::span<const int> members = group.members;
+    plan.sweeps = plan.most_sweeps = rest_tolerance::k_more_sweeps;
     plan.tolerance = 0.0;
-    set_free(group, span_);
-    solver_.sweep_group(movers_, members, points, plan, place_movers_);
+    set_free(group, motion_.span);
+    solver_.sweep_group(motion_.now, members, points, plan, place_movers_);
     if (approaches_left(points) <= most) return;
-    set_free(group, span_);
-    solver_.solve(movers_, members, points, rest_tolerance::k_content * top_speed(group));
-    for (const int member : members) place_movers_[member] = movers_[member];
+    set_free(group, motion_.span);
+    solver_.solve(motion_.now, members, points, rest_tolerance::k_content * top_speed(group));
+    for (const int member : members) place_movers_[member] = motion_.now[member];
 }
 // [rest.swept.approaches]
 
@@ -124,8 +99,8 @@ double RestEngine::greatest_speed(std::span<const Mover> movers, std::span<const
 double RestEngine::energy_of_fall(const Group& group) const
 {
     double sum = 0.0;
-    for (const int member : std::span(members_).subspan(group.first_member, group.member_count)) {
-        sum += (span_ * field_[member]).squaredNorm() / movers_[member].inv_mass;
+    for (const int member : group.members) {
+        sum += (motion_.span * motion_.field[member]).squaredNorm() / motion_.now[member].inv_mass;
     }
     return sum > 0.0 ? sum : std::numeric_limits<double>::infinity();
 }
@@ -142,12 +117,12 @@ void RestEngine::bear_less(const Group& group)
     double linear = 0.0;   // [J]
     double constant = 0.0; // [J]
     double before = 0.0;
-    const std::span<const int> members = std::span(members_).subspan(group.first_member, group.member_count);
+    const std::span<const int> members = group.members;
     for (const int member : members) {
-        const Mover& old = before_[member];
-        const Mover& now = movers_[member];
+        const Mover& old = motion_.before[member];
+        const Mover& now = motion_.now[member];
         const Vec2 velocity(old.v_x, old.v_y);
-        const Vec2 fall = span_ * field_[member];
+        const Vec2 fall = motion_.span * motion_.field[member];
         const Vec2 change = Vec2(now.v_x, now.v_y) - velocity - fall;
         const double spin = now.spin - old.spin;
         square += 0.5 * (change.squaredNorm() / now.inv_mass + spin * spin / now.inv_moment);
@@ -161,14 +136,14 @@ void RestEngine::bear_less(const Group& group)
     const double share = linear > 0.0 ? -2.0 * constant / (linear + root) : (root - linear) / (2.0 * square);
     // [rest.swept.less.share]
 
-    for (ContactPoint& c : std::span(points_).subspan(group.first_point, group.point_count)) {
+    for (ContactPoint& c : group.points) {
         c.normal *= share;
         c.tangent *= share;
     }
     for (const int member : members) {
-        const Mover& old = before_[member];
-        const Vec2 fall = span_ * field_[member];
-        Mover& now = movers_[member];
+        const Mover& old = motion_.before[member];
+        const Vec2 fall = motion_.span * motion_.field[member];
+        Mover& now = motion_.now[member];
         Mover& pushed = place_movers_[member];
         const Mover all = now;
         now.v_x = (old.v_x + fall.x()) + share * (all.v_x - (old.v_x + fall.x()));
@@ -184,27 +159,27 @@ void RestEngine::bear_less(const Group& group)
 // [rest.swept.move]
 void RestEngine::move_as_swept(const Group& group)
 {
-    const std::span<const int> members = std::span(members_).subspan(group.first_member, group.member_count);
+    const std::span<const int> members = group.members;
     double lift = 0.0; // work against the field, of what pushes overlap apart [J]
     for (const int member : members) {
-        const Mover& now = movers_[member];
-        shift_[member] = span_ * Vec2(now.v_x, now.v_y);
-        turn_[member] = span_ * now.spin;
-        lift -= span_ * field_[member].dot(push_of(member)) / now.inv_mass;
+        const Mover& now = motion_.now[member];
+        motion_.shift[member] = motion_.span * Vec2(now.v_x, now.v_y);
+        motion_.turn[member] = motion_.span * now.spin;
+        lift -= motion_.span * motion_.field[member].dot(push_of(member)) / now.inv_mass;
     }
 
     // It may cost no more energy than the sweeps have taken
     const double share = lift > 0.0 ? std::clamp(-gain_of(group).gained / lift, 0.0, 1.0) : 1.0;
     for (const int member : members) {
-        shift_[member] += (span_ * share) * push_of(member);
-        turn_[member] += (span_ * share) * (place_movers_[member].spin - movers_[member].spin);
+        motion_.shift[member] += (motion_.span * share) * push_of(member);
+        motion_.turn[member] += (motion_.span * share) * (place_movers_[member].spin - motion_.now[member].spin);
     }
 }
 
 /// By which a body's place moves beyond its velocity.  [m/s]
 Vec2 RestEngine::push_of(int member) const
 {
-    const Mover& now = movers_[member];
+    const Mover& now = motion_.now[member];
     const Mover& pushed = place_movers_[member];
     return Vec2(pushed.v_x - now.v_x, pushed.v_y - now.v_y);
 }
@@ -214,11 +189,11 @@ Vec2 RestEngine::push_of(int member) const
 void RestEngine::bound_swept(const Group& group, bool is_calm)
 {
     const double field = field_speed(group);
-    for (ContactPoint& c : std::span(points_).subspan(group.first_point, group.point_count)) {
-        // All of a gap passes with the velocities that the step ends with. In a calm group nothing comes to close one: what
-        // bears over a gap that a calm speed would close goes on to bear, or its load would wane for minutes
-        c.bound = -std::max(c.gap, 0.0) / span_;
-        if (is_calm && c.normal > 0.0 && -c.bound <= k_calm * field) c.bound = 0.0;
+    for (ContactPoint& c : group.points) {
+        // All of a gap passes with the velocities that the step ends with. In a calm group nothing comes to close one:
+        // what bears over a gap that a calm speed would close goes on to bear, or its load would wane for minutes
+        c.bound = -std::max(c.gap, 0.0) / motion_.span;
+        if (is_calm && c.normal > 0.0 && -c.bound <= rest_tolerance::k_calm * field) c.bound = 0.0;
     }
 }
 // [rest.swept.bounds]
@@ -227,14 +202,15 @@ void RestEngine::bound_swept(const Group& group, bool is_calm)
 /// Sweeps over what the direct solve rarely finds where a heap moves, for all its factorisations.
 ///
 /// tolerance  where no point asks for a greater change, impulses stay as they are; below 0 they never do [m/s]
-void RestEngine::sweep_heap(const Group& group, std::span<Mover> movers, std::span<ContactPoint> points, double tolerance)
+void RestEngine::sweep_heap(const Group& group, std::span<Mover> movers, std::span<ContactPoint> points,
+                            double tolerance)
 {
-    const std::span<const int> members = std::span(members_).subspan(group.first_member, group.member_count);
+    const std::span<const int> members = group.members;
     GroupSolver::SweepPlan plan;
-    plan.sweeps = k_heap_sweeps;
+    plan.sweeps = rest_tolerance::k_heap_sweeps;
     plan.looks_ahead = true;
     plan.tolerance = tolerance;
-    part_movers_.resize(movers_.size());
+    part_movers_.resize(motion_.now.size());
     solver_.sweep_group(movers, members, points, plan, part_movers_);
 }
 // [rest.swept.heap]
