@@ -27,8 +27,8 @@ inline constexpr double k_still = 0x1p-36;
 /// [speeds that the field gives in a step] Slip below this has ended.
 inline constexpr double k_slip = 0x1p-34;
 
-/// [pairs per body] A stack on a floor has one, a pyramid nearly two. Up to here one body in sixteen leans on a second one,
-/// and eliminating along the stack fills in few blocks.
+/// [pairs per body] A stack on a floor has one, a pyramid nearly two. Up to here one body in sixteen leans on a second
+/// one, and eliminating along the stack fills in few blocks.
 inline constexpr double k_tall = 17.0 / 16.0;
 
 /// [speeds that the field gives in a step] A slower approach is left to the load, of which it is a thousandth.
@@ -52,8 +52,8 @@ inline constexpr double k_same_place = 0x1p-5;
 /// [sizes] Reach beyond what motion explains, within which points are watched.
 inline constexpr double k_watch = 0x1p-6;
 
-/// [sizes] Overlap at the end of a step that is taken off; where it is more, the step is made in halves, and where these
-/// don't help, ways are cut short. A fifth of the hundredth that a user is promised.
+/// [sizes] Overlap at the end of a step that is taken off; where it is more, the step is made in halves, and where
+/// these don't help, ways are cut short. A fifth of the hundredth that a user is promised.
 inline constexpr double k_fair_overlap = 0x1p-9;
 
 /// [energies] Rise that rounding explains.
@@ -239,8 +239,8 @@ inline constexpr int k_deepest = 64;
 inline constexpr int k_most_cut = 64;
 
 // ---- rest_strike
-/// Bodies of the largest island whose impacts have moments of their own; in larger ones all that a step brings come at its
-/// start.
+/// Bodies of the largest island whose impacts have moments of their own; in larger ones all that a step brings come at
+/// its start.
 inline constexpr int k_most_in_turn = 12;
 
 // ---- rest_swept
