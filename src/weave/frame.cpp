@@ -49,11 +49,10 @@ std::string book_list(const Material& material, const Page& page, const std::str
     }
     if (!part.empty()) out += "</ol>";
     out += "<p>Reference</p><ol>";
-    const std::pair<const char*, const char*> others[] = {{"playground", "Playground"},
-                                                          {"equations", "Equations and receipts"},
-                                                          {"symbols", "Symbols"},
-                                                          {"left_out", "What is told, and what is not"},
-                                                          {"manual/index", "Manual of the code"}};
+    const std::pair<const char*, const char*> others[] = {
+        {"playground", "Playground"}, {"equations", "Equations and receipts"},
+        {"symbols", "Symbols"},       {"left_out", "What is told, and what is not"},
+        {"sources", "The sources"},   {"manual/index", "Manual of the code"}};
     for (const auto& [name, title] : others) out += entry(page, name, "", title, root);
     return out + "</ol>";
 }
@@ -65,21 +64,23 @@ std::string framed(const Material& material, const Page& page, const std::string
     const std::string book = escape_html(material.book.title);
     const bool is_front = page.name == "index";
     const bool is_live = body.find("<figure class=\"live") != std::string::npos;
-    std::string out = fmt::format(
-        "<!DOCTYPE html>\n<html lang=\"en-GB\">\n<head>\n<meta charset=\"utf-8\">\n<title>{0}</title>\n"
-        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-        "<link rel=\"stylesheet\" href=\"{1}katex/katex.min.css\">\n<link rel=\"stylesheet\" href=\"{1}theme/book.css\">\n"
-        "<script src=\"{1}theme/page.js\" data-root=\"{1}\"></script>\n{2}</head>\n<body>\n",
-        is_front ? book : escape_html(page.title) + " \u00b7 " + book, root,
-        is_live ? fmt::format("<script src=\"{}live.js\" defer></script>\n", root) : "");
-    out += fmt::format(
-        "<a class=\"skip\" href=\"#text\">To the text</a>\n<header class=\"bar\">"
-        "<button type=\"button\" class=\"menu\" aria-label=\"Contents\" aria-expanded=\"false\" aria-controls=\"contents\">"
-        "\u2630</button><a class=\"home\" href=\"{0}index.html\">{1}</a>"
-        "<button type=\"button\" class=\"find\" title=\"Search (/)\">Search</button>"
-        "<button type=\"button\" class=\"shade\" aria-label=\"Dark or light\" title=\"Dark or light\">\u25d0</button></header>\n"
-        "<nav class=\"contents\" id=\"contents\" aria-label=\"Contents of the book\">{2}</nav>\n",
-        root, book, book_list(material, page, root));
+    std::string out =
+        fmt::format("<!DOCTYPE html>\n<html lang=\"en-GB\">\n<head>\n<meta charset=\"utf-8\">\n<title>{0}</title>\n"
+                    "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+                    "<link rel=\"stylesheet\" href=\"{1}katex/katex.min.css\">\n<link rel=\"stylesheet\" "
+                    "href=\"{1}theme/book.css\">\n"
+                    "<script src=\"{1}theme/page.js\" data-root=\"{1}\"></script>\n{2}</head>\n<body>\n",
+                    is_front ? book : escape_html(page.title) + " \u00b7 " + book, root,
+                    is_live ? fmt::format("<script src=\"{}live.js\" defer></script>\n", root) : "");
+    out += fmt::format("<a class=\"skip\" href=\"#text\">To the text</a>\n<header class=\"bar\">"
+                       "<button type=\"button\" class=\"menu\" aria-label=\"Contents\" aria-expanded=\"false\" "
+                       "aria-controls=\"contents\">"
+                       "\u2630</button><a class=\"home\" href=\"{0}index.html\">{1}</a>"
+                       "<button type=\"button\" class=\"find\" title=\"Search (/)\">Search</button>"
+                       "<button type=\"button\" class=\"shade\" aria-label=\"Dark or light\" title=\"Dark or "
+                       "light\">\u25d0</button></header>\n"
+                       "<nav class=\"contents\" id=\"contents\" aria-label=\"Contents of the book\">{2}</nav>\n",
+                       root, book, book_list(material, page, root));
     out += fmt::format("<main id=\"text\"><article>\n<header class=\"chapter\">{}<h1>{}</h1>{}</header>\n", page.over,
                        escape_html(page.title), page.under);
     if (page.sections.size() > 2)

@@ -277,9 +277,10 @@ void add_generated_pages(const Material& material, const Counts& counts, TextWri
              fmt::format("A chapter stands below all that it needs.\n\n{}\n\n", map);
     add("index", material.book.title, front);
     add("playground", "Playground",
-        fmt::format("Every scene of the course, and your own. A scene is a text; change it, and what is wrong with it is "
-                    "said with line and column.\n\n{}\n",
-                    fragments.add_html(playground_figure())));
+        fmt::format(
+            "Every scene of the course, and your own. A scene is a text; change it, and what is wrong with it is "
+            "said with line and column.\n\n{}\n",
+            fragments.add_html(playground_figure())));
     add("equations", "Equations and their receipts", fragments.add_html(equation_index(material, fragments)) + "\n");
     add("symbols", "Symbols", symbol_table(material, writer));
     add("left_out", "What is told, and what is not", left_out(material, counts, writer));

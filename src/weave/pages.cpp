@@ -68,9 +68,9 @@ std::string receipt_sentence(const Material& material, const Numbered& numbered)
     const auto found = material.ledger.equations.find(id);
     if (numbered.kind != BlockKind::equation || found == material.ledger.equations.end()) return "";
     const EquationReceipt& receipt = found->second;
-    return fmt::format("{} case{}, worst relative error {}, in \u201c{}\u201d; a wrong twin was rejected{}.", receipt.cases,
-                       receipt.cases == 1 ? "" : "s", shown_error(receipt.worst), escape_html(receipt.where),
-                       receipt.printed_cases > 0 ? "; evaluated as printed" : "");
+    return fmt::format("{} case{}, worst relative error {}, in \u201c{}\u201d; a wrong twin was rejected{}.",
+                       receipt.cases, receipt.cases == 1 ? "" : "s", shown_error(receipt.worst),
+                       escape_html(receipt.where), receipt.printed_cases > 0 ? "; evaluated as printed" : "");
 }
 
 std::string receipt_note(const Material& material, const Numbered& numbered)

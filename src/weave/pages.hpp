@@ -24,12 +24,12 @@ struct Section
 /// A page of the book.
 struct Page
 {
-    std::string name;      ///< of its file, without .html
-    std::string title;     ///< its only h1
-    std::string over;      ///< HTML over the title: the part of the book
-    std::string under;     ///< HTML under the title: the question, what it builds on
-    std::string markdown;  ///< with tokens of fragments
-    std::string foot;      ///< HTML after it
+    std::string name;     ///< of its file, without .html
+    std::string title;    ///< its only h1
+    std::string over;     ///< HTML over the title: the part of the book
+    std::string under;    ///< HTML under the title: the question, what it builds on
+    std::string markdown; ///< with tokens of fragments
+    std::string foot;     ///< HTML after it
     std::vector<Section> sections;
 };
 
@@ -76,6 +76,8 @@ private:
     [[nodiscard]] std::string block(const Chapter& chapter, const Block& block);
     [[nodiscard]] std::string text(const Block& block);
     [[nodiscard]] std::string listing(const Block& block);
+    /// Its lines without what lies folded in it; `longest` grows to the longest of them.
+    [[nodiscard]] std::string region_lines(const Region& region, const Place& place, std::size_t& longest);
     [[nodiscard]] std::string formula(const Block& block);
     [[nodiscard]] std::string derivation(const Block& block);
     [[nodiscard]] std::string figure(const Chapter& chapter, const Block& block);
@@ -83,7 +85,12 @@ private:
     [[nodiscard]] std::string output(const Chapter& chapter, const Block& block);
     [[nodiscard]] std::string exercise(const Chapter& chapter, const Block& block);
     /// Where an insert stands.
-    enum class Site { prose, sentence_start, formula };
+    enum class Site
+    {
+        prose,
+        sentence_start,
+        formula
+    };
     [[nodiscard]] std::string insert(const std::string& text, Site site, const Place& place);
     [[nodiscard]] std::string math(const std::string& tex, const Place& place);
     /// The figure's number, and what to see in it.

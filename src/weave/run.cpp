@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "weave/annotated.hpp"
 #include "weave/finish.hpp"
 #include "weave/live_matter.hpp"
 #include "weave/receipts.hpp"
@@ -65,8 +66,9 @@ bool write_header(const Folders& folders, const Tools& tools, Problems& problems
         return false;
     }
     const std::string with_theme = replace_all(*text, "</head>", *ours + "</head>");
-    return write_file(header, replace_all(with_theme, "<div id=\"projectname\">$projectname",
-                                          "<div id=\"projectname\"><a href=\"$relpath^../index.html\">$projectname</a>"));
+    return write_file(header,
+                      replace_all(with_theme, "<div id=\"projectname\">$projectname",
+                                  "<div id=\"projectname\"><a href=\"$relpath^../index.html\">$projectname</a>"));
 }
 
 /// Patterns of the sources whose comments read otherwise for Doxygen, each with the filter to start for it: to start it
@@ -119,19 +121,22 @@ void copy_theme(const Folders& folders, const fs::path& html, Problems& problems
     const std::string inter = "/usr/share/fonts/opentype/inter/Inter-";
     const std::string mono = "/usr/share/fonts/truetype/jetbrains-mono/JetBrainsMono-";
     const std::pair<std::string, std::string> fonts[] = {
-        {"serif", charis + "Regular.ttf"},   {"serif-italic", charis + "Italic.ttf"}, {"serif-bold", charis + "Bold.ttf"},
-        {"sans", inter + "Regular.otf"},     {"sans-bold", inter + "SemiBold.otf"},   {"mono", mono + "Regular.ttf"},
+        {"serif", charis + "Regular.ttf"},     {"serif-italic", charis + "Italic.ttf"},
+        {"serif-bold", charis + "Bold.ttf"},   {"sans", inter + "Regular.otf"},
+        {"sans-bold", inter + "SemiBold.otf"}, {"mono", mono + "Regular.ttf"},
         {"mono-italic", mono + "Italic.ttf"}};
     for (const auto& [name, source] : fonts) {
         const fs::path made = folders.build / "fonts" / (name + ".woff2");
         std::error_code error;
         fs::create_directories(made.parent_path(), error);
         if (!fs::exists(made) &&
-            !run(fmt::format("python3 -m fontTools.subset {} --flavor=woff2 --layout-features='kern,liga,mark,mkmk,tnum,onum,lnum' "
-                             "--unicodes='U+20-17F,U+2BC,U+300-302,U+391-3D6,U+2000-2044,U+20AC,U+2190-21FF,U+2200-22FF,"
-                             "U+2500-25FF,U+2713,U+27E8,U+27E9,U+2261' --output-file={}",
-                             source, quoted(made)),
-                 folders.build / "fonts.log")) {
+            !run(
+                fmt::format("/usr/bin/python3 -m fontTools.subset {} --flavor=woff2 "
+                            "--layout-features='kern,liga,mark,mkmk,tnum,onum,lnum' "
+                            "--unicodes='U+20-17F,U+2BC,U+300-302,U+391-3D6,U+2000-2044,U+20AC,U+2190-21FF,U+2200-22FF,"
+                            "U+2500-25FF,U+2713,U+27E8,U+27E9,U+2261' --output-file={}",
+                            source, quoted(made)),
+                folders.build / "fonts.log")) {
             problems.add({source, 0}, "a font that can't be made small: " + tail(folders.build / "fonts.log"),
                          "fonts-sil-charis, fonts-inter, fonts-jetbrains-mono, python3-fonttools, python3-brotli");
             return;
@@ -235,6 +240,8 @@ void make_book(const Folders& folders, const Tools& tools, Problems& problems)
     copy_live_matter(woven, folders, tools, html, problems);
     const Manual manual = read_manual(folders.build / "names.tag", folders.project);
     finish_pages(woven.material, woven.pages, woven.formulas, manual, html, problems);
+    write_annotated(woven.material, manual, html, problems);
+    write_module_maps(woven.material, manual, html, problems);
     if (!write_file(html / "theme/search-index.js", search_index(woven.material, manual)))
         problems.add({"search-index.js", 0}, "a file that can't be written", "a folder to write to");
     check_links(html, problems);
