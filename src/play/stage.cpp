@@ -13,7 +13,7 @@ namespace {
 
 constexpr double k_shown_for = 3.0;       ///< a mode's bar, and a notice [s]
 constexpr double k_longest_wall = 0.1;    ///< of one frame: what is longer was a hitch [s]
-constexpr double k_averaged_over = 0.5;   ///< [s]
+constexpr double k_averaged_over = 1.0;   ///< [s]
 constexpr double k_remembered_every = 12; ///< [frames]
 
 } // namespace
