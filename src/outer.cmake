@@ -27,20 +27,37 @@ pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo)
 flying_module(draw world)
 target_link_libraries(flying_draw PUBLIC PkgConfig::CAIRO)
 
+# A scene that is played with, without a display
+find_package(fmt REQUIRED)
+flying_module(play draw scene)
+target_link_libraries(flying_play PUBLIC fmt::fmt)
+
+# Its window, where gtkmm is there
+pkg_check_modules(GTKMM IMPORTED_TARGET gtkmm-4.0)
+if(GTKMM_FOUND)
+    flying_module(window play)
+    target_link_libraries(flying_window PUBLIC PkgConfig::GTKMM)
+endif()
+
 # The program
 find_package(CLI11 REQUIRED)
-find_package(fmt REQUIRED)
 find_package(nlohmann_json REQUIRED)
 file(GLOB app_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/app/*.cpp)
 add_executable(flying ${app_sources})
 target_link_libraries(flying PRIVATE flying_draw flying_scene fmt::fmt nlohmann_json::nlohmann_json CLI11::CLI11)
-target_compile_definitions(flying PRIVATE FLYING_VERSION="${PROJECT_VERSION}")
+target_compile_definitions(flying PRIVATE FLYING_VERSION="${PROJECT_VERSION}"
+    FLYING_SCENES="${PROJECT_SOURCE_DIR}/chapters/scenes")
+if(TARGET flying_window)
+    target_link_libraries(flying PRIVATE flying_window)
+    target_compile_definitions(flying PRIVATE FLYING_WINDOW)
+endif()
 set_target_properties(flying PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
 # The literate tool: a library for its tests, and the program
 file(GLOB weave_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/weave/*.cpp)
 list(FILTER weave_sources EXCLUDE REGEX "/main\\.cpp$")
 add_library(flying_weave STATIC ${weave_sources})
-target_link_libraries(flying_weave PUBLIC flying_flags fmt::fmt PRIVATE nlohmann_json::nlohmann_json)
+pkg_check_modules(MD4C REQUIRED IMPORTED_TARGET md4c-html)
+target_link_libraries(flying_weave PUBLIC flying_flags fmt::fmt PRIVATE nlohmann_json::nlohmann_json PkgConfig::MD4C)
 target_include_directories(flying_weave PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
 add_executable(weave weave/main.cpp)
 target_link_libraries(weave PRIVATE flying_weave CLI11::CLI11)
