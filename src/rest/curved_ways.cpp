@@ -72,7 +72,7 @@ void set_mean_lines(ContactPoint& mean, const ContactPoint& start, const Contact
     if (std::none_of(points.begin(), points.end(), [](const ContactPoint& c) { return c.normal > 0.0; })) return false;
 
     // A slide that ends is parted where it does; below, slip is what the last step's end has left
-    const double slide = rest_tolerance::k_slide * field_speed(data, island);
+    const double slide = rest_tolerance::k_blow * field_speed(data, island);
     if (any_slip_ended(island, data.motion.before, data.motion.now, slide)) return false;
     return top_motion(data, island) > still_speed(data, island);
 }

@@ -247,7 +247,8 @@ void GroupSolver::measure_slips(std::span<const Mover> movers, std::span<const C
 // [rest.group.guess]
 void GroupSolver::guess(std::span<const ContactPoint> points)
 {
-    // Whoever does not part clearly may bear, and holds; it is easier to let go of some than to find all one by one
+    // A point that does not part clearly may bear, and holds; it is easier to let go of some than to find all one by
+    // one
     double worst = 0.0;
     for (std::size_t k = 0; k < points.size(); ++k) worst = std::max(worst, -slip_[2 * k]);
     for (std::size_t k = 0; k < points.size(); ++k) {

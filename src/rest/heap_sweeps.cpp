@@ -45,14 +45,14 @@ void HeapSweeps::sweep_large(RestData& data, Island& island)
     plan.far_from_closing = rest_tolerance::k_far * std::max(before, field);
     plan.time = data.motion.span;
     plan.tolerance = rest_tolerance::k_content_enough * rest_tolerance::k_calm * field;
-    if (before > rest_tolerance::k_slow_heap * field) {
+    if (before > rest_tolerance::k_standing * field) {
         plan.push_sweeps = data.options.push_sweeps;
         plan.push_share = rest_tolerance::k_push_share;
     }
     data.solver.sweep_group(data.motion.now, members, points, plan, pushed_);
     if (island.member_count() <= rest_tolerance::k_most_swept_on) {
-        const double most = before > rest_tolerance::k_slow_heap * field ? rest_tolerance::k_fair_approach
-                                                                         : rest_tolerance::k_slow_approach;
+        const double most =
+            before > rest_tolerance::k_standing * field ? rest_tolerance::k_deep : rest_tolerance::k_slow_approach;
         const double left = approaches_left(data, points);
         if (left > most) end_approaches_whole(data, island, plan, std::max(most, rest_tolerance::k_gets_on * left));
     }

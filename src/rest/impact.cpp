@@ -9,9 +9,6 @@
 namespace flying {
 namespace {
 
-// [rest.impact.rounds]
-// [rest.impact.rounds]
-
 // [rest.impact.two]
 /// A contact as the law of two bodies wants it: its place from both centres, from the arms of its pushes.
 [[nodiscard]] ImpactPoint impact_point(const ContactPoint& c)

@@ -12,8 +12,6 @@ namespace flying {
 namespace {
 
 // [rest.pairs.room]
-// [radii] and [reaches] of room that a box gets: more room, fewer looks and more pairs
-
 [[nodiscard]] auto key(const RestPair& pair)
 {
     return std::tie(pair.a, pair.b, pair.part_a, pair.part_b);
@@ -89,7 +87,7 @@ void PairList::find_partners(std::span<const RestBody> bodies)
         found_.emplace_back(std::min(one.body, two.body), std::max(one.body, two.body));
     });
 
-    // Walls without end meet whoever reaches into them
+    // Walls without end meet what reaches into them
     for (int w = 0; w < count; ++w) {
         const auto* wall = std::get_if<HalfPlane>(&bodies[w].shape);
         if (!wall || !bodies[w].is_active) continue;

@@ -80,14 +80,14 @@ void find_places(RestData& data, const Island& island)
 // [rest.step]
 void RestEngine::step()
 {
-    // [rest.step.nobody]
+    // [rest.step.asleep]
     if (none_awake_) {
         data_.counts.asleep += sleepers_.count();
         ++steps_;
         ++data_.counts.steps;
         return;
     }
-    // [rest.step.nobody]
+    // [rest.step.asleep]
     Stopwatch watch(data_.options.seconds);
     // [rest.step.begin]
     data_.motion.span = data_.options.step;
@@ -242,7 +242,7 @@ void RestEngine::solve_island(Island& island, int depth)
 // [rest.step.finish]
 void RestEngine::finish_islands(int depth, std::span<const int> pairs)
 {
-    again_.resize(rest_tolerance::k_deepest + 1);
+    again_.resize(rest_tolerance::k_step_parts + 1);
     Again& again = again_[depth];
     again.parts.clear();
     again.members.clear();
@@ -285,7 +285,7 @@ double RestEngine::end_early(Island& island, int depth)
 bool RestEngine::may_be_cut(const Island& island, int depth) const
 {
     const int most = strikes_at_start(island) ? rest_tolerance::k_step_parts_of_many : rest_tolerance::k_step_parts;
-    return island.member_count() <= rest_tolerance::k_most_cut && depth < rest_tolerance::k_deepest &&
+    return island.member_count() <= rest_tolerance::k_most_whole && depth < rest_tolerance::k_step_parts &&
            parts_made_ < most && data_.motion.span > rest_tolerance::k_shortest_part * data_.options.step;
 }
 

@@ -77,14 +77,14 @@ void SweepBatches::add_batches(int pairs, int count)
     if (pairs % 8 != 0) clear(batches_[batch_count_ - 1]);
 }
 
-/// Nobody pushes nobody.
+/// A row that pushes nothing.
 void SweepBatches::clear(Batch& batch)
 {
-    const int nobody = static_cast<int>(bodies_.size()) - 1;
+    const int none = static_cast<int>(bodies_.size()) - 1;
     for (Row& row : batch.rows) {
         row = Row{};
-        std::fill(row.a, row.a + 4, nobody);
-        std::fill(row.b, row.b + 4, nobody);
+        std::fill(row.a, row.a + 4, none);
+        std::fill(row.b, row.b + 4, none);
     }
     for (int k = batch.first; k < batch.first + 2 * batch.count; ++k) {
         points_[k] = Points{};
@@ -98,7 +98,7 @@ void SweepBatches::clear(Batch& batch)
 void SweepBatches::lay_out(std::span<const ContactPoint> points, std::span<const int> which,
                            std::span<const Mover> movers, std::span<const int> members)
 {
-    place_.assign(movers.size(), static_cast<int>(members.size())); // nobody's
+    place_.assign(movers.size(), static_cast<int>(members.size())); // of none
     for (std::size_t k = 0; k < members.size(); ++k) place_[members[k]] = static_cast<int>(k);
     bodies_.assign(members.size() + 1, Body{});
     set_velocities(movers, members);

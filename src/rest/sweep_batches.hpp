@@ -127,7 +127,7 @@ private:
     std::vector<int> lane_of_; // of each point laid out: 4 times its Points, and the lane
     std::vector<int> which_;
     std::vector<Body> bodies_; // the members, and at the end one that nothing moves
-    std::vector<int> place_;   // of each mover; of those that can't move, nobody's
+    std::vector<int> place_;   // of each mover; of those that can't move, of none
     /// One or two points of a pair, swept one after the other.
     struct Run
     {
