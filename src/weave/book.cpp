@@ -33,10 +33,20 @@ ChapterEntry read_chapter(const toml::table& table, Problems& problems)
         for (const toml::node& file : *files) entry.files.push_back(file.value_or(std::string()));
     if (const toml::array* needs = table["needs"].as_array())
         for (const toml::node& need : *needs) entry.needs.push_back(need.value_or(-1));
+    entry.hours = table["hours"].value_or(0);
+    if (const toml::array* goals = table["goals"].as_array())
+        for (const toml::node& goal : *goals) entry.goals.push_back(goal.value_or(std::string()));
+    if (const toml::array* runs = table["runs"].as_array())
+        for (const toml::node& node : *runs)
+            if (const toml::array* run = node.as_array(); run != nullptr && run->size() == 2)
+                entry.runs.push_back({(*run)[0].value_or(std::string()), (*run)[1].value_or(std::string())});
 
     if (entry.number < 0) problems.add({k_book, entry.line}, "a chapter without number", "`number = N`, N >= 0");
     if (entry.title.empty())
         problems.add({k_book, entry.line}, "a chapter without title", "`title = \"...\"`, as it stands over the page");
+    if (entry.written && (entry.hours <= 0 || entry.goals.empty()))
+        problems.add({k_book, entry.line}, fmt::format("chapter {} without hours or goals", entry.number),
+                     "`hours = N`, and `goals = [\"...\"]`: what a reader can do afterwards");
     if (entry.name.rfind(fmt::format("{:02}-", entry.number), 0) != 0)
         problems.add({k_book, entry.line}, fmt::format("chapter {} in a folder named `{}`", entry.number, entry.name),
                      fmt::format("`name = \"{:02}-...\"`", entry.number));

@@ -15,12 +15,12 @@ enum class BlockKind
     text,       ///< Markdown: paragraphs, headings, lists, tables
     fence,      ///< quoted matter that is no code of the project: ```text, ```sh, ```toml
     listing,    ///< listing region [again]
-    equation,   ///< equation id, then a ```tex block
+    equation,   ///< equation id [kind of receipt], then a ```tex block
     definition, ///< definition id, then a ```tex block
     derivation, ///< derivation id [for m in 1..2, ...], then a ```tex block, one formula a line, its reason after %
-    figure,     ///< figure name "caption"
+    figure,     ///< figure name "caption" alt "words"
     output,     ///< output program
-    live,       ///< live name "caption"
+    live,       ///< live name "caption" alt "words"
     exercise,   ///< exercise eK
 };
 
@@ -30,7 +30,8 @@ struct Block
     Place place;
     std::string name;                               ///< first word after the directive
     std::string options;                            ///< what follows the name, caption taken out
-    std::string caption;                            ///< between double quotes
+    std::string caption;                            ///< between double quotes: what to see
+    std::string alt;                                ///< after `alt`: what is there; empty where the caption says it
     std::string language;                           ///< of a fence
     std::vector<std::pair<int, std::string>> lines; ///< line number and text: of a text, a fence, a formula
 };

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "weave/claims.hpp"
 #include "weave/live_matter.hpp"
 #include "weave/text.hpp"
 
@@ -65,10 +66,25 @@ std::string receipt_line(const Material& material, const Numbered& numbered)
     const auto found = material.ledger.equations.find(id);
     if (found == material.ledger.equations.end()) return "";
     const EquationReceipt& receipt = found->second;
-    return fmt::format("<p class=\"receipt\" title=\"worst in {}\">checked: {} case{}, worst relative error {}; wrong "
-                       "twin rejected{}</p>",
-                       escape_html(receipt.where), receipt.cases, receipt.cases == 1 ? "" : "s", number(receipt.worst),
-                       receipt.printed_cases > 0 ? "; evaluated as printed" : "");
+    const std::string cases = fmt::format("{} case{}", receipt.cases, receipt.cases == 1 ? "" : "s");
+    const char* const printed = receipt.printed_cases > 0 ? "; evaluated as printed" : "";
+    const auto line = [&](const char* kind, const std::string& words) {
+        return fmt::format("<p class=\"receipt {}\" title=\"worst in {}\">{}{}</p>", kind, escape_html(receipt.where),
+                           words, printed);
+    };
+    switch (receipt_kind(*numbered.block).value_or(ReceiptKind::oracle)) {
+    case ReceiptKind::same:
+        return line("same", fmt::format("same expression: the code's own line, repeated in {}", cases));
+    case ReceiptKind::measured:
+        return line("measured", fmt::format("engine measured: {}, worst relative error {}; wrong twin rejected", cases,
+                                            number(receipt.worst)));
+    case ReceiptKind::exact:
+        return line("oracle", fmt::format("independent oracle: {}, equal to the last bit; wrong twin rejected", cases));
+    case ReceiptKind::oracle:
+        break;
+    }
+    return line("oracle", fmt::format("independent oracle: {}, worst relative error {}; wrong twin rejected", cases,
+                                      number(receipt.worst)));
 }
 
 Pages make_pages(const Material& material, const Counts& counts, Problems& problems)

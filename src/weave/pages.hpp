@@ -52,7 +52,7 @@ public:
 
 private:
     [[nodiscard]] std::string block(const Chapter& chapter, const Block& block, const std::string& page);
-    [[nodiscard]] std::string text(const Block& block, const std::string& page);
+    [[nodiscard]] std::string text(const Chapter& chapter, const Block& block, const std::string& page);
     [[nodiscard]] std::string listing(const Block& block);
     [[nodiscard]] std::string formula(const Block& block);
     [[nodiscard]] std::string derivation(const Block& block);
@@ -61,12 +61,17 @@ private:
     [[nodiscard]] std::string output(const Chapter& chapter, const Block& block);
     [[nodiscard]] std::string exercise(const Chapter& chapter, const Block& block, const std::string& page);
     /// Where an insert stands.
-    enum class Site { prose, sentence_start, formula };
+    enum class Site
+    {
+        prose,
+        sentence_start,
+        formula
+    };
     [[nodiscard]] std::string insert(const std::string& text, Site site, const Place& place);
     [[nodiscard]] std::string math(const std::string& tex, const Place& place);
     [[nodiscard]] std::string caption(const Block& block);
-    /// A caption for those who don't see the figure: without dollars and backquotes, its inserts as text.
-    [[nodiscard]] std::string plain_caption(const Block& block);
+    /// The words for those who don't see the figure: without dollars and backquotes, its inserts as text.
+    [[nodiscard]] std::string plain_words(const Block& block);
 
     const Material& material_;
     Fragments& fragments_;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "weave/claims.hpp"
 #include "weave/finish.hpp"
 #include "weave/live_matter.hpp"
 #include "weave/receipts.hpp"
@@ -188,6 +189,7 @@ Woven weave_pages(const Folders& folders, const Tools& tools, Problems& problems
     woven.counts.coverage = check_coverage(woven.material, problems);
     woven.counts.given = check_prose(woven.material, problems);
     check_completeness(woven.material, problems);
+    check_needs(woven.material, problems);
     woven.pages = make_pages(woven.material, woven.counts, problems);
     woven.formulas = render_formulas(woven.pages.fragments, folders, tools, problems);
     return woven;

@@ -8,6 +8,7 @@
 #include "weave/inline.hpp"
 #include "weave/pages.hpp"
 #include "weave/receipts.hpp"
+#include "weave/study.hpp"
 #include "weave/text.hpp"
 
 namespace flying::weave {
@@ -62,7 +63,7 @@ std::string TextWriter::block(const Chapter& chapter, const Block& b, const std:
 {
     switch (b.kind) {
     case BlockKind::text:
-        return text(b, page);
+        return text(chapter, b, page);
     case BlockKind::fence: {
         std::string quoted;
         for (const auto& line : b.lines) quoted += line.second + "\n";
@@ -87,7 +88,7 @@ std::string TextWriter::block(const Chapter& chapter, const Block& b, const std:
     return "";
 }
 
-std::string TextWriter::text(const Block& block, const std::string& page)
+std::string TextWriter::text(const Chapter& chapter, const Block& block, const std::string& page)
 {
     std::string out;
     std::vector<std::pair<int, std::string>> paragraph;
@@ -108,6 +109,7 @@ std::string TextWriter::text(const Block& block, const std::string& page)
                           "plain words after ## or ###, without formulas and code");
         out += fmt::format("\n{} {} {{#{}_{}}}\n\n", std::string(level, '#'), escape_prose(title), page,
                            replace_all(slug(title), "-", "_"));
+        if (title == "What you need") out += block_token(fragments_.add_html(goals_box(chapter.entry)));
     }
     close();
     return out;
@@ -322,18 +324,16 @@ std::string TextWriter::caption(const Block& block)
     return inline_text({{block.place.line, block.caption}}, block.place.file);
 }
 
-std::string TextWriter::plain_caption(const Block& block)
+std::string TextWriter::plain_words(const Block& block)
 {
     std::string words;
-    for (const Piece& piece : pieces_of({{block.place.line, block.caption}})) {
+    for (const Piece& piece : pieces_of({{block.place.line, block.alt.empty() ? block.caption : block.alt}})) {
         const Insert insert = parse_insert(piece.text);
         const auto value = material_.ledger.values.find(insert.name);
-        if (piece.kind != PieceKind::insert)
-            words += piece.text;
+        if (piece.kind != PieceKind::insert) words += piece.text;
         else if (insert.kind == "value" && value != material_.ledger.values.end())
             words += replace_all(format_value(value->second, insert.format).value_or(""), "<sup>", "^");
-        else
-            words += insert.name;
+        else words += insert.name;
     }
     return escape_html(trim(replace_all(words, "</sup>", "")));
 }
@@ -343,18 +343,17 @@ std::string TextWriter::figure(const Chapter& chapter, const Block& block)
     return block_token(
         fragments_.add_html(fmt::format("<figure class=\"picture\" id=\"figure-{0}\"><img src=\"figures/{1}/{0}.svg\" "
                                         "alt=\"{2}\"><figcaption>{3}</figcaption></figure>",
-                                        block.name, chapter.entry.name, plain_caption(block), caption(block))));
+                                        block.name, chapter.entry.name, plain_words(block), caption(block))));
 }
 
 std::string TextWriter::live(const Chapter& chapter, const Block& block)
 {
     const std::string id = chapter.entry.name + "/" + block.name;
-    return block_token(
-        fragments_.add_html(fmt::format("<figure class=\"live\" data-trace=\"{0}\"><canvas role=\"img\" "
-                                        "aria-label=\"{1}\"></canvas><figcaption>{2}</figcaption>"
-                                        "<noscript>This picture moves only where scripts "
-                                        "run.</noscript></figure>",
-                                        escape_html(id), plain_caption(block), caption(block))));
+    return block_token(fragments_.add_html(fmt::format("<figure class=\"live\" data-trace=\"{0}\"><canvas role=\"img\" "
+                                                       "aria-label=\"{1}\"></canvas><figcaption>{2}</figcaption>"
+                                                       "<noscript>This picture moves only where scripts "
+                                                       "run.</noscript></figure>",
+                                                       escape_html(id), plain_words(block), caption(block))));
 }
 
 std::string TextWriter::output(const Chapter& chapter, const Block& block)
@@ -362,8 +361,10 @@ std::string TextWriter::output(const Chapter& chapter, const Block& block)
     const auto found = material_.outputs.find(chapter.entry.name + "/" + block.name);
     if (found == material_.outputs.end()) return "";
     return block_token(fragments_.add_html(fmt::format("<figure class=\"output\"><figcaption>What <code>{}.cpp</code> "
-                                                       "printed in this build</figcaption><pre>{}</pre></figure>",
-                                                       escape_html(block.name), escape_html(found->second))));
+                                                       "printed in this build</figcaption><pre>{}</pre>{}"
+                                                       "</figure>",
+                                                       escape_html(block.name), escape_html(found->second),
+                                                       run_box(chapter.entry, block.name))));
 }
 
 std::string TextWriter::exercise(const Chapter& chapter, const Block& block, const std::string& page)
