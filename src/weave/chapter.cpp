@@ -40,19 +40,7 @@ bool is_fence(std::string_view line)
     return trim(line).substr(0, 3) == "```";
 }
 
-/// Cuts the words between the first two double quotes out of `rest`; `before` keeps what led to them.
-std::optional<std::string> cut_quoted(std::string& rest, std::string& before)
-{
-    const std::size_t open = rest.find('"');
-    const std::size_t close = open == std::string::npos ? open : rest.find('"', open + 1);
-    if (close == std::string::npos) return std::nullopt;
-    const std::string words(trim(std::string_view(rest).substr(open + 1, close - open - 1)));
-    before = std::string(trim(rest.substr(0, open)));
-    rest = std::string(trim(rest.substr(close + 1)));
-    return words;
-}
-
-/// A directive's line: `::word name options "caption" alt "words"`.
+/// A directive's line: `::word name options "caption"`.
 std::optional<Block> parse_directive(const std::string& line, Place place, Problems& problems)
 {
     const std::size_t end = line.find_first_of(" \t");
@@ -68,19 +56,16 @@ std::optional<Block> parse_directive(const std::string& line, Place place, Probl
     block.kind = *kind;
     block.place = std::move(place);
     std::string rest(end == std::string::npos ? std::string_view() : trim(std::string_view(line).substr(end)));
-    if (rest.find('"') != std::string::npos) {
-        std::string name;
-        std::string alt;
-        const std::optional<std::string> caption = cut_quoted(rest, name);
-        const std::optional<std::string> words = caption && !rest.empty() ? cut_quoted(rest, alt) : std::string();
-        if (!caption || !words || (alt != "alt" && !words->empty()) || !rest.empty()) {
-            problems.add(block.place, "quotation marks that don't pair up",
-                         "\"caption\", or \"caption\" alt \"words\", on this line");
+    for (std::string* words : {&block.caption, &block.alt}) {
+        const std::size_t open = rest.find('"');
+        if (open == std::string::npos) break;
+        const std::size_t close = rest.find('"', open + 1);
+        if (close == std::string::npos) {
+            problems.add(block.place, "a caption with one quotation mark", "a pair of them, on this line");
             return std::nullopt;
         }
-        block.caption = *caption;
-        block.alt = *words;
-        rest = name;
+        *words = std::string(trim(std::string_view(rest).substr(open + 1, close - open - 1)));
+        rest = std::string(trim(rest.substr(0, open) + rest.substr(close + 1)));
     }
     const std::size_t space = rest.find_first_of(" \t");
     block.name = rest.substr(0, space);

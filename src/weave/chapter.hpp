@@ -18,9 +18,9 @@ enum class BlockKind
     equation,   ///< equation id [kind of receipt], then a ```tex block
     definition, ///< definition id, then a ```tex block
     derivation, ///< derivation id [for m in 1..2, ...], then a ```tex block, one formula a line, its reason after %
-    figure,     ///< figure name "caption" alt "words"
+    figure,     ///< figure name "what to see" ["what there is"]
     output,     ///< output program
-    live,       ///< live name "caption" alt "words"
+    live,       ///< live name "what to see" ["what there is"]
     exercise,   ///< exercise eK
 };
 
@@ -28,11 +28,11 @@ struct Block
 {
     BlockKind kind = BlockKind::text;
     Place place;
-    std::string name;                               ///< first word after the directive
-    std::string options;                            ///< what follows the name, caption taken out
-    std::string caption;                            ///< between double quotes: what to see
-    std::string alt;                                ///< after `alt`: what is there; empty where the caption says it
-    std::string language;                           ///< of a fence
+    std::string name;     ///< first word after the directive
+    std::string options;  ///< what follows the name, caption taken out
+    std::string caption;  ///< between double quotes: what to see
+    std::string alt;      ///< between the next pair: what there is, for those who don't see it
+    std::string language; ///< of a fence
     std::vector<std::pair<int, std::string>> lines; ///< line number and text: of a text, a fence, a formula
 };
 

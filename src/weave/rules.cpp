@@ -143,7 +143,7 @@ void check_pictures(const Material& material, const Chapter& chapter, const Chap
                          fmt::format("::{} {} \"what it shows, in a sentence\"", directive, block.name));
         if (block.alt.empty() && block.caption.find('$') != std::string::npos)
             problems.add(block.place, fmt::format("::{} {} with a formula in its caption", directive, block.name),
-                         "`alt \"what is there\"` after the caption, without formulas");
+                         "\"what there is\" after it, without formulas");
         const fs::path file = drawn_file(material, chapter, block.name + (is_figure ? ".svg" : ".ndjson"));
         if (!fs::exists(file))
             problems.add(block.place,
