@@ -136,6 +136,17 @@ void read_symbols(ChapterText& chapter, Problems& problems)
 
 } // namespace
 
+Listing listing_of(const Block& block)
+{
+    Listing listing;
+    listing.names.push_back(block.name);
+    for (const std::string& word : split(block.options, ' ')) {
+        if (word == "again") listing.is_again = true;
+        else if (!trim(word).empty()) listing.names.push_back(word);
+    }
+    return listing;
+}
+
 std::string directive_word(BlockKind kind)
 {
     for (const auto& [known, name] : k_directives)

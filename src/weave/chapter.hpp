@@ -14,7 +14,7 @@ enum class BlockKind
 {
     text,       ///< Markdown: paragraphs, headings, lists, tables
     fence,      ///< quoted matter that is no code of the project: ```text, ```sh, ```toml
-    listing,    ///< listing region [again]
+    listing,    ///< listing region... [again]
     equation,   ///< equation id [kind of receipt], then a ```tex block
     definition, ///< definition id, then a ```tex block
     derivation, ///< derivation id [for m in 1..2, ...], then a ```tex block, one formula a line, its reason after %
@@ -55,6 +55,14 @@ struct ChapterText
     std::vector<Symbol> symbols;
     std::vector<std::string> sections; ///< titles of the headings `## ...`
 };
+
+/// What a listing shows: one region or several, as new or once more.
+struct Listing
+{
+    std::vector<std::string> names;
+    bool is_again = false;
+};
+[[nodiscard]] Listing listing_of(const Block& block);
 
 /// The word that starts a directive's line, without its colons.
 [[nodiscard]] std::string directive_word(BlockKind kind);

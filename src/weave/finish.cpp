@@ -72,28 +72,6 @@ std::string dedent(const std::string& html, int count)
     return out;
 }
 
-/// Keeps words of code in one line: a browser would go on in the next one behind the hyphen of `1e-12`.
-std::string with_whole_words(const std::string& html)
-{
-    std::string out;
-    std::size_t at = 0;
-    while (at < html.size()) {
-        if (html[at] == '<') {
-            const std::size_t end = std::min(html.find('>', at), html.size() - 1) + 1;
-            out += html.substr(at, end - at);
-            at = end;
-            continue;
-        }
-        const std::size_t end = std::min(html.find_first_of(" <", at), html.size());
-        const std::string word = html.substr(at, end - at);
-        const bool may_break = word.find_first_of("-/?|+%!") != std::string::npos;
-        out += may_break ? "<span class=\"w\">" + word + "</span>" : word;
-        if (end < html.size() && html[end] == ' ') out += ' ';
-        at = end < html.size() && html[end] == ' ' ? end + 1 : end;
-    }
-    return out;
-}
-
 class Finisher
 {
 public:
@@ -179,7 +157,7 @@ private:
         return fmt::format("<a class=\"name\" href=\"manual/{}\">{}</a>", page->second, shown);
     }
 
-    /// The lines of Doxygen's page of the file, by number; without their numbers.
+    /// The lines of a source, with links that start from the pages of the chapters.
     const std::map<int, std::string>& source_lines(const std::string& path)
     {
         const auto known = source_lines_.find(path);
@@ -187,15 +165,8 @@ private:
         std::map<int, std::string>& lines = source_lines_[path];
         const auto page = manual_.sources.find(path);
         if (page == manual_.sources.end()) return lines;
-        const std::string text = read_file(html_ / "manual" / page->second).value_or("");
-        std::size_t at = 0;
-        while (const std::optional<std::string> line = between(text, "<div class=\"line\">", "</div>\n", at)) {
-            const std::string number = first_between(*line, "name=\"l", "\"");
-            std::size_t start = line->find("<span class=\"lineno\">");
-            if (number.empty() || start == std::string::npos) continue;
-            start = line->find("</span>", start);
-            lines[std::stoi(number)] = replace_all(line->substr(start + 7), " href=\"", " href=\"manual/");
-        }
+        lines = linked_lines(html_ / "manual" / page->second);
+        for (auto& [number, line] : lines) line = replace_all(line, " href=\"", " href=\"manual/");
         return lines;
     }
 
@@ -312,6 +283,42 @@ std::string with_note(std::string page, const std::string& note)
 
 } // namespace
 
+std::string with_whole_words(const std::string& html)
+{
+    std::string out;
+    std::size_t at = 0;
+    while (at < html.size()) {
+        if (html[at] == '<') {
+            const std::size_t end = std::min(html.find('>', at), html.size() - 1) + 1;
+            out += html.substr(at, end - at);
+            at = end;
+            continue;
+        }
+        const std::size_t end = std::min(html.find_first_of(" <", at), html.size());
+        const std::string word = html.substr(at, end - at);
+        const bool may_break = word.find_first_of("-/?|+%!") != std::string::npos;
+        out += may_break ? "<span class=\"w\">" + word + "</span>" : word;
+        if (end < html.size() && html[end] == ' ') out += ' ';
+        at = end < html.size() && html[end] == ' ' ? end + 1 : end;
+    }
+    return out;
+}
+
+std::map<int, std::string> linked_lines(const fs::path& page)
+{
+    std::map<int, std::string> lines;
+    const std::string text = read_file(page).value_or("");
+    std::size_t at = 0;
+    while (const std::optional<std::string> line = between(text, "<div class=\"line\">", "</div>\n", at)) {
+        const std::string number = first_between(*line, "name=\"l", "\"");
+        std::size_t start = line->find("<span class=\"lineno\">");
+        if (number.empty() || start == std::string::npos) continue;
+        start = line->find("</span>", start);
+        lines[std::stoi(number)] = line->substr(start + 7);
+    }
+    return lines;
+}
+
 Manual read_manual(const fs::path& tag_file, const fs::path& project)
 {
     Manual manual;
@@ -361,7 +368,6 @@ void finish_pages(const Material& material, const Pages& pages, const std::vecto
     std::map<std::string, std::string> by_page; // note by page of the manual
     for (const auto& [file, note] : notes) {
         if (manual.files.count(file) > 0) by_page[manual.files.at(file)] = note;
-        if (manual.sources.count(file) > 0) by_page[manual.sources.at(file)] = note;
     }
     for (const fs::path& path : html_files(html / "manual")) {
         const std::string text = read_file(path).value_or("");

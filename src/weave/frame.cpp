@@ -49,11 +49,10 @@ std::string book_list(const Material& material, const Page& page, const std::str
     }
     if (!part.empty()) out += "</ol>";
     out += "<p>Reference</p><ol>";
-    const std::pair<const char*, const char*> others[] = {{"playground", "Playground"},
-                                                          {"equations", "Equations and receipts"},
-                                                          {"symbols", "Symbols"},
-                                                          {"left_out", "What is told, and what is not"},
-                                                          {"manual/index", "Manual of the code"}};
+    const std::pair<const char*, const char*> others[] = {
+        {"playground", "Playground"}, {"equations", "Equations and receipts"},
+        {"symbols", "Symbols"},       {"left_out", "What is told, and what is not"},
+        {"sources", "The sources"},   {"manual/index", "Manual of the code"}};
     for (const auto& [name, title] : others) out += entry(page, name, "", title, root);
     return out + "</ol>";
 }

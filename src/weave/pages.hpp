@@ -76,6 +76,8 @@ private:
     [[nodiscard]] std::string block(const Chapter& chapter, const Block& block);
     [[nodiscard]] std::string text(const Chapter& chapter, const Block& block);
     [[nodiscard]] std::string listing(const Block& block);
+    /// Its lines without what lies folded in it; `longest` grows to the longest of them.
+    [[nodiscard]] std::string region_lines(const Region& region, const Place& place, std::size_t& longest);
     [[nodiscard]] std::string formula(const Block& block);
     [[nodiscard]] std::string derivation(const Block& block);
     [[nodiscard]] std::string figure(const Chapter& chapter, const Block& block);

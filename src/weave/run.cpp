@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "weave/annotated.hpp"
 #include "weave/claims.hpp"
 #include "weave/finish.hpp"
 #include "weave/live_matter.hpp"
@@ -131,7 +132,7 @@ void copy_theme(const Folders& folders, const fs::path& html, Problems& problems
         fs::create_directories(made.parent_path(), error);
         if (!fs::exists(made) &&
             !run(
-                fmt::format("python3 -m fontTools.subset {} --flavor=woff2 "
+                fmt::format("/usr/bin/python3 -m fontTools.subset {} --flavor=woff2 "
                             "--layout-features='kern,liga,mark,mkmk,tnum,onum,lnum' "
                             "--unicodes='U+20-17F,U+2BC,U+300-302,U+391-3D6,U+2000-2044,U+20AC,U+2190-21FF,U+2200-22FF,"
                             "U+2500-25FF,U+2713,U+27E8,U+27E9,U+2261' --output-file={}",
@@ -241,6 +242,8 @@ void make_book(const Folders& folders, const Tools& tools, Problems& problems)
     copy_live_matter(woven, folders, tools, html, problems);
     const Manual manual = read_manual(folders.build / "names.tag", folders.project);
     finish_pages(woven.material, woven.pages, woven.formulas, manual, html, problems);
+    write_annotated(woven.material, manual, html, problems);
+    write_module_maps(woven.material, manual, html, problems);
     if (!write_file(html / "theme/search-index.js", search_index(woven.material, manual)))
         problems.add({"search-index.js", 0}, "a file that can't be written", "a folder to write to");
     check_links(html, problems);

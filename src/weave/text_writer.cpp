@@ -267,57 +267,71 @@ std::string TextWriter::insert(const std::string& text, Site site, const Place& 
 
 std::string TextWriter::listing(const Block& block)
 {
-    const Sources& sources = material_.sources;
-    const int index = sources.find(block.name);
-    if (index < 0) return "";
-    const Region& region = sources.regions[index];
+    const Listing listing = listing_of(block);
+    std::string body;
+    std::string captions;
+    std::size_t longest = 0;
+    for (const std::string& name : listing.names) {
+        const int index = material_.sources.find(name);
+        if (index < 0) return "";
+        const Region& region = material_.sources.regions[index];
+        body += (body.empty() ? "" : "<div class=\"line\"></div>") + region_lines(region, block.place, longest);
+        Fragment link;
+        link.kind = FragmentKind::source;
+        link.text = region.file;
+        link.place = block.place;
+        captions += fmt::format("<a href=\"{}#l{:05}\">{}, {} {}{}</a> ", fragments_.add(std::move(link)), region.first,
+                                escape_html(region.file), region.first == region.last ? "line" : "lines", region.first,
+                                region.first == region.last ? "" : fmt::format("\u2013{}", region.last));
+    }
+    return block_token(fragments_.add_html(fmt::format(
+        "<figure class=\"listing{}{}\"{}><figcaption>{}{}</figcaption><div class=\"fragment\">{}</div></figure>",
+        listing.is_again ? " again" : "", longest > k_column ? " wide" : "",
+        listing.is_again ? "" : fmt::format(" id=\"listing-{}\"", slug(block.name)), captions,
+        listing.is_again ? "<span>once more</span>" : "", body)));
+}
 
+std::string TextWriter::region_lines(const Region& region, const Place& place, std::size_t& longest)
+{
+    const Sources& sources = material_.sources;
+    const SourceFile& file = sources.files.at(region.file);
     Fragment lines;
     lines.kind = FragmentKind::lines;
     lines.text = region.file;
-    lines.place = block.place;
-    const SourceFile& file = sources.files.at(region.file);
+    lines.place = place;
+    const auto is_folded = [&](int line) {
+        return std::any_of(region.inner.begin(), region.inner.end(), [&](int inner) {
+            return sources.regions[inner].first <= line && line <= sources.regions[inner].last;
+        });
+    };
     for (int line = region.first; line <= region.last; ++line)
-        if (file.owner[line - 1] == index) lines.lines.push_back(line);
+        if (file.kinds[line - 1] != LineKind::marker && !is_folded(line)) lines.lines.push_back(line);
     while (!lines.lines.empty() && trim(file.lines[lines.lines.front() - 1]).empty())
         lines.lines.erase(lines.lines.begin());
     while (!lines.lines.empty() && trim(file.lines[lines.lines.back() - 1]).empty()) lines.lines.pop_back();
-    std::size_t longest = 0;
+    std::size_t most = 0;
     std::size_t indent = k_column;
     for (const int line : lines.lines) {
         const std::string& words = file.lines[line - 1];
         if (trim(words).empty()) continue;
-        longest = std::max(longest, words.size());
+        most = std::max(most, words.size());
         indent = std::min(indent, words.find_first_not_of(' '));
     }
-    longest -= std::min(indent, longest);
+    longest = std::max(longest, most - std::min(indent, most));
     for (const int inner : region.inner) {
         // Folded: what another listing shows opens in place
         const Region& part = sources.regions[inner];
         Fragment folded;
         folded.kind = FragmentKind::lines;
         folded.text = region.file;
-        folded.place = block.place;
+        folded.place = place;
         for (int line = part.first; line <= part.last; ++line)
             if (file.kinds[line - 1] != LineKind::marker) folded.lines.push_back(line);
         lines.instead[part.last + 2] = fmt::format(
             "<details class=\"inner\"><summary>lines {} to {}</summary><div class=\"lines\">{}</div></details>",
             part.first, part.last, fragments_.add(std::move(folded)));
     }
-    Fragment link;
-    link.kind = FragmentKind::source;
-    link.text = region.file;
-    link.place = block.place;
-    const std::string target = fragments_.add(std::move(link));
-    const std::string body = "<div class=\"fragment\">" + fragments_.add(std::move(lines)) + "</div>";
-    const bool again = block.options == "again";
-    const bool wide = longest > k_column;
-    return block_token(fragments_.add_html(fmt::format(
-        "<figure class=\"listing{}{}\"{}><figcaption><a href=\"{}#l{:05}\">{}, {} "
-        "{}{}</a> <span>{}</span></figcaption>{}</figure>",
-        again ? " again" : "", wide ? " wide" : "", again ? "" : fmt::format(" id=\"listing-{}\"", slug(region.name)),
-        target, region.first, escape_html(region.file), region.first == region.last ? "line" : "lines", region.first,
-        region.first == region.last ? "" : fmt::format("\u2013{}", region.last), again ? "once more" : "", body)));
+    return fragments_.add(std::move(lines));
 }
 
 std::string TextWriter::formula(const Block& block)
