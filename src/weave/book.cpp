@@ -1,6 +1,7 @@
 #include "weave/book.hpp"
 
 #include <algorithm>
+#include <regex>
 
 #include <fmt/format.h>
 #define TOML_HEADER_ONLY 1
@@ -85,6 +86,10 @@ Book read_book(const std::filesystem::path& source, Problems& problems)
     }
 
     book.title = table["title"].value_or(std::string("A book"));
+    static const std::regex k_version(R"(project\([^)]*VERSION ([0-9.]+))");
+    const std::string project = read_file(source / "CMakeLists.txt").value_or("");
+    std::smatch version;
+    if (std::regex_search(project, version, k_version)) book.version = version[1].str();
     if (const toml::array* chapters = table["chapter"].as_array())
         for (const toml::node& node : *chapters)
             if (const toml::table* chapter = node.as_table()) book.chapters.push_back(read_chapter(*chapter, problems));

@@ -50,6 +50,7 @@ struct Waiver
 struct Book
 {
     std::string title;
+    std::string version;                ///< of the project, as CMakeLists.txt has it; empty where it has none
     std::vector<ChapterEntry> chapters; ///< in the order of their numbers
     std::vector<Waiver> waivers;
     std::map<std::string, std::string> modules; ///< what each module of src does, in a line

@@ -178,6 +178,7 @@ Pages make_pages(const Material& material, const Counts& counts, Problems& probl
         pages.list.push_back(std::move(page));
     }
     add_generated_pages(material, counts, writer, pages);
+    add_study_pages(material, writer, pages);
     return pages;
 }
 

@@ -247,19 +247,20 @@ Coverage check_coverage(const Material& material, Problems& problems)
 int check_prose(const Material& material, Problems& problems)
 {
     int given = 0;
-    for (const Chapter& chapter : material.chapters) {
-        for (const ChapterText* text : texts_of(chapter)) {
-            for (const Block& block : text->blocks) {
-                if (block.kind == BlockKind::text) check_text(block, block.lines, given, problems);
-                for (const std::string& words : {block.caption, block.alt})
-                    if (!words.empty()) check_text(block, Lines{{block.place.line, words}}, given, problems);
-                if (block.kind == BlockKind::fence) check_fence(block, problems);
-                if (block.kind != BlockKind::derivation) continue;
-                for (const Step& step : steps_of(block))
-                    check_text(block, Lines{{step.line, step.reason}}, given, problems);
-            }
+    const auto check = [&](const ChapterText& text) {
+        for (const Block& block : text.blocks) {
+            if (block.kind == BlockKind::text) check_text(block, block.lines, given, problems);
+            for (const std::string& words : {block.caption, block.alt})
+                if (!words.empty()) check_text(block, Lines{{block.place.line, words}}, given, problems);
+            if (block.kind == BlockKind::fence) check_fence(block, problems);
+            if (block.kind != BlockKind::derivation) continue;
+            for (const Step& step : steps_of(block))
+                check_text(block, Lines{{step.line, step.reason}}, given, problems);
         }
-    }
+    };
+    for (const auto& [name, text] : material.extras) check(text);
+    for (const Chapter& chapter : material.chapters)
+        for (const ChapterText* text : texts_of(chapter)) check(*text);
     return given;
 }
 

@@ -429,37 +429,4 @@ std::string TextWriter::output(const Chapter& chapter, const Block& block)
                                                        run_box(chapter.entry, block.name))));
 }
 
-std::string TextWriter::exercise(const Chapter& chapter, const Block& block)
-{
-    for (const Exercise& exercise : chapter.exercises) {
-        if (exercise.name != block.name) continue;
-        const auto fold = [&](const char* title, const std::string& inside) {
-            return block_token(fragments_.add_html(fmt::format("<details><summary>{}</summary>", title))) + inside +
-                   block_token(fragments_.add_html("</details>"));
-        };
-        const std::string number = exercise.name.substr(1);
-        std::string out = block_token(fragments_.add_html(
-            fmt::format("<section class=\"exercise\" id=\"exercise-{}\"><h4>Exercise {}.{} \u00b7 {}</h4>",
-                        exercise.name, chapter.entry.number, number, escape_html(exercise.text.title))));
-        out += blocks(chapter, exercise.text);
-        if (exercise.in_code)
-            out +=
-                block_token(fragments_.add_html(fmt::format("<p class=\"try\"><code>./course start {0:02}</code> puts "
-                                                            "the beginning into <code>my/{1}/{2}.hpp</code>; "
-                                                            "<code>./course check {0:02}</code> tries it.</p>",
-                                                            chapter.entry.number, chapter.entry.name, exercise.name)));
-        if (exercise.hint) out += fold("Hint", blocks(chapter, *exercise.hint));
-        if (exercise.in_code) {
-            const std::string code =
-                read_file(material_.folders.project / exercise.folder / "solution.hpp").value_or("");
-            out += fold("Solution, as it passed the tests of this build",
-                        block_token(fragments_.add_html("<div class=\"fragment\">" + colour_code(code) + "</div>")));
-        } else if (exercise.solution) {
-            out += fold("Solution", blocks(chapter, *exercise.solution));
-        }
-        return out + block_token(fragments_.add_html("</section>"));
-    }
-    return "";
-}
-
 } // namespace flying::weave
