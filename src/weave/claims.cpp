@@ -1,5 +1,6 @@
 #include "weave/claims.hpp"
 
+#include <algorithm>
 #include <regex>
 #include <set>
 
@@ -104,6 +105,8 @@ std::optional<std::string> rough_number_word(const std::string& text)
 void check_needs(const Material& material, Problems& problems)
 {
     for (const Chapter& chapter : material.chapters) {
+        const std::vector<std::string>& sections = chapter.text.sections;
+        if (std::find(sections.begin(), sections.end(), "What you need") == sections.end()) continue;
         const std::set<int> needs(chapter.entry.needs.begin(), chapter.entry.needs.end());
         const std::set<int> named = named_needs(material, chapter);
         if (named != needs)
