@@ -68,7 +68,7 @@ TEST_CASE("the normal speed is that of one point seen from the other")
 }
 // [impulse.tests.speed]
 
-TEST_CASE("a push of one newton second changes the normal speed by the inverse mass")
+TEST_CASE("a push of one newton-second changes the normal speed by the inverse mass")
 {
     flying::Random random(723);
     for (int i = 0; i < 1000; ++i) {
@@ -338,7 +338,7 @@ TEST_CASE("without a test of approach a body that leaves is thrown back, and its
 // [impulse.tests.wrong_no_test]
 
 // [impulse.tests.wrong_one_body]
-TEST_CASE("the velocity of one body alone makes the impulse depend on who looks")
+TEST_CASE("the velocity of one body alone makes the impulse depend on the observer")
 {
     for (const double train : {0.0, 1.0, 3.0, 5.0}) {
         const double v_a = 3.0 - train;

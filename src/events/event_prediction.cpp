@@ -46,7 +46,7 @@ void EventEngine::set_up_grid()
             continue;
         }
         // [events.set_up_grid.statics]
-        // A wall along an axis is met only near its surface: nobody is ever behind it
+        // A wall along an axis is met only near its surface: no body is ever behind it
         const auto* wall = std::get_if<HalfPlane>(&shape_of(body));
         if (!wall) {
             grid_->insert_static(body, bounding_box(shape_of(body), pose(body)), largest);
@@ -101,7 +101,7 @@ void EventEngine::line_up(const std::vector<int>& old_rows)
     sheets_.swap(sheets);
     waiting_.swap(waiting);
 
-    // By the time bodies have crossed so many cells, neighbours are no longer who they were
+    // By the time bodies have crossed so many cells, neighbours are no longer the same
     constexpr std::int64_t k_cells_a_body = 16;
     line_up_at_ = counts_.cells + k_cells_a_body * body_count();
     constexpr int k_fast_rows = 4096;
@@ -119,7 +119,7 @@ void EventEngine::line_up_again()
 
 // [events.fetch_ahead]
 /// Ask the memory for what the events to come will read, so that it is there when they do: first the bodies' places, then
-/// the rows of those that still count, then the cells about them, then the rows of those who are in them.
+/// the rows of those that still count, then the cells about them, then the rows of the bodies in them.
 void EventEngine::fetch_ahead()
 {
     constexpr std::size_t k_places = 12; // events ahead
@@ -333,7 +333,7 @@ void EventEngine::handle_cell(const Event& event)
     grid_->move(body, to);
 
     // [events.handle_cell.new]
-    // Look at those who were too far away until now, in the three cells ahead
+    // Look at the bodies that were too far away until now, in the three cells ahead
     const auto look = [&](int other) {
         if (other != body) predict_pair(body, other);
     };
