@@ -81,8 +81,8 @@ std::vector<int> EventEngine::order_along_curve(const CellOf& cell_of) const
     return order;
 }
 
-/// Put the rows in another order: row k is the one that was row old_rows[k]. No result knows of it, for order comes from
-/// ids.
+/// Put the rows in another order: row k is the one that was row old_rows[k]. No result knows of it, for order comes
+/// from ids.
 void EventEngine::line_up(const std::vector<int>& old_rows)
 {
     std::vector<Row> rows;
@@ -118,8 +118,8 @@ void EventEngine::line_up_again()
 // [events.line_up]
 
 // [events.fetch_ahead]
-/// Ask the memory for what the events to come will read, so that it is there when they do: first the bodies' places, then
-/// the rows of those that still count, then the cells about them, then the rows of the bodies in them.
+/// Ask the memory for what the events to come will read, so that it is there when they do: first the bodies' places,
+/// then the rows of those that still count, then the cells about them, then the rows of the bodies in them.
 void EventEngine::fetch_ahead()
 {
     constexpr std::size_t k_places = 12; // events ahead
@@ -180,8 +180,9 @@ void EventEngine::fetch_ahead()
 // [events.fetch_ahead]
 
 // [events.predict_movers]
-/// Two bodies under one acceleration: discs meet when their circles do; others are looked at when their bounding circles
-/// do. The same numbers as `predict`, straight from the rows: in every product both signs turn with the order of the two.
+/// Two bodies under one acceleration: discs meet when their circles do; others are looked at when their bounding
+/// circles do. The same numbers as `predict`, straight from the rows: in every product both signs turn with the order
+/// of the two.
 inline void EventEngine::predict_movers(int a, int b)
 {
     // [events.predict_movers.start]
