@@ -39,7 +39,10 @@ inline constexpr double k_least_error = 1e-16;
 /// What stands above is drawn on the upper edge: a ball that has left the room.
 inline constexpr double k_most_error = 1e3;
 
-[[nodiscard]] inline double shown_error(double error) { return std::clamp(error, k_least_error, k_most_error); }
+[[nodiscard]] inline double shown_error(double error)
+{
+    return std::clamp(error, k_least_error, k_most_error);
+}
 
 /// Powers of ten that enclose all values.
 [[nodiscard]] inline Vec2 decades(const std::vector<double>& values)
@@ -121,7 +124,8 @@ public:
     void legend(const Vec2& corner, double column, int columns) const
     {
         for (std::size_t k = 0; k < curves_.size(); ++k) {
-            const Vec2 at = corner + Vec2(column * static_cast<double>(k % columns), 21.0 * static_cast<double>(k / columns));
+            const Vec2 at =
+                corner + Vec2(column * static_cast<double>(k % columns), 21.0 * static_cast<double>(k / columns));
             const Look look = look_of(curves_[k].name);
             if (look.is_hollow) sketch_.dashed(at, at + Vec2(26.0, 0.0), look.tone, look.width);
             else sketch_.line(at, at + Vec2(26.0, 0.0), look.tone, look.width);
@@ -228,8 +232,12 @@ inline void draw_ratios(const std::string& path, const Records& records)
     };
     for (int power = static_cast<int>(k_low); power <= static_cast<int>(k_high); ++power) {
         const double at = x(std::pow(10.0, power));
-        sketch.line(Vec2(at, 12.0), Vec2(at, height - 46.0), power == 0 ? k_ink : pale(k_soft, 0.3), power == 0 ? 1.8 : 1.0);
-        const std::string label = power == 0 ? "1" : power == 1 ? "10" : "10^{" + std::string(power < 0 ? "\u2212" : "") + std::to_string(std::abs(power)) + "}";
+        sketch.line(Vec2(at, 12.0), Vec2(at, height - 46.0), power == 0 ? k_ink : pale(k_soft, 0.3),
+                    power == 0 ? 1.8 : 1.0);
+        const std::string label =
+            power == 0   ? "1"
+            : power == 1 ? "10"
+                         : "10^{" + std::string(power < 0 ? "\u2212" : "") + std::to_string(std::abs(power)) + "}";
         sketch.formula(Vec2(at, height - 24.0), label, Anchor::middle, k_ink, 15.0);
     }
     sketch.words(Vec2(k_right, height - 4.0), "our time over the best peer's", Anchor::right, k_soft, 14.0);
@@ -265,7 +273,8 @@ inline void draw_skips(const std::string& path, const Records& records)
     };
     double y = 26.0;
     for (const double factor : {1.0, 10.0, 100.0}) {
-        sketch.line(Vec2(x(factor), 16.0), Vec2(x(factor), height - 28.0), pale(k_soft, 0.4), factor == 1.0 ? 1.8 : 1.0);
+        sketch.line(Vec2(x(factor), 16.0), Vec2(x(factor), height - 28.0), pale(k_soft, 0.4),
+                    factor == 1.0 ? 1.8 : 1.0);
         sketch.words(Vec2(x(factor), height - 10.0), "\u00d7" + text_of("%g", factor), Anchor::middle, k_ink, 14.0);
     }
     sketch.words(Vec2(552.0, 12.0), "bits", Anchor::right, k_soft, 13.0);
@@ -274,13 +283,18 @@ inline void draw_skips(const std::string& path, const Records& records)
             const bool is_first = entry.without.empty();
             const double factor = entry.seconds.median / skips.entries.front().seconds.median;
             sketch.words(Vec2(is_first ? 6.0 : k_left - 12.0, y + 5.0),
-                         is_first ? skips.scene + text_of(", %.3g s", entry.seconds.median) : "without " + entry.without,
+                         is_first ? skips.scene + text_of(", %.3g s", entry.seconds.median)
+                                  : "without " + entry.without,
                          is_first ? Anchor::left : Anchor::right, is_first ? k_ink : k_soft, is_first ? 14.0 : 13.0);
             if (!is_first) {
                 const Tone tone = factor > 1.2 ? k_teal : factor < 1.0 / 1.2 ? k_rust : k_soft;
-                sketch.polygon(box(Vec2(0.5 * (x(1.0) + x(factor)), y), std::max(2.0, std::abs(x(factor) - x(1.0))), 12.0), pale(tone, 0.7), k_none);
-                sketch.words(Vec2(k_right + 50.0, y + 5.0), "\u00d7" + text_of("%.3g", factor), Anchor::right, k_ink, 13.0);
-                sketch.words(Vec2(552.0, y + 5.0), entry.same_bits ? "same" : "other", Anchor::right, entry.same_bits ? k_soft : k_rust, 13.0);
+                sketch.polygon(
+                    box(Vec2(0.5 * (x(1.0) + x(factor)), y), std::max(2.0, std::abs(x(factor) - x(1.0))), 12.0),
+                    pale(tone, 0.7), k_none);
+                sketch.words(Vec2(k_right + 50.0, y + 5.0), "\u00d7" + text_of("%.3g", factor), Anchor::right, k_ink,
+                             13.0);
+                sketch.words(Vec2(552.0, y + 5.0), entry.same_bits ? "same" : "other", Anchor::right,
+                             entry.same_bits ? k_soft : k_rust, 13.0);
             }
             y += k_row;
         }

@@ -22,8 +22,7 @@ struct Point
 // [work.slope]
 /// The exponent p of y ~ x^p that fits best: the slope of the straight line through the points
 /// (log x, log y) by least squares. Values are positive; fewer than two points have none.
-[[nodiscard]] inline std::optional<double> slope(std::span<const double> x,
-                                                 std::span<const double> y)
+[[nodiscard]] inline std::optional<double> slope(std::span<const double> x, std::span<const double> y)
 {
     const auto n = static_cast<double>(x.size());
     double mean_x = 0.0;
@@ -67,8 +66,7 @@ struct Ratio
 };
 
 /// The ratio at every error that one of the peers' points has, from large errors to small.
-[[nodiscard]] inline std::vector<Ratio> ratios(std::span<const Point> ours,
-                                               std::span<const Point> theirs)
+[[nodiscard]] inline std::vector<Ratio> ratios(std::span<const Point> ours, std::span<const Point> theirs)
 {
     std::vector<Ratio> all;
     for (const Point& reached : theirs) {
@@ -77,8 +75,7 @@ struct Ratio
         all.push_back({reached.error, std::nullopt});
         if (own) all.back().ours_over_theirs = *own / best;
     }
-    std::sort(all.begin(), all.end(),
-              [](const Ratio& a, const Ratio& b) { return a.error > b.error; });
+    std::sort(all.begin(), all.end(), [](const Ratio& a, const Ratio& b) { return a.error > b.error; });
     return all;
 }
 // [work.ratios]

@@ -11,7 +11,8 @@
 #include "precision.hpp"
 #include "spread.hpp"
 
-/// What a run of the benchmarks wrote down: one object a line, so that a run that was cut off keeps every line but the last.
+/// What a run of the benchmarks wrote down: one object a line, so that a run that was cut off keeps every line but the
+/// last.
 namespace flying::work {
 
 // [record.run]
@@ -49,8 +50,8 @@ struct DiagramRecord
 {
     std::string name;
     std::string title;
-    std::string why;                   ///< why that error
-    std::string truth;                 ///< what it is measured against
+    std::string why;   ///< why that error
+    std::string truth; ///< what it is measured against
     int bodies = 0;
     double until = 0.0;                ///< simulated [s]
     std::vector<std::string> measures; ///< with their units; the first is the diagram's error
@@ -63,7 +64,7 @@ struct GrowthRecord
 {
     std::string name;
     std::string title;
-    std::string what; ///< what the seconds are for
+    std::string what;                                                     ///< what the seconds are for
     std::map<std::string, std::vector<std::pair<double, double>>> curves; ///< engine: size and seconds
 };
 
@@ -119,8 +120,7 @@ template <typename Record>
 /// The records in a text of lines. What follows the last end of a line was cut off and is left out.
 /// whole  is told how many characters hold whole lines; may be null
 /// Nothing where a whole line is no record, or the first is not that of a run.
-[[nodiscard]] inline std::optional<Records> read_records(const std::string& text,
-                                                         std::size_t* whole = nullptr)
+[[nodiscard]] inline std::optional<Records> read_records(const std::string& text, std::size_t* whole = nullptr)
 {
     Records records;
     std::size_t begin = 0;

@@ -47,8 +47,8 @@ using Prepare = std::function<std::function<void()>()>;
 /// seconds  a clock that only goes forward [s]
 /// Returns the seconds of each, one for every round.
 template <typename Clock>
-[[nodiscard]] std::vector<std::vector<double>> time_in_turn(std::span<const Prepare> prepares,
-                                                            int rounds, const Clock& seconds)
+[[nodiscard]] std::vector<std::vector<double>> time_in_turn(std::span<const Prepare> prepares, int rounds,
+                                                            const Clock& seconds)
 {
     std::vector<std::vector<double>> times(prepares.size());
     for (int round = 0; round < rounds; ++round) {

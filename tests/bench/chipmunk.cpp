@@ -133,7 +133,8 @@ void Chipmunk::advance(double time)
     for (; parts_->steps < until; ++parts_->steps) {
         for (std::size_t k = 0; parts_->centre && k < parts_->bodies.size(); ++k) {
             const cpVect x = cpBodyGetPosition(parts_->bodies[k]);
-            cpBodySetForce(parts_->bodies[k], vect(parts_->masses[k] * acceleration_at(*parts_->centre, Vec2(x.x, x.y))));
+            cpBodySetForce(parts_->bodies[k],
+                           vect(parts_->masses[k] * acceleration_at(*parts_->centre, Vec2(x.x, x.y))));
         }
         cpSpaceStep(parts_->space, 1.0 / parts_->hertz);
     }

@@ -1,5 +1,5 @@
-// flying_diagrams: time against error, scene by scene, engine by engine; growth; skips. What is measured stands in a file of
-// lines that grows as it goes, and a run that was cut off goes on with the first that is missing.
+// flying_diagrams: time against error, scene by scene, engine by engine; growth; skips. What is measured stands in a
+// file of lines that grows as it goes, and a run that was cut off goes on with the first that is missing.
 
 #include <unistd.h>
 
@@ -67,7 +67,8 @@ void draw(const work::Records& records, const std::string& out)
             work::draw_diagram(out + name, diagram, k);
         }
     }
-    for (const work::GrowthRecord& growth : records.growths) work::draw_growth(out + "/growth-" + growth.name + ".svg", growth);
+    for (const work::GrowthRecord& growth : records.growths)
+        work::draw_growth(out + "/growth-" + growth.name + ".svg", growth);
     if (!records.diagrams.empty()) work::draw_ratios(out + "/work-ratios.svg", records);
     if (!records.skips.empty()) work::draw_skips(out + "/skips.svg", records);
 }
@@ -98,16 +99,21 @@ int main(int argc, char** argv)
     CLI11_PARSE(app, argc, argv);
 
     const Machine machine = this_machine();
-    work::RunRecord run{quick ? "quick" : "full", today(),
-                        machine.cpu + ", " + std::to_string(machine.cores) + " cores", machine.compiler + ", " + machine.flags,
-                        {machine.chipmunk, machine.box2d}, repeats.value_or(quick ? 5 : 30), most.value_or(quick ? 0.1 : 0.5)};
+    work::RunRecord run{quick ? "quick" : "full",
+                        today(),
+                        machine.cpu + ", " + std::to_string(machine.cores) + " cores",
+                        machine.compiler + ", " + machine.flags,
+                        {machine.chipmunk, machine.box2d},
+                        repeats.value_or(quick ? 5 : 30),
+                        most.value_or(quick ? 0.1 : 0.5)};
     std::filesystem::create_directories(out);
     const std::string path = out + "/" + run.name + ".jsonl";
     if (fresh) std::filesystem::remove(path);
     flying::Expected<RecordFile> opened = RecordFile::open(path, run);
     if (!opened) {
         const flying::Fault& fault = opened.faults().front();
-        std::fprintf(stderr, "%s: found %s; expected %s\n", fault.place.c_str(), fault.found.c_str(), fault.expected.c_str());
+        std::fprintf(stderr, "%s: found %s; expected %s\n", fault.place.c_str(), fault.found.c_str(),
+                     fault.expected.c_str());
         return 2;
     }
     RecordFile& file = opened.value();

@@ -14,8 +14,8 @@ struct Run
 {
     std::function<void(double)> advance; ///< to a time that is later than before [s]
     std::function<std::vector<BodyState>()> states;
-    std::function<std::vector<Load>()> loads = {};                  ///< may be empty: the engine doesn't tell
-    std::function<std::optional<std::string>()> failure = {};       ///< may be empty: it never fails
+    std::function<std::vector<Load>()> loads = {};            ///< may be empty: the engine doesn't tell
+    std::function<std::optional<std::string>()> failure = {}; ///< may be empty: it never fails
 };
 
 /// How an engine is to run.
@@ -28,9 +28,9 @@ struct Setting
 struct Engine
 {
     std::string name;
-    std::function<bool(const Trial&)> applies;         ///< false: not a matter for this scene, and no word about it
-    std::function<std::string(const Trial&)> why_not;  ///< why it can't do the scene, "" where it can
-    std::function<bool(const Trial&)> steps;           ///< its step changes the result
+    std::function<bool(const Trial&)> applies;        ///< false: not a matter for this scene, and no word about it
+    std::function<std::string(const Trial&)> why_not; ///< why it can't do the scene, "" where it can
+    std::function<bool(const Trial&)> steps;          ///< its step changes the result
     std::function<Run(const Scene&, const Setting&)> start;
 };
 
@@ -44,8 +44,8 @@ struct Engine
 /// The three steppers of chapter 1, with walls that turn a ball round once a step finds it in them.
 [[nodiscard]] std::vector<Engine> steppers();
 
-/// Box2D and Chipmunk as Debian builds them, with assertions: with the iterations that they come with and, where bodies lean on
-/// each other, with four times as many.
+/// Box2D and Chipmunk as Debian builds them, with assertions: with the iterations that they come with and, where bodies
+/// lean on each other, with four times as many.
 [[nodiscard]] std::vector<Engine> peers();
 
 } // namespace flying::bench

@@ -11,8 +11,14 @@
 namespace flying::bench {
 namespace {
 
-bool always(const Trial&) { return true; }
-std::string nothing(const Trial&) { return {}; }
+bool always(const Trial&)
+{
+    return true;
+}
+std::string nothing(const Trial&)
+{
+    return {};
+}
 
 Run start_world(const Scene& scene, double step)
 {
@@ -139,7 +145,8 @@ Engine own_engine(bool has_step)
 Engine own_steps()
 {
     const auto why_not = [](const Trial& trial) -> std::string {
-        if (std::holds_alternative<CentralField>(trial.scene.world.field)) return "round a centre it moves only what leans on something";
+        if (std::holds_alternative<CentralField>(trial.scene.world.field))
+            return "round a centre it moves only what leans on something";
         return {};
     };
     return {"flying, steps only", always, why_not, always, start_resting};

@@ -12,8 +12,8 @@ namespace flying::bench {
 /// How time grows with the number of bodies: gas, pile, stack.
 [[nodiscard]] std::vector<std::string> growth_names();
 
-/// Seconds of computing against the number of bodies, each engine up to the size at which a run takes longer than allowed.
-/// name  one of growth_names();  most  [s]
+/// Seconds of computing against the number of bodies, each engine up to the size at which a run takes longer than
+/// allowed. name  one of growth_names();  most  [s]
 [[nodiscard]] work::GrowthRecord grow(const std::string& name, Coarseness coarseness, double most, int repeats,
                                       const std::function<void(const std::string&)>& tell);
 

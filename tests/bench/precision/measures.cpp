@@ -19,7 +19,8 @@ std::vector<TrialMaker> trial_makers()
 Measure median_distance(const Scene& scene, std::function<Place(int, double)> truth)
 {
     const std::vector<WeighedBody> bodies = weigh(scene);
-    return {"distance from the truth [m]", [bodies, truth = std::move(truth)](const Story& story) -> std::optional<double> {
+    return {"distance from the truth [m]",
+            [bodies, truth = std::move(truth)](const Story& story) -> std::optional<double> {
                 std::vector<double> worst;
                 for (int k = 0; k < static_cast<int>(bodies.size()); ++k) {
                     if (bodies[k].is_static) continue;

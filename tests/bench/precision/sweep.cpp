@@ -49,7 +49,8 @@ Glance look(const Trial& trial, const Engine& engine, const Setting& setting, co
     }
     for (const Measure& measure : trial.measures) {
         const double error = measure.of(story).value_or(-1.0);
-        glance.point.measures.push_back(std::isfinite(error) ? std::min(error, k_as_wrong_as_can_be) : k_as_wrong_as_can_be);
+        glance.point.measures.push_back(std::isfinite(error) ? std::min(error, k_as_wrong_as_can_be)
+                                                             : k_as_wrong_as_can_be);
     }
     glance.point.hertz = engine.steps(trial) ? setting.hertz : 0.0;
     return glance;
@@ -60,8 +61,9 @@ Glance look(const Trial& trial, const Engine& engine, const Setting& setting, co
 work::DiagramRecord sweep(const Trial& trial, std::span<const Engine> engines, const SweepOptions& options,
                           const std::function<void(const std::string&)>& tell)
 {
-    work::DiagramRecord record{trial.name, trial.title, trial.why, trial.truth, static_cast<int>(trial.scene.bodies.size()),
-                               trial.until, {}, {}};
+    work::DiagramRecord record{
+        trial.name,  trial.title, trial.why, trial.truth, static_cast<int>(trial.scene.bodies.size()),
+        trial.until, {},          {}};
     for (const Measure& measure : trial.measures) record.measures.push_back(measure.name);
 
     // Look at each setting once: what it makes wrong, and about how long it takes
@@ -72,7 +74,8 @@ work::DiagramRecord sweep(const Trial& trial, std::span<const Engine> engines, c
         const bool steps = engine.steps(trial);
         for (std::size_t k = 0; curve.why_not.empty() && k < (steps ? options.hertz.size() : 1); ++k) {
             const Setting setting{steps ? options.hertz[k] : 60.0};
-            tell(trial.name + ": " + engine.name + (steps ? ", " + std::to_string(std::lround(setting.hertz)) + " Hz" : ""));
+            tell(trial.name + ": " + engine.name +
+                 (steps ? ", " + std::to_string(std::lround(setting.hertz)) + " Hz" : ""));
             const Glance glance = look(trial, engine, setting, options);
             if (glance.failure) curve.why_not = *glance.failure;
             else if (glance.seconds > options.most && curve.points.empty()) {
@@ -98,7 +101,8 @@ work::DiagramRecord sweep(const Trial& trial, std::span<const Engine> engines, c
             };
         });
     }
-    tell(trial.name + ": " + std::to_string(entries.size()) + " runs in turn, " + std::to_string(options.repeats) + " rounds");
+    tell(trial.name + ": " + std::to_string(entries.size()) + " runs in turn, " + std::to_string(options.repeats) +
+         " rounds");
     std::vector<std::vector<double>> times = work::time_in_turn(prepares, options.repeats, options.seconds);
     for (std::size_t k = 0; k < entries.size(); ++k) {
         for (double& time : times[k]) time /= entries[k].copies;
@@ -125,7 +129,8 @@ Expected<RecordFile> RecordFile::open(const std::string& path, const work::RunRe
     const work::RunRecord& before = records->run;
     if (before.name != run.name || before.machine != run.machine || before.compiler != run.compiler ||
         before.peers != run.peers || before.repeats != run.repeats || before.most != run.most) {
-        return Fault{path, "a run '" + before.name + "' of " + before.date + " with other settings, versions or machine",
+        return Fault{path,
+                     "a run '" + before.name + "' of " + before.date + " with other settings, versions or machine",
                      "a run like this one, to go on with; --fresh begins anew"};
     }
 
@@ -136,12 +141,14 @@ Expected<RecordFile> RecordFile::open(const std::string& path, const work::RunRe
 
 bool RecordFile::has_growth(const std::string& name) const
 {
-    return std::any_of(records_.growths.begin(), records_.growths.end(), [&](const auto& one) { return one.name == name; });
+    return std::any_of(records_.growths.begin(), records_.growths.end(),
+                       [&](const auto& one) { return one.name == name; });
 }
 
 bool RecordFile::has_skips(const std::string& scene) const
 {
-    return std::any_of(records_.skips.begin(), records_.skips.end(), [&](const auto& one) { return one.scene == scene; });
+    return std::any_of(records_.skips.begin(), records_.skips.end(),
+                       [&](const auto& one) { return one.scene == scene; });
 }
 
 void RecordFile::add(const work::DiagramRecord& record)

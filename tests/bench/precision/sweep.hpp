@@ -21,10 +21,12 @@ struct SweepOptions
 
 /// Every engine with every setting, on one scene: first once, to look; then all in turn, to measure time.
 /// tell  is told what is going on
-[[nodiscard]] work::DiagramRecord sweep(const Trial& trial, std::span<const Engine> engines, const SweepOptions& options,
+[[nodiscard]] work::DiagramRecord sweep(const Trial& trial, std::span<const Engine> engines,
+                                        const SweepOptions& options,
                                         const std::function<void(const std::string&)>& tell);
 
-/// A file of records that grows line by line: each as soon as it is measured, so that a run can go on where it was cut off.
+/// A file of records that grows line by line: each as soon as it is measured, so that a run can go on where it was cut
+/// off.
 class RecordFile
 {
 public:

@@ -35,7 +35,10 @@ Trial straight()
     trial.scene.bodies = {body};
     trial.until = 2.0;
     trial.looks = {0.0, 1.0, 2.0};
-    trial.measures = {median_distance(trial.scene, [](int, double t) { return Place{Vec2(t, 0.0), 0.0}; }),
+    trial.measures = {median_distance(trial.scene,
+                                      [](int, double t) {
+                                          return Place{Vec2(t, 0.0), 0.0};
+                                      }),
                       energy_drift(trial.scene)};
     return trial;
 }
@@ -50,7 +53,8 @@ Engine off_by(double share)
                 Run run;
                 run.advance = [=](double t) { *time = t; };
                 run.states = [=] {
-                    return std::vector<BodyState>{{Vec2(*time * (1.0 + share / setting.hertz), 0.0), Vec2(1.0, 0.0), 0.0, 0.0, *time}};
+                    return std::vector<BodyState>{
+                        {Vec2(*time * (1.0 + share / setting.hertz), 0.0), Vec2(1.0, 0.0), 0.0, 0.0, *time}};
                 };
                 return run;
             }};
@@ -94,7 +98,8 @@ TEST_CASE("overlap, shift and gain of energy are what they are by hand")
     scene.bodies[1].position = Vec2(2.0, 0.0);
     Story story;
     const auto at = [](double x, double speed) { return BodyState{Vec2(x, 0.0), Vec2(speed, 0.0), 0.0, 0.0, 0.0}; };
-    story.looks = {{0.0, {at(0.0, 2.0), at(2.0, 0.0)}}, {1.0, {at(0.0, 1.0), at(0.75, 0.0)}}, {2.0, {at(0.0, 3.0), at(2.5, 0.0)}}};
+    story.looks = {
+        {0.0, {at(0.0, 2.0), at(2.0, 0.0)}}, {1.0, {at(0.0, 1.0), at(0.75, 0.0)}}, {2.0, {at(0.0, 3.0), at(2.5, 0.0)}}};
     CHECK(deepest_overlap(scene).of(story).value() == doctest::Approx(0.25).epsilon(1e-15));
     CHECK(largest_shift().of(story).value() == 0.5);
     CHECK(energy_gain(scene).of(story).value() == 2.0); // from 1 J to 9 J, of 4 J
@@ -128,7 +133,8 @@ TEST_CASE("records come back from their lines as they were")
     work::DiagramRecord diagram{"a", "title", "why", "truth", 3, 1.5, {"m [m]"}, {}};
     diagram.curves = {{"one", {{60.0, {0.1, 0.2, 0.30000000000000004}, {1e-300, -1.0}}}, ""}, {"two", {}, "too slow"}};
     work::GrowthRecord growth{"g", "title", "seconds", {{"one", {{10.0, 1e-3}, {100.0, 1.0 / 3.0}}}}};
-    work::SkipsRecord skips{"s", 2.0, {{"", {1.0, 2.0, 3.0}, 0, true, false}, {"grid", {4.0, 5.0, 6.0}, 7, false, true}}};
+    work::SkipsRecord skips{
+        "s", 2.0, {{"", {1.0, 2.0, 3.0}, 0, true, false}, {"grid", {4.0, 5.0, 6.0}, 7, false, true}}};
     const std::string text = work::line_of("run", a_run()) + "\n" + work::line_of("diagram", diagram) + "\n" +
                              work::line_of("growth", growth) + "\n" + work::line_of("skips", skips) + "\n";
     const auto records = work::read_records(text);

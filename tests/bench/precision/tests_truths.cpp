@@ -101,7 +101,8 @@ TEST_CASE("a rocking block loses at each impact what the closed form says, and r
     const std::vector<double> angles = rocking(b, h, g, start, times);
     CHECK(angles.front() == start);
 
-    // The first swing to the other side: by energy, 1 - cos(alpha - peak) keeps the square of the factor of what there was
+    // The first swing to the other side: by energy, 1 - cos(alpha - peak) keeps the square of the factor of what there
+    // was
     const double kept = 1.0 - 1.5 * std::sin(alpha) * std::sin(alpha);
     const double drop = std::cos(alpha - start) - std::cos(alpha);
     const double peak = alpha - std::acos(std::cos(alpha) + kept * kept * drop);

@@ -13,7 +13,7 @@ namespace flying::bench {
 /// A force that one body bears from another along the normal between them.
 struct Load
 {
-    int below = 0;      ///< the body of the lower number; -1 for the box's walls
+    int below = 0; ///< the body of the lower number; -1 for the box's walls
     int above = 0;
     double force = 0.0; ///< >= 0 [N]
 };
@@ -51,9 +51,9 @@ struct Trial
     double until = 1.0;        ///< [s]
     std::vector<double> looks; ///< ascending moments up to `until`, multiples of 1/60 s [s]
     std::vector<Measure> measures;
-    bool rests = false;        ///< bodies lean on each other, so that this engine's step counts as well
+    bool rests = false; ///< bodies lean on each other, so that this engine's step counts as well
     bool asks_loads = false;
-    bool is_own = false;       ///< the truth is this engine's own run of the same scene elsewhere
+    bool is_own = false; ///< the truth is this engine's own run of the same scene elsewhere
 };
 
 enum class Coarseness
@@ -84,9 +84,8 @@ struct Place
     std::optional<double> angle;  ///< where it counts [rad]
 };
 
-/// Over all looks the largest distance of each body that moves from the truth, an angle counted as the way of a point of
-/// the rim; of these the median.
-/// truth  place of body number `body` at a moment
+/// Over all looks the largest distance of each body that moves from the truth, an angle counted as the way of a point
+/// of the rim; of these the median. truth  place of body number `body` at a moment
 [[nodiscard]] Measure median_distance(const Scene& scene, std::function<Place(int body, double time)> truth);
 
 /// How much the energy has changed from the first look to the last, as a share of its first value.

@@ -27,7 +27,8 @@ Trial bounce(double e)
     Trial trial;
     trial.name = e == 1.0 ? "bounce-elastic" : "bounce-half";
     trial.title = e == 1.0 ? "balls that bounce without loss" : "balls that bounce at e = 0.5, and come to rest";
-    trial.why = "where the ball is, is what an impact at the wrong moment spoils; the median of twelve heights, so that no engine "
+    trial.why = "where the ball is, is what an impact at the wrong moment spoils; the median of twelve heights, so "
+                "that no engine "
                 "has luck with its steps";
     trial.truth = "parabolas from impact to impact";
     trial.until = 5.0;
@@ -56,7 +57,8 @@ Trial billiard()
     Trial trial;
     trial.name = "billiard";
     trial.title = "one ball in a rectangle";
-    trial.why = "each wall that is met too late leaves the ball on another of the mirrored paths; after some sixty walls the place tells";
+    trial.why = "each wall that is met too late leaves the ball on another of the mirrored paths; after some sixty "
+                "walls the place tells";
     trial.truth = "one straight line through mirrored rooms";
     trial.until = 30.0;
     Scene& scene = trial.scene;
@@ -64,13 +66,15 @@ Trial billiard()
     scene.bodies = {disc(k_radius, Vec2(1.0, 1.25), Vec2(4.1, 2.9))};
     trial.looks = looks_every(0.5, trial.until);
     const BodyDef ball = scene.bodies.front();
-    trial.measures = {median_distance(scene,
-                                      [ball](int, double t) {
-                                          return Place{Vec2(folded(ball.position.x(), ball.velocity.x(), t, k_radius, 4.0 - k_radius),
-                                                            folded(ball.position.y(), ball.velocity.y(), t, k_radius, 3.0 - k_radius)),
-                                                       {}};
-                                      }),
-                      energy_drift(scene)};
+    trial.measures = {
+        median_distance(scene,
+                        [ball](int, double t) {
+                            return Place{
+                                Vec2(folded(ball.position.x(), ball.velocity.x(), t, k_radius, 4.0 - k_radius),
+                                     folded(ball.position.y(), ball.velocity.y(), t, k_radius, 3.0 - k_radius)),
+                                {}};
+                        }),
+        energy_drift(scene)};
     return trial;
 }
 
@@ -87,7 +91,9 @@ Trial kepler()
     trial.scene.world.field = CentralField{Vec2(0.0, 0.0), orbit.mu, 0.0};
     trial.scene.bodies = {disc(0.01, start.x, start.v)};
     trial.looks = looks_every(0.25, trial.until);
-    trial.measures = {median_distance(trial.scene, [orbit](int, double t) { return Place{on_ellipse(orbit, t).x, {}}; })};
+    trial.measures = {median_distance(trial.scene, [orbit](int, double t) {
+        return Place{on_ellipse(orbit, t).x, {}};
+    })};
     return trial;
 }
 
@@ -97,8 +103,9 @@ Trial galperin()
     Trial trial;
     trial.name = "galperin";
     trial.title = "Galperin's two balls and a wall, masses 1 : 10,000";
-    trial.why = "velocities after the last of 314 collisions, in units in which all of the energy is 1: one collision more or "
-                "less turns them by a fiftieth";
+    trial.why =
+        "velocities after the last of 314 collisions, in units in which all of the energy is 1: one collision more or "
+        "less turns them by a fiftieth";
     trial.truth = "the two conservation laws, one collision after the other";
     trial.until = 6.0;
     Scene& scene = trial.scene;
@@ -111,14 +118,16 @@ Trial galperin()
     scene.bodies[2].mass = k_mass;
     trial.looks = {0.0, trial.until};
     const Parted truth = parted(k_mass);
-    trial.measures = {{"error of the velocities, of 1", [truth](const Story& story) -> std::optional<double> {
+    trial.measures = {{"error of the velocities, of 1",
+                       [truth](const Story& story) -> std::optional<double> {
                            const Look& last = story.looks.back();
                            const double heavy = last.states[2].velocity.x() - truth.heavy;
                            const double light = (last.states[1].velocity.x() - truth.light) / std::sqrt(k_mass);
                            const double error = std::hypot(heavy, light);
                            return std::isfinite(error) ? error : HUGE_VAL;
                        }},
-                      energy_drift(scene), deepest_overlap(scene)};
+                      energy_drift(scene),
+                      deepest_overlap(scene)};
     return trial;
 }
 
@@ -162,17 +171,21 @@ Trial cradle(double gap)
     Trial trial;
     trial.name = gap == 0.0 ? "cradle-touching" : "cradle-gaps";
     trial.title = gap == 0.0 ? "a ball strikes four that touch" : "a ball strikes four that don't quite touch";
-    trial.why = gap == 0.0 ? "the last leaves with everything, as of steel and as of gaps however small; laws that treat all contacts at once say otherwise"
-                           : "four impacts follow each other within a fraction of a step; the last leaves with everything";
+    trial.why = gap == 0.0
+                    ? "the last leaves with everything, as of steel and as of gaps however small; laws that treat all "
+                      "contacts at once say otherwise"
+                    : "four impacts follow each other within a fraction of a step; the last leaves with everything";
     trial.truth = "each ball hands its velocity to the next";
     trial.until = 2.0;
     for (int k = 0; k < 5; ++k) {
         const double at = k == 0 ? -k_run_up : (k - 1) * gap;
-        trial.scene.bodies.push_back(disc(k_radius, Vec2(2.0 * k_radius * k + at, 0.0), Vec2(k == 0 ? k_speed : 0.0, 0.0)));
+        trial.scene.bodies.push_back(
+            disc(k_radius, Vec2(2.0 * k_radius * k + at, 0.0), Vec2(k == 0 ? k_speed : 0.0, 0.0)));
     }
     trial.looks = {0.0, trial.until};
     const Scene scene = trial.scene;
-    trial.measures = {{"worst distance from the truth [m]", [scene, gap](const Story& story) -> std::optional<double> {
+    trial.measures = {{"worst distance from the truth [m]",
+                       [scene, gap](const Story& story) -> std::optional<double> {
                            double worst = 0.0;
                            for (int k = 0; k < 5; ++k) {
                                // Each goes as far as its gap and stops; the last goes on for the rest of the way

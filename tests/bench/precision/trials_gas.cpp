@@ -30,7 +30,8 @@ Trial gas_trial(const std::string& name, const std::string& shape, double packin
     trial.scene = scene_of("gas", gas(count, packing, shape));
     trial.until = k_until;
     trial.looks = {0.0, k_until};
-    trial.why = "collisions make a small error grow without end; after one second it is still smaller than a body in a good engine";
+    trial.why = "collisions make a small error grow without end; after one second it is still smaller than a body in a "
+                "good engine";
     std::vector<BodyState> truth;
     if (has_reference(trial.scene)) {
         trial.truth = "impact by impact in long doubles, by a program of its own";

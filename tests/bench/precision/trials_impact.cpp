@@ -11,7 +11,7 @@ namespace {
 
 constexpr double k_g = 9.81;
 constexpr double k_slope = 20.0 * std::numbers::pi / 180.0;
-const Vec2 k_tilted = Vec2(k_g * std::sin(k_slope), -k_g * std::cos(k_slope));
+const Vec2 k_tilted = Vec2(k_g * std::sin(k_slope), -k_g* std::cos(k_slope));
 
 /// Twelve squares that come down on a corner each, at as many angles.
 Trial corner()
@@ -20,7 +20,8 @@ Trial corner()
     Trial trial;
     trial.name = "corner-impact";
     trial.title = "squares that land on a corner";
-    trial.why = "half of the energy goes into spin; place and angle a second later show both velocities and the moment of the impact";
+    trial.why = "half of the energy goes into spin; place and angle a second later show both velocities and the moment "
+                "of the impact";
     trial.truth = "one impulse at the corner";
     trial.until = 1.0;
     trial.looks = {0.0, trial.until};
@@ -41,7 +42,8 @@ Trial corner()
 
         const Struck after = strike_floor(body.velocity, 0.0, arm, 1.0, 1.0 / 6.0, 1.0);
         const double left = trial.until - gap / k_speed;
-        places.push_back({Vec2(body.position.x(), -arm.y() + after.velocity.y() * left), body.angle + after.spin * left});
+        places.push_back(
+            {Vec2(body.position.x(), -arm.y() + after.velocity.y() * left), body.angle + after.spin * left});
     }
     trial.measures = {median_distance(scene,
                                       [places, scene](int k, double t) {
@@ -61,7 +63,8 @@ Trial oblique()
     Trial trial;
     trial.name = "oblique-impact";
     trial.title = "discs that strike a rough floor at an angle";
-    trial.why = "friction within the impact decides between sticking and sliding; place and angle afterwards show all three velocities";
+    trial.why = "friction within the impact decides between sticking and sliding; place and angle afterwards show all "
+                "three velocities";
     trial.truth = "Coulomb's cone in one impact";
     trial.until = 1.0;
     trial.looks = {0.0, trial.until};
@@ -116,11 +119,13 @@ Trial incline()
         body.friction = mu * mu / 0.5; // the pair's is the root of the product
         scene.bodies.push_back(body);
     }
-    trial.measures = {median_distance(scene,
-                                      [scene, frictions](int k, double t) {
-                                          return Place{scene.bodies[k].position + Vec2(slid(k_g, k_slope, frictions[k], t), 0.0), 0.0};
-                                      }),
-                      deepest_overlap(scene)};
+    trial.measures = {
+        median_distance(
+            scene,
+            [scene, frictions](int k, double t) {
+                return Place{scene.bodies[k].position + Vec2(slid(k_g, k_slope, frictions[k], t), 0.0), 0.0};
+            }),
+        deepest_overlap(scene)};
     return trial;
 }
 
@@ -192,12 +197,13 @@ Trial sliding_to_rolling()
 
 Trial rocking_block()
 {
-    constexpr double k_b = 0.25;
-    constexpr double k_h = 1.0;
+    static constexpr double k_b = 0.25;
+    static constexpr double k_h = 1.0;
     Trial trial;
     trial.name = "rocking-block";
     trial.title = "a block that rocks from one edge to the other";
-    trial.why = "long stretches on one corner, short impacts on the other: an impact that comes late or loses too much shifts all later ones";
+    trial.why = "long stretches on one corner, short impacts on the other: an impact that comes late or loses too much "
+                "shifts all later ones";
     trial.truth = "the equation of motion by small steps, w+ / w- = 1 - 1.5 sin^2 a at each impact";
     trial.until = 3.0;
     trial.looks = looks_every(0.25, trial.until);

@@ -38,8 +38,10 @@ Trial stack(const std::string& name, int count, double top)
     trial.name = name;
     trial.title = top == 1.0 ? "a stack of " + std::to_string(count) + " boxes, five seconds"
                              : "a box of ten thousand times the mass on a light one";
-    trial.why = top == 1.0 ? "it stands still in truth: how far any box has gone from its place, and how far the forces are from the weights above"
-                           : "it stands still in truth; a light box between a heavy one and the floor is pressed through it";
+    trial.why = top == 1.0
+                    ? "it stands still in truth: how far any box has gone from its place, and how far the forces are "
+                      "from the weights above"
+                    : "it stands still in truth; a light box between a heavy one and the floor is pressed through it";
     trial.truth = "nothing moves; each contact bears what stands above";
     trial.until = 5.0;
     trial.looks = {0.0, trial.until};
@@ -103,7 +105,8 @@ Trial beside()
     Trial trial;
     trial.name = "beside-a-pile";
     trial.title = "eight elastic balls that bounce beside a pyramid at rest";
-    trial.why = "a pile needs steps and bouncing balls need moments; whoever has one method for all pays for it in one of the two";
+    trial.why = "a pile needs steps and bouncing balls need moments; whoever has one method for all pays for it in one "
+                "of the two";
     trial.truth = "parabolas from impact to impact; the pyramid stands";
     trial.until = 5.0;
     trial.looks = looks_every(0.25, trial.until);
@@ -127,21 +130,22 @@ Trial beside()
         scene.bodies.push_back(ball);
     }
     const Scene whole = scene;
-    trial.measures = {{"median distance of the balls from the truth [m]",
-                       [whole, boxes](const Story& story) -> std::optional<double> {
-                           Story balls;
-                           for (const Look& look : story.looks) {
-                               balls.looks.push_back({look.time, {look.states.begin() + boxes, look.states.end()}});
-                           }
-                           Scene of_balls = whole;
-                           of_balls.bodies.erase(of_balls.bodies.begin(), of_balls.bodies.begin() + boxes);
-                           const Measure measure = median_distance(of_balls, [&](int k, double t) {
-                               const Vec2 start = of_balls.bodies[k].position;
-                               return Place{Vec2(start.x(), k_radius + bounce_height(start.y() - k_radius, k_g, 1.0, t)), {}};
-                           });
-                           return measure.of(balls);
-                       }},
-                      deepest_overlap(scene)};
+    trial.measures = {
+        {"median distance of the balls from the truth [m]",
+         [whole, boxes](const Story& story) -> std::optional<double> {
+             Story balls;
+             for (const Look& look : story.looks) {
+                 balls.looks.push_back({look.time, {look.states.begin() + boxes, look.states.end()}});
+             }
+             Scene of_balls = whole;
+             of_balls.bodies.erase(of_balls.bodies.begin(), of_balls.bodies.begin() + boxes);
+             const Measure measure = median_distance(of_balls, [&](int k, double t) {
+                 const Vec2 start = of_balls.bodies[k].position;
+                 return Place{Vec2(start.x(), k_radius + bounce_height(start.y() - k_radius, k_g, 1.0, t)), {}};
+             });
+             return measure.of(balls);
+         }},
+        deepest_overlap(scene)};
     return trial;
 }
 

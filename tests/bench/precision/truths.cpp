@@ -126,9 +126,13 @@ std::vector<double> rocking(double b, double h, double g, double start, const st
     const Real sine = std::sin(alpha);
     const Real kept = 1 - static_cast<Real>(1.5) * sine * sine;
     Real side = start > 0 ? 1 : -1; // which corner it stands on
-    const auto rate = [&](const Rocking& s) { return Rocking{s.spin, -side * square * std::sin(alpha - side * s.angle)}; };
+    const auto rate = [&](const Rocking& s) {
+        return Rocking{s.spin, -side * square * std::sin(alpha - side * s.angle)};
+    };
     const auto step = [&](const Rocking& s, Real d) {
-        const auto moved = [&](const Rocking& k, Real f) { return Rocking{s.angle + f * k.angle, s.spin + f * k.spin}; };
+        const auto moved = [&](const Rocking& k, Real f) {
+            return Rocking{s.angle + f * k.angle, s.spin + f * k.spin};
+        };
         const Rocking k1 = rate(s);
         const Rocking k2 = rate(moved(k1, d / 2));
         const Rocking k3 = rate(moved(k2, d / 2));

@@ -7,8 +7,8 @@
 /// Closed forms that the scenes of the diagrams are measured against. They share no line with the engine.
 namespace flying::bench {
 
-/// Height over the floor of a ball that is let go at height h and bounces without end; 0 from the end of the bounces on.
-/// h  > 0 [m];  g  > 0 [m/s^2];  e  restitution, 0 ... 1;  t  >= 0 [s]      returns [m]
+/// Height over the floor of a ball that is let go at height h and bounces without end; 0 from the end of the bounces
+/// on. h  > 0 [m];  g  > 0 [m/s^2];  e  restitution, 0 ... 1;  t  >= 0 [s]      returns [m]
 [[nodiscard]] double bounce_height(double h, double g, double e, double t);
 
 /// When a ball let go at height h has bounced for the last time, e < 1.    [s]
