@@ -24,6 +24,7 @@ struct Look
 [[nodiscard]] inline Look look_of(const std::string& engine)
 {
     if (engine == "flying") return {k_teal, 3.2, false};
+    if (engine == "flying, kept awake") return {k_teal, 2.0, false};
     if (engine.starts_with("flying")) return {k_teal, 2.0, true};
     if (engine == "Chipmunk") return {k_ochre, 2.2, false};
     if (engine.starts_with("Chipmunk")) return {k_ochre, 2.0, true};

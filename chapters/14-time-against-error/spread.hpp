@@ -27,6 +27,7 @@ struct Spread
     const auto below = static_cast<std::size_t>(place);
     const std::size_t above = std::min(below + 1, sorted.size() - 1);
     const double rest = place - static_cast<double>(below);
+    if (sorted[below] == sorted[above]) return sorted[below]; // also where both are infinite
     return sorted[below] + rest * (sorted[above] - sorted[below]);
 }
 

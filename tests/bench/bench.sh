@@ -15,7 +15,7 @@ Time against error, a diagram for each scene; growth with the number of bodies; 
   --quick            all plots coarsely, in less than five minutes
   --only NAME...     only these diagrams (a wrong name lists them)
   --fresh            forget the earlier run and begin anew
-  --most S           seconds of computing that one run may take (0.5; quick: 0.1)
+  --most S           seconds of computing that one run may take (0.2; quick: 0.1)
 
 Tables of speed at one step:
   --all              the long set: every scene over its full time, all sizes, the parts one by one

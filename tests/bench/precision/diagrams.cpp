@@ -35,7 +35,7 @@ std::string today()
 
 std::vector<Engine> all_engines()
 {
-    std::vector<Engine> engines = {own_engine(true), own_steps()};
+    std::vector<Engine> engines = {own_engine(true), own_awake(), own_steps()};
     for (Engine& one : steppers()) engines.push_back(std::move(one));
     for (Engine& one : peers()) engines.push_back(std::move(one));
     return engines;
@@ -105,7 +105,7 @@ int main(int argc, char** argv)
                         machine.compiler + ", " + machine.flags,
                         {machine.chipmunk, machine.box2d},
                         repeats.value_or(quick ? 5 : 30),
-                        most.value_or(quick ? 0.1 : 0.5)};
+                        most.value_or(quick ? 0.1 : 0.2)};
     std::filesystem::create_directories(out);
     const std::string path = out + "/" + run.name + ".jsonl";
     if (fresh) std::filesystem::remove(path);
@@ -135,7 +135,7 @@ int main(int argc, char** argv)
     }
     for (const std::string& name : growth_names()) {
         if (!is_wanted("growth-" + name) || file.has_growth(name)) continue;
-        file.add(grow(name, coarseness, quick ? 0.3 : 20.0, quick ? 1 : 3, tell));
+        file.add(grow(name, coarseness, quick ? 0.3 : 6.0, quick ? 1 : 3, tell));
         tell("");
         std::printf("growth-%s: done\n", name.c_str());
         std::fflush(stdout);
@@ -147,7 +147,7 @@ int main(int argc, char** argv)
         }
         for (const std::string& scene : files) {
             if (file.has_skips(std::filesystem::path(scene).stem().string())) continue;
-            file.add(weigh_skips(scene, quick ? 1.0 : 10.0, quick ? 3 : 15, tell));
+            file.add(weigh_skips(scene, quick ? 0.5 : 2.0, quick ? 3 : 9, tell));
             tell("");
             std::printf("skips of %s: done\n", file.records().skips.back().scene.c_str());
             std::fflush(stdout);

@@ -38,6 +38,9 @@ struct Engine
 /// has_step  its resting integrator is asked for the setting's step; otherwise for the usual one
 [[nodiscard]] Engine own_engine(bool has_step);
 
+/// The same where bodies lean on each other, but none may sleep, as none may in the peers.
+[[nodiscard]] Engine own_awake();
+
 /// Its resting integrator alone.
 [[nodiscard]] Engine own_steps();
 

@@ -20,10 +20,11 @@ std::string nothing(const Trial&)
     return {};
 }
 
-Run start_world(const Scene& scene, double step)
+Run start_world(const Scene& scene, double step, const std::vector<std::string>& without = {})
 {
     WorldOptions options;
     options.step = step;
+    options.without = without;
     Expected<World> made = World::make(scene, options);
     if (!made) {
         const Fault& fault = made.faults().front();
@@ -139,6 +140,14 @@ Engine own_engine(bool has_step)
     return {"flying", always, nothing, [=](const Trial& trial) { return has_step && trial.rests; },
             [=](const Scene& scene, const Setting& setting) {
                 return start_world(scene, has_step && setting.hertz > 0.0 ? 1.0 / setting.hertz : 1.0 / 60.0);
+            }};
+}
+
+Engine own_awake()
+{
+    return {"flying, kept awake", [](const Trial& trial) { return trial.rests; }, nothing, always,
+            [](const Scene& scene, const Setting& setting) {
+                return start_world(scene, 1.0 / setting.hertz, {"sleeping"});
             }};
 }
 

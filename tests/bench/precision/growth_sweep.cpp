@@ -12,6 +12,8 @@
 namespace flying::bench {
 namespace {
 
+constexpr double k_long = 0.5; // a run of that length is made once [s]
+
 /// One series: a scene of any size, and how long of it is simulated.
 struct Series
 {
@@ -105,7 +107,8 @@ work::GrowthRecord grow(const std::string& name, Coarseness coarseness, double m
             std::vector<std::vector<double>> times(engines.size());
             for (int repeat = 0; repeat < repeats; ++repeat) {
                 for (std::size_t k = 0; k < engines.size(); ++k) {
-                    if (is_over[k]) continue;
+                    if (is_over[k] && times[k].empty()) continue;
+                    if (repeat > 0 && (times[k].empty() || times[k].back() > 0.1 * most)) continue; // long runs once
                     tell("growth-" + name + ": " + engines[k].name + ", " + std::to_string(count));
                     const Run run = engines[k].start(scene, {60.0});
                     const double start = cpu_seconds();
@@ -137,7 +140,7 @@ work::SkipsRecord weigh_skips(const std::string& path, double until, int repeats
         return World::make(scene, options).value();
     };
 
-    // Once each, to see the bits and what is saved; then all in turn
+    // Once each, to see the bits and what is saved; then in turn those that are short
     std::vector<std::string> names = {""};
     for (const Skip& skip : make_plan(scene).skips) {
         if (skip.active) names.push_back(skip.name);
@@ -145,10 +148,13 @@ work::SkipsRecord weigh_skips(const std::string& path, double until, int repeats
     std::uint64_t bits = 0;
     std::vector<Skip> saved;
     std::vector<work::Prepare> prepares;
+    std::vector<std::size_t> of_entry;
     for (const std::string& name : names) {
         tell("skips of " + record.scene + ": without " + (name.empty() ? "none" : name));
         World world = start(name);
+        const double began = cpu_seconds();
         static_cast<void>(world.advance(end));
+        const double took = cpu_seconds() - began;
         const Report report = world.report();
         work::SkipsRecord::Entry entry;
         entry.without = name;
@@ -162,14 +168,17 @@ work::SkipsRecord weigh_skips(const std::string& path, double until, int repeats
             entry.alters = skip.kind == SkipClass::altering;
         }
         entry.same_bits = report.hash == bits;
+        entry.seconds = {took, took, took};
         record.entries.push_back(entry);
+        if (took > k_long) continue;
+        of_entry.push_back(record.entries.size() - 1);
         prepares.push_back([&, name] {
             const auto once = std::make_shared<World>(start(name));
             return [once, end] { static_cast<void>(once->advance(end)); };
         });
     }
     const std::vector<std::vector<double>> times = work::time_in_turn(prepares, repeats, cpu_seconds);
-    for (std::size_t k = 0; k < names.size(); ++k) record.entries[k].seconds = work::spread_of(times[k]);
+    for (std::size_t k = 0; k < of_entry.size(); ++k) record.entries[of_entry[k]].seconds = work::spread_of(times[k]);
     return record;
 }
 

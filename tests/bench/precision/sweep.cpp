@@ -39,10 +39,10 @@ Glance look(const Trial& trial, const Engine& engine, const Setting& setting, co
         if (time > 0.0) run.advance(time);
         glance.seconds += options.seconds() - start;
         story.looks.push_back({time, run.states()});
-        if (glance.seconds > options.most) break;
+        if (glance.seconds > options.most * trial.patience) break;
     }
     glance.failure = run.failure ? run.failure() : std::nullopt;
-    if (glance.seconds > options.most || glance.failure) return glance;
+    if (glance.seconds > options.most * trial.patience || glance.failure) return glance;
     if (trial.asks_loads && run.loads) {
         story.loads = run.loads();
         story.knows_loads = true;
@@ -78,10 +78,10 @@ work::DiagramRecord sweep(const Trial& trial, std::span<const Engine> engines, c
                  (steps ? ", " + std::to_string(std::lround(setting.hertz)) + " Hz" : ""));
             const Glance glance = look(trial, engine, setting, options);
             if (glance.failure) curve.why_not = *glance.failure;
-            else if (glance.seconds > options.most && curve.points.empty()) {
+            else if (glance.seconds > options.most * trial.patience && curve.points.empty()) {
                 curve.why_not = "takes longer than the run allows";
             }
-            if (glance.failure || glance.seconds > options.most) break;
+            if (glance.failure || glance.seconds > options.most * trial.patience) break;
             const double copies = std::ceil(options.least / std::max(glance.seconds, 1e-9));
             entries.push_back({record.curves.size(), curve.points.size(), &engine, setting,
                                static_cast<int>(std::clamp(copies, 1.0, double{k_most_copies}))});

@@ -51,7 +51,8 @@ struct Trial
     double until = 1.0;        ///< [s]
     std::vector<double> looks; ///< ascending moments up to `until`, multiples of 1/60 s [s]
     std::vector<Measure> measures;
-    bool rests = false; ///< bodies lean on each other, so that this engine's step counts as well
+    double patience = 1.0; ///< a run of this may take so many times as long as one of the others
+    bool rests = false;    ///< bodies lean on each other, so that this engine's step counts as well
     bool asks_loads = false;
     bool is_own = false; ///< the truth is this engine's own run of the same scene elsewhere
 };

@@ -84,6 +84,7 @@ Trial pile(int count)
     trial.title = std::to_string(count) + " boxes that fall into a bin";
     trial.why = "where each box comes to lie is chaos, but no two may share a place, and nothing may give them energy";
     trial.truth = "solid bodies don't overlap";
+    trial.patience = 5.0;
     trial.until = 5.0;
     trial.looks = looks_every(0.5, trial.until);
     trial.rests = true;
@@ -158,7 +159,7 @@ std::vector<TrialMaker> rest_trials()
             {"stack-50", [](Coarseness) { return stack("stack-50", 50, 1.0); }},
             {"mass-ratio", [](Coarseness) { return stack("mass-ratio", 2, 1e4); }},
             {"pyramid", [=](Coarseness c) { return pyramid(is_full(c) ? 20 : 10); }},
-            {"pile", [=](Coarseness c) { return pile(is_full(c) ? 500 : 100); }},
+            {"pile", [=](Coarseness c) { return pile(is_full(c) ? 200 : 100); }},
             {"beside-a-pile", [](Coarseness) { return beside(); }}};
 }
 
