@@ -7,6 +7,7 @@
 #include "runs.hpp"
 #include "support/receipts.hpp"
 #include "world/checks.hpp"
+#include "world/hand_over.hpp"
 
 using namespace flying;
 
@@ -203,3 +204,35 @@ TEST_CASE("a picture fits the view into its panel with one scale, and y points u
     }
 }
 // [simulator.tests.map]
+
+// [simulator.tests.reach]
+TEST_CASE("whatever might be struck is near as far as its reach, and no further")
+{
+    Random random(1305);
+    for (int k = 0; k < 100; ++k) {
+        const double v = random.uniform(0.0, 4.0);
+        const double g = random.uniform(1.0, 20.0);
+        const double d = random.uniform(0.004, 0.1);
+        Leaning one;
+        one.radius = 0.5;
+        one.speed = v;
+        one.pull = g;
+        one.is_awake = true;
+        HandOver rules;
+        rules.begin({one});
+        rules.reach(d);
+
+        // Halve the range in which it ends
+        double near = 0.0;
+        double far = 10.0;
+        for (int i = 0; i < 60; ++i) {
+            const Vec2 there(0.5 * (near + far), 0.0);
+            (rules.is_near({there, there}) ? near : far) = there.x();
+        }
+        const double l = near - (1.0 + 0x1p-10) * one.radius; // room for rounding
+        CHECK_EQUATION("simulator.reach", l, 2.0 * v * d + g * d * d, 1e-10, {"v", v},
+                       {"d", d}, {"g", g});
+        CHECK_TWIN("simulator.reach", l, v * d + g * d * d, 1e-10);
+    }
+}
+// [simulator.tests.reach]
