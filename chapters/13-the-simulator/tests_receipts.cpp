@@ -150,7 +150,7 @@ TEST_CASE(
             const double S = ledger.steps;
             const double H = ledger.handovers;
             CHECK_EQUATION_SCALED("simulator.ledger", E, E_0 + I + S + H, scale, 1e-12,
-                                  {"E_0", E_0}, {"I", I}, {"S", S}, {"H", H});
+                                  {"E_0", E_0}, {"A_i", I}, {"A_s", S}, {"A_h", H});
             if (S != 0.0)
                 CHECK_TWIN_SCALED("simulator.ledger", E, E_0 + I + H, scale, 1e-12);
             worst = std::max(worst, std::abs(E - E_0 - I - S - H) / scale);
@@ -175,7 +175,7 @@ TEST_CASE("no double needs more than seventeen digits, and some need them all")
         most = std::max(most, text.size());
     }
     const double digits = std::ceil(1.0 + 53.0 * std::log(2.0) / std::log(10.0));
-    CHECK_EQUATION("simulator.digits", static_cast<double>(most), digits, 0.0, {"b", 53});
+    CHECK_EQUATION("simulator.digits", static_cast<double>(most), digits, 0.0, {"p", 53});
     CHECK_TWIN("simulator.digits", static_cast<double>(most), digits - 1.0, 0.0);
 }
 // [simulator.tests.digits]
@@ -217,6 +217,7 @@ TEST_CASE("whatever might be struck is near as far as its reach, and no further"
         one.radius = 0.5;
         one.speed = v;
         one.pull = g;
+        one.way = {Vec2(-1.0, -1.0), Vec2(1.0, 1.0)};
         one.is_awake = true;
         HandOver rules;
         rules.begin({one});

@@ -45,7 +45,7 @@ TEST_CASE("every number comes back with its bits, and one digit fewer would not 
         CHECK(same_bits(std::strtod(text.c_str(), nullptr), x));
         const int digits = digits_of(text);
         if (digits < 2) continue;
-        char shorter[40];
+        char shorter[400];
         std::snprintf(shorter, sizeof shorter, "%.*g", digits - 1, x);
         CHECK_FALSE(same_bits(std::strtod(shorter, nullptr), x));
     }
