@@ -14,7 +14,6 @@
 
 namespace flying {
 
-// [hybrid.class]
 /// Two integrators, one world. Every body that moves is in the hands of one of them (BodyMover):
 ///
 ///     events  the event engine's: moved from impact to impact
@@ -29,7 +28,6 @@ namespace flying {
 class Hybrid
 {
 public:
-    // [hybrid.setting_struct]
     /// What is the same for the whole run.
     struct Setting
     {
@@ -39,9 +37,7 @@ public:
         bool sleeps = true;
         bool warm_starts = true;
     };
-    // [hybrid.setting_struct]
 
-    // [hybrid.change]
     /// A hand-over before the scene gives it its words.
     struct Change
     {
@@ -55,7 +51,6 @@ public:
         double energy_before = 0.0;
         double energy_after = 0.0;
     };
-    // [hybrid.change]
 
     /// engine     whose bodies all fly
     /// materials  of the same bodies
@@ -88,7 +83,6 @@ public:
     /// What blows to sleeping bodies changed of the energy beyond what the event engine took note of.  [J]
     [[nodiscard]] double energy_of_blows() const { return energy_of_blows_; }
 
-    // [hybrid.memory_struct]
     /// All that a later run needs to go on with the same bits, beside the event engine's states of bodies.
     struct Memory
     {
@@ -100,12 +94,10 @@ public:
         double energy_of_steps = 0.0;
         double energy_of_blows = 0.0;
     };
-    // [hybrid.memory_struct]
     [[nodiscard]] Memory memory() const;
     /// flights  of the first bodies, those that the event engine last knew of
     void go_on_from(const Memory& memory, const std::vector<BodyState>& flights, double clock);
 
-    // [hybrid.kept]
 private:
     /// What an impact gave to a body that slept: its state, had nothing else moved it.
     struct Blow
@@ -155,8 +147,6 @@ private:
     double energy_of_steps_ = 0.0;
     double energy_of_blows_ = 0.0;
     std::vector<std::vector<Leg>> ways_;     // through the present step, where somebody asked within it; else empty
-    // [hybrid.kept]
 };
-// [hybrid.class]
 
 } // namespace flying

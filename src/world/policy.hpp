@@ -2,13 +2,10 @@
 
 namespace flying {
 
-// [world.engine_choice]
 /// Which integrator may have bodies. Automatic: the event-driven one; bodies whose impacts crowd together without end, and
 /// those about them, are the resting one's for as long as they lean on something.
 enum class EngineChoice { automatic, events, rest };
-// [world.engine_choice]
 
-// [world.mover]
 /// What moves a body at a moment.
 enum class BodyMover
 {
@@ -17,6 +14,5 @@ enum class BodyMover
     rest,   ///< it leans on something, and is moved by steps
     asleep  ///< it leans on something, and a step has left it as it was
 };
-// [world.mover]
 
 } // namespace flying

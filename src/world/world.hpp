@@ -16,7 +16,6 @@
 
 namespace flying {
 
-// [world.failure]
 /// Why a run can't go on.
 struct RunFailure
 {
@@ -24,9 +23,7 @@ struct RunFailure
     std::vector<int> bodies;  ///< scene indices of those involved; the box's walls are not among them
     std::string message;      ///< one sentence: which bodies, when, what happened
 };
-// [world.failure]
 
-// [world.snapshot]
 struct EngineMemory;
 
 /// Everything that a run needs to go on with the same bits: the bodies at their own moments, and the counts so far.
@@ -42,9 +39,7 @@ struct Snapshot
     EnergyLedger ledger;
     std::vector<Handover> handovers;
 };
-// [world.snapshot]
 
-// [world.options]
 /// How to run a scene.
 struct WorldOptions
 {
@@ -52,9 +47,7 @@ struct WorldOptions
     EngineChoice engine = EngineChoice::automatic;
     double step = 1.0 / 60.0;         ///< of the resting integrator, > 0 [s]
 };
-// [world.options]
 
-// [world.declared]
 /// A scene in motion. Moves forward only. What it answers at a moment doesn't depend, to the bit, on how often it was asked
 /// before. Between the ends of a step, bodies that lean on others are on the ways on which it leads them.
 class World
@@ -110,6 +103,5 @@ private:
     explicit World(std::unique_ptr<Parts> parts);
     std::unique_ptr<Parts> parts_;
 };
-// [world.declared]
 
 } // namespace flying
