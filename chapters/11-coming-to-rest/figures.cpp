@@ -86,7 +86,7 @@ void draw_contact(const std::string& folder)
     Sketch s(folder + "/contact.svg", 520, 330);
     const Vec2 below(190, 240);
     const Vec2 above(270, 104);
-    const Rotation turn = Rotation::of(0.22);
+    const Rotation turn = Rotation::of(-0.22);
     std::vector<Vec2> tilted;
     for (const Vec2& corner : box(Vec2::Zero(), 170, 100)) tilted.push_back(above + turn * corner);
     s.polygon(box(below, 300, 130), pale(k_teal, 0.22), k_teal, 2.0);
@@ -105,7 +105,7 @@ void draw_contact(const std::string& folder)
     s.formula(point + Vec2(-16, -70), "n", Anchor::right, k_rust);
     s.words(point + Vec2(-40, -12), "tangent", Anchor::middle, k_ochre, 14.0);
     s.formula(below + Vec2(8, -22), "r_a", Anchor::left, k_teal);
-    s.formula(0.5 * (centre + point) + Vec2(8, 18), "r_b", Anchor::left, k_blue);
+    s.formula(0.5 * (centre + point) + Vec2(14, 20), "r_b", Anchor::left, k_blue);
     s.words(below + Vec2(110, 46), "A", Anchor::middle, k_teal, 20.0);
     s.words(centre + Vec2(58, -4), "B", Anchor::middle, k_blue, 20.0);
 }
@@ -113,7 +113,7 @@ void draw_contact(const std::string& folder)
 /// What a step is made of, and where it goes round again.
 void draw_step(const std::string& folder)
 {
-    Sketch s(folder + "/step.svg", 640, 390);
+    Sketch s(folder + "/step.svg", 640, 412);
     const auto card = [&](const Vec2& at, double width, const char* words, const char* more, Tone tone) {
         s.polygon(box(at, width, 54), pale(tone, 0.2), tone, 1.8);
         s.words(at + Vec2(0, -3), words, Anchor::middle, k_ink, 16.0);
@@ -124,8 +124,8 @@ void draw_step(const std::string& folder)
     card(Vec2(408, 44), 136, "islands", "tied by contacts", k_soft);
     s.arrow(Vec2(152, 44), Vec2(176, 44));
     s.arrow(Vec2(314, 44), Vec2(338, 44));
-    s.polygon(box(Vec2(292, 222), 572, 236), pale(k_teal, 0.06), k_teal, 1.6);
-    s.words(Vec2(20, 124), "each island", Anchor::left, k_teal, 14.0);
+    s.polygon(box(Vec2(292, 219), 572, 230), pale(k_teal, 0.06), k_teal, 1.6);
+    s.words(Vec2(566, 124), "each island", Anchor::right, k_teal, 14.0);
     s.arrow(Vec2(408, 71), Vec2(408, 90), k_soft, 1.6);
     s.line(Vec2(408, 90), Vec2(408, 118), k_soft, 1.6);
     s.line(Vec2(408, 118), Vec2(94, 118), k_soft, 1.6);
@@ -140,15 +140,15 @@ void draw_step(const std::string& folder)
     s.words(Vec2(252, 276), "no: cut, and go on from there", Anchor::middle, k_ochre, 13.5);
     s.line(Vec2(360, 286), Vec2(94, 286), k_ochre, 1.8);
     s.arrow(Vec2(94, 286), Vec2(94, 205), k_ochre, 1.8);
-    card(Vec2(162, 362), 150, "limit of energy", "what was gained goes", k_blue);
-    card(Vec2(330, 362), 130, "move", "write it down", k_blue);
-    card(Vec2(496, 362), 150, "sleep", "where no bit changed", k_blue);
+    card(Vec2(162, 380), 150, "limit of energy", "what was gained goes", k_blue);
+    card(Vec2(330, 380), 130, "move", "write it down", k_blue);
+    card(Vec2(496, 380), 150, "sleep", "where no bit changed", k_blue);
     s.line(Vec2(430, 313), Vec2(430, 326), k_soft, 1.6);
     s.line(Vec2(430, 326), Vec2(162, 326), k_soft, 1.6);
-    s.arrow(Vec2(162, 326), Vec2(162, 334), k_soft, 1.2);
+    s.arrow(Vec2(162, 326), Vec2(162, 352), k_soft, 1.2);
     s.words(Vec2(446, 328), "yes", Anchor::left, k_soft, 13.5);
-    s.arrow(Vec2(237, 362), Vec2(264, 362));
-    s.arrow(Vec2(395, 362), Vec2(420, 362));
+    s.arrow(Vec2(237, 380), Vec2(264, 380));
+    s.arrow(Vec2(395, 380), Vec2(420, 380));
 }
 
 /// What sweeps leave, for columns of several heights.
