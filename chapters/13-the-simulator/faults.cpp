@@ -1,11 +1,34 @@
 #include <cstdio>
 #include <fstream>
+#include <sstream>
 #include <string>
 
 #include "scene/fault.hpp"
 #include "scene/read.hpp"
 
 using namespace flying;
+
+namespace {
+
+// [simulator.faults.wrapped]
+/// A sentence in lines of at most so many letters.
+void print_wrapped(const std::string& text, std::size_t most)
+{
+    std::size_t column = 0;
+    std::istringstream words(text);
+    for (std::string word; words >> word;) {
+        if (column > 0 && column + 1 + word.size() > most) {
+            std::printf("\n   ");
+            column = 3;
+        }
+        std::printf("%s%s", column > 0 ? " " : "", word.c_str());
+        column += word.size() + (column > 0 ? 1 : 0);
+    }
+    std::printf("\n");
+}
+// [simulator.faults.wrapped]
+
+} // namespace
 
 // [simulator.faults]
 int main()
@@ -22,7 +45,8 @@ int main()
     if (scene) return 1;
     for (Fault fault : scene.faults()) {
         fault.place.erase(0, sizeof FLYING_HERE);
-        std::printf("\n%s\n", format_fault(fault).c_str());
+        std::printf("\n");
+        print_wrapped(format_fault(fault), 74);
     }
 }
 // [simulator.faults]
