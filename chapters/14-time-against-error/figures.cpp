@@ -35,6 +35,24 @@ void draw_orders(const std::string& folder)
     panel.legend(Vec2(62.0, 422.0), 250.0, 2);
 }
 
+/// The race as it runs: the ball by Verlet's steps, sixty a second, and where it is in truth.
+void trace_race(const std::string& folder)
+{
+    std::FILE* file = std::fopen((folder + "/race.ndjson").c_str(), "w");
+    if (!file) return;
+    const Race race;
+    std::fprintf(file, "{\"view\": [0, 0, %g, 2.5], \"shapes\": [{\"radius\": %g}]}\n", race.width, race.radius);
+    BodyState ball = race.start();
+    for (int k = 0; k <= 480; ++k) {
+        const double time = k / 60.0;
+        if (k > 0) ball = by_steps(steps::k_verlet, ball, race.walls(), race.gravity(), 1.0 / 60.0, 1);
+        const Vec2 truth = race.truth(time);
+        std::fprintf(file, "{\"time\": %.6f, \"bodies\": [[%.6f, %.6f, 0]], \"ghosts\": [[%.6f, %.6f, 0]]}\n", time,
+                     ball.position.x(), ball.position.y(), truth.x(), truth.y());
+    }
+    std::fclose(file);
+}
+
 /// A ball that meets a wall within a step.
 void draw_late(const std::string& folder)
 {
@@ -117,6 +135,7 @@ int main(int argc, char** argv)
         return 1;
     }
     draw_orders(folder);
+    trace_race(folder);
     draw_late(folder);
     draw_turns(folder);
     // [time-against-error.figures]

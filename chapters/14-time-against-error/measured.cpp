@@ -40,6 +40,7 @@ Row row_of(const DiagramRecord& diagram)
         *std::min_element(ours.begin(), ours.end(), [](const Point& a, const Point& b) { return a.error < b.error; });
     // [time-against-error.measured.ratios]
     const std::vector<Ratio> all = ratios(ours, of_peers(diagram));
+    if (all.empty()) return row;
     row.at_their_worst = all.front().ours_over_theirs;
     row.at_their_best = all.back().ours_over_theirs;
     row.their_error = all.back().error;
@@ -68,9 +69,11 @@ double exponent(const std::vector<std::pair<double, double>>& points)
     return slope(x, y).value_or(0.0);
 }
 
-double ratio_at_their_best(const Records& records, const std::string& name)
+/// That of a scene by its name; an empty one where the run has no such scene.
+Row row_named(const Records& records, const std::string& name)
 {
-    return row_of(*records.diagram(name)).at_their_best.value_or(0.0);
+    const DiagramRecord* diagram = records.diagram(name);
+    return diagram ? row_of(*diagram) : Row{};
 }
 
 } // namespace
@@ -112,11 +115,11 @@ int main()
     std::printf("\nscenes = %zu\n", records.diagrams.size());
     std::printf("scenes reached = %d\n", reached);
     std::printf("scenes never slower = %d\n", won);
-    std::printf("ratio discs = %.2g\n", ratio_at_their_best(records, "discs-0.1"));
-    std::printf("ratio polygons worst = %.2g\n", row_of(*records.diagram("polygons-0.4")).worst);
-    std::printf("ratio rocking worst = %.2g\n", row_of(*records.diagram("rocking-block")).worst);
-    std::printf("ratio rocking best = %.2g\n", ratio_at_their_best(records, "rocking-block"));
-    std::printf("ratio rolling worst = %.2g\n", row_of(*records.diagram("rolling")).worst);
-    std::printf("ratio galperin worst = %.2g\n", row_of(*records.diagram("galperin")).worst);
+    std::printf("ratio discs = %.2g\n", row_named(records, "discs-0.1").at_their_best.value_or(0.0));
+    std::printf("ratio polygons worst = %.2g\n", row_named(records, "polygons-0.4").worst);
+    std::printf("ratio rocking worst = %.2g\n", row_named(records, "rocking-block").worst);
+    std::printf("ratio rocking best = %.2g\n", row_named(records, "rocking-block").at_their_best.value_or(0.0));
+    std::printf("ratio rolling worst = %.2g\n", row_named(records, "rolling").worst);
+    std::printf("ratio galperin worst = %.2g\n", row_named(records, "galperin").worst);
     return 0;
 }
