@@ -1,42 +1,25 @@
+#include <cmath>
 #include <doctest/doctest.h>
-#include <vector>
 
 #include FLYING_ANSWER
 
-namespace {
+using flying::work::Point;
 
-/// So many rounds, in the first `longer` of which one takes more than the other.
-std::vector<double> rounds(int count, int longer)
+TEST_CASE("at both ends it is the points' own time")
 {
-    std::vector<double> seconds(static_cast<std::size_t>(count), 0.9);
-    for (int k = 0; k < longer; ++k) seconds[static_cast<std::size_t>(k)] = 1.1;
-    return seconds;
+    const Point a{0.5, 1e-1};
+    const Point b{8.0, 1e-3};
+    CHECK(time_between(a, b, 1e-1) == doctest::Approx(0.5).epsilon(1e-14));
+    CHECK(time_between(a, b, 1e-3) == doctest::Approx(8.0).epsilon(1e-13));
 }
 
-} // namespace
-
-TEST_CASE("the share counts rounds that differ")
+TEST_CASE("between them it follows the power law through both")
 {
-    const std::vector<double> ones(8, 1.0);
-    CHECK(share_of_rounds(rounds(8, 6), ones) == 0.75);
-    std::vector<double> some = rounds(8, 6);
-    some[7] = 1.0;
-    some[6] = 1.0;
-    CHECK(share_of_rounds(some, ones) == 1.0);
-    CHECK(share_of_rounds(ones, ones) == 0.0);
-}
-
-TEST_CASE("ten of ten tosses are rarer than one in a thousand, nine of nine are not")
-{
-    CHECK(is_slower(rounds(10, 10), std::vector<double>(10, 1.0)));
-    CHECK_FALSE(is_slower(rounds(9, 9), std::vector<double>(9, 1.0)));
-    CHECK_FALSE(is_slower(rounds(10, 9), std::vector<double>(10, 1.0)));
-    CHECK_FALSE(is_slower(std::vector<double>(30, 1.0), std::vector<double>(30, 1.0)));
-}
-
-TEST_CASE("of thirty rounds it takes twenty-four")
-{
-    const std::vector<double> ones(30, 1.0);
-    CHECK_FALSE(is_slower(rounds(30, 23), ones));
-    CHECK(is_slower(rounds(30, 24), ones));
+    for (const double p : {0.5, 1.0, 2.0, 4.0}) {
+        const auto at = [p](double seconds) { return Point{seconds, 3.0 * std::pow(seconds, -p)}; };
+        for (const double seconds : {1.1, 2.0, 5.0, 9.9}) {
+            CHECK(time_between(at(1.0), at(10.0), at(seconds).error) == doctest::Approx(seconds).epsilon(1e-12));
+            CHECK(time_between(at(10.0), at(1.0), at(seconds).error) == doctest::Approx(seconds).epsilon(1e-12));
+        }
+    }
 }

@@ -1,31 +1,42 @@
-#include <algorithm>
-#include <cstdint>
 #include <doctest/doctest.h>
+#include <vector>
 
 #include FLYING_ANSWER
 
-TEST_CASE("every drift of a degree below k comes to the same for both engines, in whole numbers")
+namespace {
+
+/// So many rounds, in the first `longer` of which one takes more than the other.
+std::vector<double> rounds(int count, int longer)
 {
-    for (int k = 1; k <= 7; ++k) {
-        const std::vector<int> order = fair_order(k);
-        REQUIRE(order.size() == std::size_t{1} << k);
-        for (int degree = 0; degree < k; ++degree) {
-            std::int64_t difference = 0;
-            for (std::size_t turn = 0; turn < order.size(); ++turn) {
-                REQUIRE((order[turn] == 0 || order[turn] == 1));
-                std::int64_t drift = 1;
-                for (int power = 0; power < degree; ++power) drift *= static_cast<std::int64_t>(turn);
-                difference += order[turn] == 0 ? drift : -drift;
-            }
-            CAPTURE(k);
-            CAPTURE(degree);
-            CHECK(difference == 0);
-        }
-    }
+    std::vector<double> seconds(static_cast<std::size_t>(count), 0.9);
+    for (int k = 0; k < longer; ++k) seconds[static_cast<std::size_t>(k)] = 1.1;
+    return seconds;
 }
 
-TEST_CASE("both have as many turns")
+} // namespace
+
+TEST_CASE("the share counts rounds that differ")
 {
-    const std::vector<int> order = fair_order(6);
-    CHECK(std::count(order.begin(), order.end(), 0) == 32);
+    const std::vector<double> ones(8, 1.0);
+    CHECK(share_of_rounds(rounds(8, 6), ones) == 0.75);
+    std::vector<double> some = rounds(8, 6);
+    some[7] = 1.0;
+    some[6] = 1.0;
+    CHECK(share_of_rounds(some, ones) == 1.0);
+    CHECK(share_of_rounds(ones, ones) == 0.0);
+}
+
+TEST_CASE("ten of ten tosses are rarer than one in a thousand, nine of nine are not")
+{
+    CHECK(is_slower(rounds(10, 10), std::vector<double>(10, 1.0)));
+    CHECK_FALSE(is_slower(rounds(9, 9), std::vector<double>(9, 1.0)));
+    CHECK_FALSE(is_slower(rounds(10, 9), std::vector<double>(10, 1.0)));
+    CHECK_FALSE(is_slower(std::vector<double>(30, 1.0), std::vector<double>(30, 1.0)));
+}
+
+TEST_CASE("of thirty rounds it takes twenty-four")
+{
+    const std::vector<double> ones(30, 1.0);
+    CHECK_FALSE(is_slower(rounds(30, 23), ones));
+    CHECK(is_slower(rounds(30, 24), ones));
 }
