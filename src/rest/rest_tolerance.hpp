@@ -202,6 +202,7 @@ inline constexpr int k_slip_parts = 4;
 inline constexpr int k_slip_halvings = 10;
 
 // ---- Contact forces (contact_forces)
+// [rest.solve.limits]
 /// Points of the largest island whose step is parted where slip ends.
 inline constexpr int k_most_parted = 12;
 
@@ -218,6 +219,7 @@ inline constexpr double k_slight = 0x1p-6;
 /// [speeds that the field gives in a step] A large island that moves no faster stands, or begins to fall; its overlap
 /// is left as it is, since pushes would shake it.
 inline constexpr double k_standing = 4.0;
+// [rest.solve.limits]
 
 // ---- Parts of steps (rest_step)
 /// [steps] Shorter parts of a step are not cut again: an island takes what comes out.
@@ -229,12 +231,14 @@ inline constexpr int k_step_parts = 64;
 inline constexpr int k_step_parts_of_many = 8;
 
 // ---- Impacts (impacts)
+// [rest.strike.limits]
 /// Bodies of the largest island whose impacts have moments of their own; in larger ones all that a step brings come at
 /// its start.
 inline constexpr int k_most_in_turn = 12;
+// [rest.strike.limits]
 
 // ---- Heaps (heap_sweeps)
-/// [speeds that the field gives in a step] A island that was slower and stays so is at rest: what it was about to do is
+/// [speeds that the field gives in a step] An island that was slower and stays so is at rest: what it was about to do is
 /// the price of its sleep. Its bodies would speed up by twice as much of the field's acceleration at most.
 inline constexpr double k_calm = 0x1p-8;
 
