@@ -325,18 +325,4 @@ void EventEngine::add_points()
 }
 // [events.find_points]
 
-// [events.upcoming]
-std::vector<Event> EventEngine::upcoming_impacts(std::size_t most) const
-{
-    std::vector<Event> impacts;
-    queue_.for_each([&](const Event& event) {
-        if (event.kind == Event::Kind::impact && is_current(event)) impacts.push_back(event);
-    });
-    const std::size_t count = std::min(most, impacts.size());
-    std::partial_sort(impacts.begin(), impacts.begin() + static_cast<std::ptrdiff_t>(count), impacts.end(), happens_before);
-    impacts.resize(count);
-    return impacts;
-}
-// [events.upcoming]
-
 } // namespace flying

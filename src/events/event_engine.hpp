@@ -118,10 +118,6 @@ public:
     [[nodiscard]] std::uint64_t log_hash() const { return log_.value(); }
     /// The impact handled last; its bodies are -1 before the first.
     [[nodiscard]] const Event& last_impact() const { return last_impact_; }
-    /// The first impacts that are foreseen as things are, in their order; looks through the whole queue.
-    [[nodiscard]] std::vector<Event> upcoming_impacts(std::size_t most) const;
-    /// By which neighbours are found; null where every pair is looked at.
-    [[nodiscard]] const Grid* grid() const { return grid_ ? &*grid_ : nullptr; }
     [[nodiscard]] double max_overlap() const { return max_overlap_; }
     [[nodiscard]] const EventCounts& counts() const { return counts_; }
     [[nodiscard]] const EventSeconds& seconds() const { return seconds_; }

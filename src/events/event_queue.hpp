@@ -84,18 +84,6 @@ public:
     void clear();
 
     // [queue.keep_if]
-    /// Call visit(event) for every event, overtaken ones too, in no order.
-    template <typename Visit>
-    void for_each(Visit&& visit) const
-    {
-        for (const std::vector<Event>* some : {&today_, &late_, &far_}) {
-            for (const Event& event : *some) visit(event);
-        }
-        for (std::size_t day = next_day_; day < day_count_; ++day) {
-            for (const Event& event : days_[day]) visit(event);
-        }
-    }
-
     /// Drop all events for which keep(event) is false, and fit the days to what is left.
     template <typename Keep>
     void keep_if(Keep&& keep)

@@ -36,7 +36,7 @@ Vec2 pointer_velocity(const Stage& stage)
 void push_grip(const Stage& stage, const Vec2& velocity, bool damps, BodyDef& def)
 {
     const Hand::Grip& grip = *stage.hand.grip;
-    const Inertia inertia = stage.run.world().inertia(grip.body);
+    const Inertia inertia = stage.run.inertia(grip.body);
     const Vec2 r = Rotation::of(def.angle) * grip.local;
     const Vec2 change = velocity - (def.velocity + cross(def.spin, r));
 

@@ -14,11 +14,12 @@ namespace flying {
 namespace {
 
 /// The density of the scene's bodies: of the first that moves.
-double usual_density(const World& world)
+double usual_density(const PlayRun& run)
 {
+    const World& world = run.world();
     for (int k = 0; k < world.body_count(); ++k) {
         if (world.is_static(k)) continue;
-        return 1.0 / (world.inertia(k).inv_mass * mass_of(world.shape(k), 1.0).mass);
+        return 1.0 / (run.inertia(k).inv_mass * mass_of(world.shape(k), 1.0).mass);
     }
     return 1.0;
 }
@@ -80,7 +81,7 @@ std::optional<BodyDef> new_body(const Stage& stage)
         if (hand.is_pressed) body->velocity = (hand.pointer - hand.pressed_at) / k_seconds_of_arrow;
     }
     if (hand.tool == Tool::draw && hand.points.size() >= 3) body = drawn_body(hand.points);
-    if (body) body->density = usual_density(stage.run.world());
+    if (body) body->density = usual_density(stage.run);
     return body;
 }
 

@@ -55,7 +55,7 @@ void paint_facts(cairo_t* cairo, const Stage& stage, const Theme& theme)
     const World& world = stage.run.world();
     if (body < 0 || body >= world.body_count()) return;
     const BodyState s = world.state(body);
-    const Inertia inertia = world.inertia(body);
+    const Inertia inertia = stage.run.inertia(body);
     const char* movers[] = {"static", "flies: moved from impact to impact", "leans: moved by steps", "asleep"};
     std::vector<std::string> lines{body_label(world.scene(), body), movers[static_cast<int>(world.mover(body))]};
     if (!world.is_static(body)) {

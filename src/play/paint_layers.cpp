@@ -7,15 +7,12 @@
 #include <numbers>
 #include <vector>
 
-#include "broadphase/grid.hpp"
 #include "play/brush.hpp"
-#include "world/hybrid.hpp"
 
 namespace flying {
 
 namespace {
 
-constexpr std::size_t k_most_next = 24;
 constexpr double k_normal = 16.0;      ///< length of a normal [pixels]
 constexpr double k_smallest_cell = 5.0; ///< [pixels]
 
@@ -33,9 +30,8 @@ void dashes(cairo_t* cairo, double length)
 
 void paint_cells(cairo_t* cairo, const Stage& stage, const ViewMap& map, const Theme& theme)
 {
-    const Grid* grid = stage.run.world().integrators().flying().grid();
-    if (!grid || grid->cell_size() * map.scale < k_smallest_cell) return;
-    const double size = grid->cell_size();
+    const double size = stage.watch.inside.cell_size;
+    if (!(size * map.scale >= k_smallest_cell)) return;
     const Vec2 low = map.world_at(Vec2(0.0, stage.size.height));
     const Vec2 high = map.world_at(Vec2(stage.size.width, 0.0));
     for (double x = std::ceil(low.x() / size) * size; x <= high.x(); x += size) line(cairo, map(Vec2(x, low.y())), map(Vec2(x, high.y())));
@@ -60,21 +56,20 @@ void paint_boxes(cairo_t* cairo, const Stage& stage, const ViewMap& map)
 }
 
 /// Bodies of one island are tied together; each island has a colour of its own.
-void paint_islands(cairo_t* cairo, const Stage& stage, const ViewMap& map, const std::vector<RestContact>& contacts)
+void paint_islands(cairo_t* cairo, const Stage& stage, const ViewMap& map, const std::vector<LeaningContact>& contacts)
 {
-    const RestEngine* rest = stage.run.world().integrators().resting();
-    if (!rest) return;
     constexpr Colour colours[] = {brush::k_blue, brush::k_vermilion, brush::k_green, brush::k_purple, brush::k_orange, brush::k_sky};
-    const std::vector<int> groups = rest->groups();
-    const int count = stage.run.world().body_count();
+    const World& world = stage.run.world();
+    const std::vector<int> groups = islands(world, contacts);
+    const int count = world.body_count();
     const auto colour_of = [&](int body) { return colours[static_cast<std::size_t>(groups[static_cast<std::size_t>(body)]) % std::size(colours)]; };
     cairo_set_line_width(cairo, 3.0);
-    for (const RestContact& contact : contacts) {
+    for (const LeaningContact& contact : contacts) {
         if (contact.a >= count || contact.b >= count) continue;
         const int group_a = groups[static_cast<std::size_t>(contact.a)];
         const int group_b = groups[static_cast<std::size_t>(contact.b)];
         if (group_a < 0 || group_a != group_b) continue;
-        line(cairo, map(rest->state(contact.a).position), map(rest->state(contact.b).position));
+        line(cairo, map(world.state(contact.a).position), map(world.state(contact.b).position));
         brush::use(cairo, colour_of(contact.a));
         cairo_stroke(cairo);
     }
@@ -92,7 +87,7 @@ void paint_centroids(cairo_t* cairo, const Stage& stage, const ViewMap& map, con
         const Vec2 at = map(world.state(k).position);
         line(cairo, at - Vec2(5.0, 0.0), at + Vec2(5.0, 0.0));
         line(cairo, at - Vec2(0.0, 5.0), at + Vec2(0.0, 5.0));
-        const Inertia& inertia = world.inertia(k);
+        const Inertia& inertia = stage.run.inertia(k);
         if (inertia.inv_moment_of_inertia == 0.0) continue;
         // Radius of gyration: a ring of the same mass and inertia
         const double radius = std::sqrt(inertia.inv_mass / inertia.inv_moment_of_inertia) * map.scale;
@@ -124,15 +119,15 @@ void paint_push(cairo_t* cairo, const Vec2& at, const Vec2& push, double full)
     brush::arrow(cairo, at, at + length / size * Vec2(push.x(), -push.y()), 3.0);
 }
 
-void paint_contacts(cairo_t* cairo, const Stage& stage, const ViewMap& map, const std::vector<RestContact>& contacts)
+void paint_contacts(cairo_t* cairo, const Stage& stage, const ViewMap& map, const std::vector<LeaningContact>& contacts)
 {
     const Look& look = stage.look;
     double greatest_force = 0.0;
-    for (const RestContact& contact : contacts) greatest_force = std::max(greatest_force, contact.normal_force);
+    for (const LeaningContact& contact : contacts) greatest_force = std::max(greatest_force, contact.normal_force);
     double greatest_push = 0.0;
     for (const SeenImpact& impact : stage.watch.impacts) greatest_push = std::max(greatest_push, impact.push.norm());
 
-    for (const RestContact& contact : contacts) {
+    for (const LeaningContact& contact : contacts) {
         const Vec2 at = map(contact.point);
         const Vec2 along(contact.normal.x(), -contact.normal.y());
         if (look.shows(Layer::normals)) {
@@ -172,31 +167,28 @@ void paint_contacts(cairo_t* cairo, const Stage& stage, const ViewMap& map, cons
 void paint_next(cairo_t* cairo, const Stage& stage, const ViewMap& map, const Theme& theme)
 {
     const World& world = stage.run.world();
-    const EventEngine& engine = world.integrators().flying();
-    const std::vector<Event> impacts = engine.upcoming_impacts(k_most_next);
+    const std::vector<NextImpact>& impacts = stage.watch.next;
     brush::letters(cairo, 12.0, true);
     for (std::size_t k = 0; k < impacts.size(); ++k) {
-        const Event& impact = impacts[k];
-        const double opacity = 1.0 - 0.7 * static_cast<double>(k) / static_cast<double>(k_most_next);
-        Vec2 middle = Vec2::Zero();
-        int shown = 0;
-        for (const int body : {impact.a, impact.b}) {
-            if (body >= world.body_count() || world.is_static(body)) continue;
-            const Vec2 now = map(world.state(body).position);
-            const Vec2 then = map(state_at(engine.flyer(body), impact.time).position);
+        const NextImpact& impact = impacts[k];
+        if (impact.time < world.time() || impact.a >= world.body_count()) continue;
+        const double opacity = 1.0 - 0.7 * static_cast<double>(k) / static_cast<double>(impacts.size());
+        const auto show_way = [&](int body, const Vec2& place) {
             dashes(cairo, 4.0);
-            line(cairo, now, then);
+            line(cairo, map(world.state(body).position), map(place));
             brush::use(cairo, brush::k_blue, opacity);
             cairo_set_line_width(cairo, 1.5);
             cairo_stroke(cairo);
             dashes(cairo, 0.0);
-            brush::dot(cairo, then, 3.0);
-            middle += then;
-            ++shown;
+            brush::dot(cairo, map(place), 3.0);
+        };
+        show_way(impact.a, impact.place_a);
+        Vec2 at = map(impact.place_a);
+        if (impact.b < world.body_count() && !world.is_static(impact.b)) {
+            show_way(impact.b, impact.place_b);
+            at = 0.5 * (at + map(impact.place_b));
         }
-        if (shown == 0) continue;
         brush::use(cairo, theme.ink, opacity);
-        const Vec2 at = middle / shown;
         brush::text(cairo, at.x() + 6.0, at.y() - 6.0, fmt::format("{}: {:.2f} s", k + 1, impact.time - world.time()));
     }
 }
@@ -255,11 +247,7 @@ void paint_ship(cairo_t* cairo, const Stage& stage, const ViewMap& map, const Th
 void paint_layers(cairo_t* cairo, const Stage& stage, const ViewMap& map, const Theme& theme)
 {
     const Look& look = stage.look;
-    std::vector<RestContact> contacts;
-    const bool wants_contacts = look.shows(Layer::contacts) || look.shows(Layer::normals) || look.shows(Layer::impulses) || look.shows(Layer::islands);
-    const RestEngine* rest = stage.run.world().integrators().resting();
-    if (wants_contacts && rest) contacts = rest->contacts();
-
+    const std::vector<LeaningContact>& contacts = stage.watch.contacts;
     if (look.shows(Layer::cells)) paint_cells(cairo, stage, map, theme);
     if (look.shows(Layer::boxes)) paint_boxes(cairo, stage, map);
     if (look.shows(Layer::islands)) paint_islands(cairo, stage, map, contacts);

@@ -100,6 +100,7 @@ void Stage::refresh()
     check_hand(*this);
     if (ship.body >= run.world().body_count()) ship = Ship{};
     colour_bodies(*this);
+    watch_present(watch, run, look, now);
     picture.trails.clear();
     for (std::size_t k = 0; k < watch.trails.size() && k < picture.bodies.size(); ++k) {
         if (watch.trails[k].size() < 2) continue;

@@ -7,7 +7,6 @@
 #include "motion/field.hpp"
 #include "motion/kepler.hpp"
 #include "play/run.hpp"
-#include "world/hybrid.hpp"
 
 namespace flying {
 
@@ -17,69 +16,109 @@ constexpr std::size_t k_trail_points = 48;
 constexpr std::size_t k_all_trail_points = 12000;
 constexpr double k_plan_every = 0.5;  ///< [s]
 constexpr double k_touch = 1e-6;      ///< [sizes] gap of bodies that have just met
+constexpr double k_unlike = 1e-9;     ///< [speeds] a change that is no rounding
+constexpr int k_few = 60;             ///< bodies whose next impacts can be found anew in each frame
+constexpr double k_next_every = 0.25; ///< [s]
+constexpr double k_next_within = 1.0; ///< [s]
+constexpr std::size_t k_most_next = 24;
 
-bool flies(const World& world, int body)
+/// Where a body that was pushed touches: another, if it is one of two; else what stands around; else where it reaches
+/// farthest against the push.
+Vec2 touching_point(const World& world, const Inside& inside, int body, int other, const Vec2& push)
 {
-    return body < world.body_count() && world.mover(body) == World::Mover::events;
+    const Pose pose = pose_of(world.state(body));
+    const double size = bounding_radius(world.shape(body));
+    std::vector<Touch> touches;
+    const auto found = [&](const Shape& shape, const Pose& there) {
+        find_touches(world.shape(body), pose, shape, there, k_touch * size, touches);
+        return !touches.empty();
+    };
+    bool is_found = other >= 0 && found(world.shape(other), pose_of(world.state(other)));
+    for (int k = 0; other < 0 && !is_found && k < world.body_count(); ++k) {
+        if (!world.is_static(k)) continue;
+        const double reach = size + bounding_radius(world.shape(k));
+        if ((world.state(k).position - pose.position).norm() <= 1.001 * reach) is_found = found(world.shape(k), pose_of(world.state(k)));
+    }
+    for (std::size_t k = static_cast<std::size_t>(world.body_count()); other < 0 && !is_found && k < inside.shapes.size(); ++k) {
+        const Shape& shape = inside.shapes[k].parts.front().shape;
+        if (std::holds_alternative<HalfPlane>(shape)) is_found = found(shape, Pose());
+    }
+    if (!is_found) return pose.position - size / push.norm() * push;
+    Vec2 sum = Vec2::Zero();
+    for (const Touch& touch : touches) sum += pose.position + touch.r_a;
+    return sum / static_cast<double>(touches.size());
 }
 
-/// Where two bodies touch: the middle of all points, as they lie now.
-Vec2 touching_point(const EventEngine& engine, int a, int b, const Pose& pose_a, const Pose& pose_b)
+void prepare(Watch& watch, const PlayRun& run)
 {
-    const double size_a = bounding_radius(engine.shape(a));
-    const double size_b = bounding_radius(engine.shape(b));
-    const double size = std::isfinite(size_a) ? (std::isfinite(size_b) ? std::min(size_a, size_b) : size_a) : size_b;
-    std::vector<Touch> touches;
-    find_touches(engine.shape(a), pose_a, engine.shape(b), pose_b, k_touch * size, touches);
-    const bool from_a = std::isfinite(size_a);
-    if (touches.empty()) return from_a ? pose_a.position : pose_b.position;
-    Vec2 sum = Vec2::Zero();
-    for (const Touch& touch : touches) sum += from_a ? Vec2(pose_a.position + touch.r_a) : Vec2(pose_b.position + touch.r_b);
-    return sum / static_cast<double>(touches.size());
+    if (watch.inside_of == run.generation()) return;
+    watch.inside = look_inside(run.world());
+    watch.inside_of = run.generation();
 }
 
 } // namespace
 
 void begin_watch(Watch& watch, const PlayRun& run)
 {
-    const World& world = run.world();
-    const EventEngine& engine = world.integrators().flying();
-    const std::size_t count = static_cast<std::size_t>(engine.body_count());
-    if (watch.generation != run.generation() || watch.flights.size() != count) {
-        watch.generation = run.generation();
-        watch.known_impacts = engine.counts().impacts;
-        watch.flights.resize(count);
-        watch.inv_mass.resize(count);
-        for (std::size_t k = 0; k < count; ++k) watch.inv_mass[k] = engine.inertia(static_cast<int>(k)).inv_mass;
+    prepare(watch, run);
+    watch.known_collisions = run.collisions();
+    watch.flights.resize(static_cast<std::size_t>(run.world().body_count()));
+    for (int k = 0; k < run.world().body_count(); ++k) {
+        watch.flights[static_cast<std::size_t>(k)] = run.world().state(k);
+        watch.flights[static_cast<std::size_t>(k)].time = run.world().time();
     }
-    for (std::size_t k = 0; k < count; ++k) watch.flights[k] = engine.flyer(static_cast<int>(k)).state;
 }
 
 void watch_event(Watch& watch, const PlayRun& run, double now)
 {
-    const World& world = run.world();
-    const EventEngine& engine = world.integrators().flying();
-    if (engine.counts().impacts == watch.known_impacts) return;
-    watch.known_impacts = engine.counts().impacts;
-    const Event& impact = engine.last_impact();
-    if (impact.a < 0 || impact.b < 0) return;
+    if (run.collisions() == watch.known_collisions) return;
+    watch.known_collisions = run.collisions();
 
-    // The push on either body tells that on the other; one of them flies
-    const int body = flies(world, impact.b) ? impact.b : impact.a;
-    if (!flies(world, body)) return;
-    const std::size_t place = static_cast<std::size_t>(body);
-    const BodyState after = engine.flyer(body).state;
-    if (watch.flights[place].time > after.time) return;
-    const BodyState before = flight(watch.flights[place], world.scene().world.field, after.time);
-    const double sign = body == impact.b ? 1.0 : -1.0;
+    // Who flies otherwise than it would have, was struck: one body, or two
+    const World& world = run.world();
+    int struck[2] = {-1, -1};
+    Vec2 changes[2] = {Vec2::Zero(), Vec2::Zero()};
+    int count = 0;
+    for (int k = 0; k < world.body_count(); ++k) {
+        BodyState& known = watch.flights[static_cast<std::size_t>(k)];
+        if (world.mover(k) != World::Mover::events) continue;
+        BodyState is = world.state(k);
+        is.time = world.time();
+        const BodyState was = flight(known, world.scene().world.field, is.time);
+        known = is;
+        const Vec2 change = is.velocity - was.velocity;
+        if (!(change.norm() > k_unlike * (is.velocity.norm() + was.velocity.norm()))) continue;
+        if (count < 2) {
+            struck[count] = k;
+            changes[count] = change;
+        }
+        ++count;
+    }
+    if (count < 1 || count > 2) return;
     SeenImpact seen;
     seen.seen = now;
-    seen.push = sign / watch.inv_mass[place] * (after.velocity - before.velocity);
-    seen.change = (after.velocity - before.velocity).norm();
-    seen.point = touching_point(engine, impact.a, impact.b, pose_of(engine.flyer(impact.a).state), pose_of(engine.flyer(impact.b).state));
+    seen.push = changes[0] / run.inertia(struck[0]).inv_mass;
+    seen.point = touching_point(world, watch.inside, struck[0], struck[1], seen.push);
     watch.impacts.push_back(seen);
     if (watch.impacts.size() > k_most_impacts) watch.impacts.pop_front();
-    for (const int k : {impact.a, impact.b}) watch.flights[static_cast<std::size_t>(k)] = engine.flyer(k).state;
+}
+
+void watch_present(Watch& watch, const PlayRun& run, const Look& look, double now)
+{
+    const bool wants_contacts = look.shows(Layer::contacts) || look.shows(Layer::normals) || look.shows(Layer::impulses) || look.shows(Layer::islands);
+    if (wants_contacts || look.shows(Layer::cells) || look.shows(Layer::next)) prepare(watch, run);
+    watch.contacts.clear();
+    if (wants_contacts) watch.contacts = leaning_contacts(run.world(), watch.inside, run.options().step);
+    if (!look.shows(Layer::next)) {
+        watch.next.clear();
+        watch.next_asked = -1.0;
+        return;
+    }
+    // Many pairs are looked at less often
+    const double wait = run.world().body_count() > k_few ? k_next_every : 0.0;
+    if (watch.next_asked >= 0.0 && now < watch.next_asked + wait) return;
+    watch.next = next_impacts(run.world(), watch.inside, k_most_next, k_next_within);
+    watch.next_asked = now;
 }
 
 Sample sample_of(const PlayRun& run)
@@ -89,7 +128,7 @@ Sample sample_of(const PlayRun& run)
     Sample sample;
     sample.time = run.time();
     for (int k = 0; k < world.body_count(); ++k) {
-        const Inertia& inertia = world.inertia(k);
+        const Inertia& inertia = run.inertia(k);
         if (inertia.inv_mass == 0.0) continue;
         const BodyState s = world.state(k);
         const double mass = 1.0 / inertia.inv_mass;
@@ -134,15 +173,6 @@ void watch_frame(Watch& watch, PlayRun& run, const Look& look, double now)
         watch.plan = run.world().report().plan;
         watch.plan_asked = now;
     }
-}
-
-void forget(Watch& watch)
-{
-    watch.impacts.clear();
-    watch.trails.clear();
-    watch.samples.clear();
-    watch.plan_asked = -1.0;
-    watch.generation = -1;
 }
 
 } // namespace flying

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "motion/body.hpp"
+#include "play/inside.hpp"
 #include "play/look.hpp"
 #include "world/plan.hpp"
 
@@ -17,8 +18,7 @@ struct SeenImpact
 {
     double seen = 0.0;          ///< on the stage's own clock [s]
     Vec2 point = Vec2::Zero();  ///< [m]
-    Vec2 push = Vec2::Zero();   ///< impulse on the second body [N s]
-    double change = 0.0;        ///< of the lighter body's velocity [m/s]
+    Vec2 push = Vec2::Zero();   ///< impulse on one of the two [N s]
 };
 
 /// One point in the strips.
@@ -40,11 +40,15 @@ struct Watch
     Plan plan;                 ///< with what it saved, as it was last asked for
     double plan_asked = -1.0;  ///< on the stage's own clock [s]
 
+    Inside inside;
+    int inside_of = -1;        ///< generation of the run that `inside` belongs to
+    std::vector<LeaningContact> contacts;
+    std::vector<NextImpact> next;
+    double next_asked = -1.0;  ///< on the stage's own clock [s]
+
     // What impacts are told from
-    int generation = -1;
-    std::int64_t known_impacts = 0;
+    std::int64_t known_collisions = 0;
     std::vector<BodyState> flights; ///< of each body, as the last impact or the frame's start left it
-    std::vector<double> inv_mass;
 };
 
 /// How many impacts are kept, for how long, and how long the strips are.
@@ -58,8 +62,8 @@ void begin_watch(Watch& watch, const PlayRun& run);
 void watch_event(Watch& watch, const PlayRun& run, double now);
 /// After a frame.
 void watch_frame(Watch& watch, PlayRun& run, const Look& look, double now);
-/// The run has jumped: forget its past.
-void forget(Watch& watch);
+/// What the layers show of the present moment.
+void watch_present(Watch& watch, const PlayRun& run, const Look& look, double now);
 
 /// Energy and momentum of all bodies that move.
 [[nodiscard]] Sample sample_of(const PlayRun& run);

@@ -142,22 +142,6 @@ void PairList::add_pairs(std::span<const RestBody> bodies, std::span<const Colli
 // [rest.pairs.merge]
 
 // [rest.pairs.second]
-void PairList::remember(std::vector<RestPair> pairs, int bodies)
-{
-    pairs_ = std::move(pairs);
-    valid_ = false;
-    // Contacts may be asked for before the next step looks anew
-    sort_by_first(bodies);
-    sort_by_second(bodies);
-}
-
-void PairList::sort_by_first(int bodies)
-{
-    starts_.assign(bodies + 1, 0);
-    for (const RestPair& pair : pairs_) ++starts_[pair.a + 1];
-    for (int k = 0; k < bodies; ++k) starts_[k + 1] += starts_[k];
-}
-
 void PairList::sort_by_second(int bodies)
 {
     second_starts_.assign(bodies + 1, 0);

@@ -51,8 +51,12 @@ public:
                 std::span<const double> radius, std::span<const double> reach);
 
     void invalidate() { valid_ = false; }
-    /// Pairs of another list of so many bodies, in order, to look for anew with what they remember.
-    void remember(std::vector<RestPair> pairs, int bodies);
+    /// Pairs of another list, in order, to look for anew with what they remember.
+    void remember(std::vector<RestPair> pairs)
+    {
+        pairs_ = std::move(pairs);
+        valid_ = false;
+    }
 
     [[nodiscard]] std::span<RestPair> pairs() { return pairs_; }
     [[nodiscard]] std::span<const RestPair> pairs() const { return pairs_; }
@@ -70,7 +74,6 @@ private:
                                   std::span<const double> reach) const;
     void find_partners(std::span<const RestBody> bodies);
     void add_pairs(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes);
-    void sort_by_first(int bodies);
     void sort_by_second(int bodies);
 
     struct Home

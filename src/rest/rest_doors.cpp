@@ -152,7 +152,8 @@ void RestEngine::go_on_from(const Memory& memory)
     set_time(memory.time);
     sleepers_ = -1;
     max_overlap_ = memory.max_overlap;
-    pairs_.remember(memory.pairs, body_count());
+    pairs_ = PairList();
+    pairs_.remember(memory.pairs);
     for (RestPair& pair : pairs_.pairs()) pair.memory = {}; // ways are counted from another beginning
     for (std::size_t k = 0; k < bodies_.size(); ++k) {
         const Memory::Body& body = memory.bodies[k];

@@ -205,7 +205,7 @@ std::vector<RestContact> RestEngine::contacts() const
                 if (manifold.contacts[i].feature != pair.feature[k]) continue;
                 result.push_back({order_[pair.a], order_[pair.b], manifold.contacts[i].normal,
                                   manifold.contacts[i].separation, pair.normal[k] / options_.step,
-                                  pair.tangent[k] / options_.step, manifold.contacts[i].point});
+                                  pair.tangent[k] / options_.step});
                 RestContact& contact = result.back();
                 if (contact.a < contact.b) continue;
                 std::swap(contact.a, contact.b);

@@ -68,7 +68,6 @@ struct RestContact
     double gap = 0.0;           ///< at the start of the step [m]
     double normal_force = 0.0;  ///< mean over the step [N]
     double tangent_force = 0.0; ///< mean over the step, along the normal turned a quarter counter-clockwise [N]
-    Vec2 point = Vec2::Zero();  ///< midway between the two surfaces, where the step has ended [m]
 };
 // [rest.contact]
 

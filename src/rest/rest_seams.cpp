@@ -108,6 +108,12 @@ void RestEngine::find_moving_seams(const RestPair& pair, Owner owner, const Pose
             find_seams_with(body, part, other, others_part, seams);
         };
         const std::span<const RestPair> pairs = pairs_.pairs();
+        if (pairs_.starts().empty()) {
+            // Pairs from a memory have no index until the first step
+            for (const RestPair& next : pairs) if (next.a == body) look_at(next);
+            for (const RestPair& next : pairs) if (next.b == body) look_at(next);
+            break;
+        }
         for (int next = pairs_.starts()[body]; next < pairs_.starts()[body + 1]; ++next) look_at(pairs[next]);
         for (const int next : pairs_.pairs_of_second(body)) look_at(pairs[next]);
         break;

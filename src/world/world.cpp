@@ -228,9 +228,7 @@ std::vector<BodyView> World::Parts::view()
 
 const Shape& World::shape(int index) const { return parts_->hybrid.flying().shape(index); }
 bool World::is_static(int index) const { return mover(index) == Mover::nobody; }
-const Inertia& World::inertia(int index) const { return parts_->hybrid.flying().inertia(index); }
 const Scene& World::scene() const { return parts_->scene; }
-const Hybrid& World::integrators() const { return parts_->hybrid; }
 const std::vector<Handover>& World::handovers() const { return parts_->handovers; }
 
 std::int64_t World::events() const

@@ -25,7 +25,6 @@ struct RunFailure
 };
 
 struct EngineMemory;
-class Hybrid;
 
 /// Everything that a run needs to go on with the same bits: the bodies at their own moments, and the counts so far.
 struct Snapshot
@@ -77,11 +76,7 @@ public:
     /// Its shape about its centre of mass.
     [[nodiscard]] const Shape& shape(int index) const;
     [[nodiscard]] bool is_static(int index) const;
-    /// What resists a push; zeros for a static body.
-    [[nodiscard]] const Inertia& inertia(int index) const;
     [[nodiscard]] const Scene& scene() const;
-    /// The two integrators, for who shows what they know; bodies after the scene's are the box's walls and the core.
-    [[nodiscard]] const Hybrid& integrators() const;
 
     [[nodiscard]] std::int64_t events() const; ///< handled, steps of the resting integrator among them
     [[nodiscard]] std::int64_t collisions() const;
