@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 #include <giomm/file.h>
+#include <gtkmm/dialog.h>
 #include <gtkmm/filefilter.h>
 
 #include <filesystem>
