@@ -132,6 +132,7 @@ void release_button(Stage& stage)
 {
     Hand& hand = stage.hand;
     const bool was_pressed = hand.is_pressed;
+    const std::optional<BodyDef> body = was_pressed && hand.tool != Tool::draw ? new_body(stage) : std::nullopt;
     hand.is_pressed = false;
     if (hand.grip && !stage.clock.is_paused && !stage.run.world().is_static(hand.grip->body) &&
         (hand.pointer - hand.pressed_at).norm() > 3.0 * pixel_length(stage)) {
@@ -140,15 +141,13 @@ void release_button(Stage& stage)
         stage.change(std::move(scene), "throw", Crowding::refuse);
     }
     hand.grip.reset();
-    if (was_pressed && (hand.tool == Tool::disc || hand.tool == Tool::polygon)) {
-        if (std::optional<BodyDef> body = new_body(stage)) {
-            if (const std::string fault = fault_of_new(stage, *body); !fault.empty()) {
-                stage.say(fault, true);
-            } else {
-                Scene scene = stage.run.scene_now();
-                scene.bodies.push_back(std::move(*body));
-                if (stage.change(std::move(scene), "add", Crowding::refuse)) hand.selected = stage.run.world().body_count() - 1;
-            }
+    if (body) {
+        if (const std::string fault = fault_of_new(stage, *body); !fault.empty()) {
+            stage.say(fault, true);
+        } else {
+            Scene scene = stage.run.scene_now();
+            scene.bodies.push_back(*body);
+            if (stage.change(std::move(scene), "add", Crowding::refuse)) hand.selected = stage.run.world().body_count() - 1;
         }
     }
     stage.run.begin_stroke();

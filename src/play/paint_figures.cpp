@@ -74,7 +74,7 @@ void paint_strip(cairo_t* cairo, const Stage& stage, const PixelBox& box, const 
         cairo_set_dash(cairo, dashes, 0, 0.0);
         brush::letters(cairo, k_letters);
         brush::use(cairo, theme.ink);
-        const std::string text = fmt::format("{} {:.4g} {}", curve.name, curve.value(samples.back()), unit);
+        const std::string text = fmt::format("{} {:.4g}{}", curve.name, curve.value(samples.back()), x > box.left + 11.0 ? std::string() : fmt::format(" {}", unit));
         brush::text(cairo, x + 23.0, box.top + 18.0, text);
         x += 23.0 + brush::text_width(cairo, text) + 14.0;
     }

@@ -29,6 +29,7 @@ Panel::Panel(Stage& stage, const std::vector<std::string>& scenes, std::function
 {
     set_policy(Gtk::PolicyType::NEVER, Gtk::PolicyType::AUTOMATIC);
     set_size_request(k_width, -1);
+    set_hexpand(false); // its scales would like to
     column_.set_margin(10);
     add_scene_part(scenes);
     add_time_part();
