@@ -106,6 +106,8 @@ void add_window(CLI::App& app, WatchOptions& options)
     CLI::App* command = app.add_subcommand("window", "Play with a scene in a window; F1 there shows all keys");
     command->add_option("SCENE", options.scene, "Scene file, TOML; the course's first scene where none is given");
     command->add_option("--size", options.size, "Of the window, 1280x800 where not given [pixels]")->type_name("WxH");
+    command->add_option("--face", options.face, "A picture on every ball that moves")->type_name("FILE.png");
+    command->add_flag("--bare", options.is_bare, "Without the controls at the side; F9 brings them");
     command->add_flag("--dark", options.is_dark, "Light on dark; D changes it");
     command->add_flag("--paused", options.is_paused, "Time stands still at first; P lets it run");
     command->add_option("--state", options.state, "Where F8 writes what the window knows, flying-state.json where not given")

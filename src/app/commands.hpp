@@ -41,6 +41,8 @@ struct WatchOptions
     std::string scene; ///< empty for the first scene of the course
     std::string size;  ///< such as 1280x800; empty for that
     std::string state; ///< where F8 writes what the window knows
+    std::string face;  ///< a PNG for the balls; empty for none
+    bool is_bare = false; ///< without controls at the side
     bool is_dark = false;
     bool is_paused = false;
 };

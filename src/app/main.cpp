@@ -6,7 +6,7 @@
 
 #include "app/command_line.hpp"
 #include "app/commands.hpp"
-#include "app/interrupt.hpp"
+#include "files/interrupt.hpp"
 
 /// The program `flying`: see `flying --help`.
 int main(int argc, char** argv)

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/output_file.hpp"
+#include "files/output_file.hpp"
 #include "app/output_times.hpp"
 #include "draw/picture.hpp"
 #include "draw/video.hpp"

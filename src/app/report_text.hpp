@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "app/output_file.hpp"
+#include "files/output_file.hpp"
 #include "world/report.hpp"
 #include "world/scene.hpp"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "app/clock.hpp"
-#include "app/interrupt.hpp"
+#include "files/interrupt.hpp"
 
 namespace flying {
 

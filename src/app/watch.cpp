@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
+#include <filesystem>
 #include <string_view>
 
 #include "app/commands.hpp"
@@ -15,12 +17,34 @@ namespace flying {
 
 namespace {
 
+constexpr std::size_t k_most_scenes = 200; ///< to choose from
+
 /// A whole number of pixels, or 0 where the text is none from 200 to 10000.
 int pixels(std::string_view text)
 {
     int value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     return error == std::errc() && end == text.data() + text.size() && value >= 200 && value <= 10000 ? value : 0;
+}
+
+/// Scenes to choose from: the one that is opened, its neighbours, and those of the course.
+std::vector<std::string> scenes_near(const std::string& scene)
+{
+    namespace fs = std::filesystem;
+    std::vector<std::string> all{scene};
+    std::error_code ignored;
+    for (const fs::path& folder : {fs::absolute(scene, ignored).parent_path(), fs::path(FLYING_SCENES)}) {
+        std::vector<std::string> found;
+        for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
+            if (entry.path().extension() == ".toml") found.push_back(entry.path().string());
+        }
+        std::sort(found.begin(), found.end());
+        for (const std::string& path : found) {
+            const auto is_same = [&](const std::string& other) { return fs::equivalent(path, other, ignored); };
+            if (all.size() < k_most_scenes && std::none_of(all.begin(), all.end(), is_same)) all.push_back(path);
+        }
+    }
+    return all;
 }
 
 } // namespace
@@ -40,6 +64,9 @@ int watch(const WatchOptions& options)
         }
     }
     wanted.scene = options.scene.empty() ? FLYING_SCENES "/balls-and-polygons.toml" : options.scene;
+    wanted.scenes = scenes_near(wanted.scene);
+    wanted.face = options.face;
+    wanted.has_panel = !options.is_bare;
     std::optional<Scene> scene = read_scene_or_complain(wanted.scene);
     if (!scene) return status::k_usage;
     Expected<Stage> stage = Stage::open(std::move(*scene));

@@ -130,7 +130,9 @@ double thickness_of(const Shape& shape)
 /// Dark fill under a smaller fill: strokes cost three times as much.
 void paint_body(cairo_t* cairo, const DrawnBody& body, const Layout& layout, const Theme& theme)
 {
-    const Colour fill = body.is_static ? theme.body_static : body_colour(body.colour, theme);
+    const Colour fill = body.fill        ? *body.fill
+                        : body.is_static ? theme.body_static
+                                         : body_colour(body.colour, theme);
     const Colour dark = outline_of(fill, theme);
     const double radius = bounding_radius(body.shape) * layout.map.scale;
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "draw/palette.hpp"
 #include "geometry/aabb.hpp"
 #include "geometry/shape.hpp"
 #include "math/rotation.hpp"
@@ -18,6 +19,7 @@ struct DrawnBody
     Pose pose;              ///< of the shape in the world
     int colour = 0;         ///< >= 0: place in the palette, usually the body's number; it goes round
     bool is_static = false; ///< drawn in the neutral tone
+    std::optional<Colour> fill = {}; ///< in place of the palette's
 };
 
 /// Where a body has been, oldest point first.

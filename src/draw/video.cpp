@@ -205,6 +205,20 @@ Video::~Video() = default;
 std::optional<Fault> Video::add_frame(const Picture& picture)
 {
     paint(parts_->cairo, picture, parts_->size, parts_->theme);
+    return send_frame();
+}
+
+std::optional<Fault> Video::add_surface(cairo_surface_t* surface)
+{
+    cairo_set_source_surface(parts_->cairo, surface, 0.0, 0.0);
+    cairo_paint(parts_->cairo);
+    return send_frame();
+}
+
+/// Down the pipe, what is drawn.
+std::optional<Fault> Video::send_frame()
+{
+    if (parts_->pipe < 0) return Fault{"", "ffmpeg has stopped", ""};
     cairo_surface_flush(parts_->surface);
     const unsigned char* next = cairo_image_surface_get_data(parts_->surface);
     if (!next) return Fault{"", cairo_status_to_string(cairo_surface_status(parts_->surface)), ""};

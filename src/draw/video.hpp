@@ -31,11 +31,15 @@ public:
     /// Draw one frame more. SIGPIPE must be ignored by the program. Fault: ffmpeg has stopped, and what it said.
     [[nodiscard]] std::optional<Fault> add_frame(const Picture& picture);
 
+    /// The same of a picture that is drawn already; what lies outside the frame's size is cut off.
+    [[nodiscard]] std::optional<Fault> add_surface(cairo_surface_t* surface);
+
     /// No more frames: wait for ffmpeg to end the file. Fault: it could not, and what it said.
     [[nodiscard]] std::optional<Fault> finish();
 
 private:
     struct Parts;
+    [[nodiscard]] std::optional<Fault> send_frame();
     explicit Video(std::unique_ptr<Parts> parts);
     std::unique_ptr<Parts> parts_;
 };

@@ -76,6 +76,7 @@ void text(cairo_t* cairo, double x, double y, std::string_view text)
 {
     cairo_move_to(cairo, x, y);
     cairo_show_text(cairo, std::string(text).c_str());
+    cairo_new_path(cairo); // or the next line would begin where the text has ended
 }
 
 } // namespace flying::brush

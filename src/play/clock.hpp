@@ -10,8 +10,11 @@ struct PlayClock
     double frame = 1.0 / 60.0;  ///< length of one step by hand, at speed 1 [s]
     double budget = 0.011;      ///< for the simulation within one frame [s]
     double share = 1.0;         ///< of the speed that is asked for, over the last second or so
+    double due = 0.0;           ///< where the run should be [s]
     double simulating = 0.0;    ///< of the last frame [s]
     double drawing = 0.0;       ///< of the last frame [s]
+    double mean_simulating = 0.0; ///< of the last twenty frames or so [s]
+    double mean_drawing = 0.0;    ///< [s]
 
     /// It runs visibly slower than was asked for.
     [[nodiscard]] bool is_behind() const { return !is_paused && share < 0.95; }

@@ -4,6 +4,9 @@
 #include <cstddef>
 #include <string_view>
 
+#include "draw/palette.hpp"
+#include "world/policy.hpp"
+
 namespace flying {
 
 /// What can be shown beside the bodies; each by itself.
@@ -46,6 +49,9 @@ struct Look
     [[nodiscard]] bool shows(Layer layer) const { return layers[static_cast<std::size_t>(layer)]; }
     void toggle(Layer layer) { layers[static_cast<std::size_t>(layer)] = !layers[static_cast<std::size_t>(layer)]; }
 };
+
+/// The colour of bodies that are moved so. Told apart by lightness, too.
+[[nodiscard]] Colour mover_colour(BodyMover mover, const Theme& theme);
 
 /// In words, for widgets and messages: "contact points".
 [[nodiscard]] std::string_view layer_text(Layer layer);

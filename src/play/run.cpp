@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "play/inside.hpp"
 #include "play/make_room.hpp"
 
 namespace flying {
@@ -23,6 +24,7 @@ constexpr double k_far = 1e6;
 PlayRun::PlayRun(World world, std::shared_ptr<const Scene> scene, const WorldOptions& options)
     : world_(std::move(world)), first_(scene), scene_(std::move(scene)), options_(options)
 {
+    inertia_ = weigh_all(world_);
     moments_.push_back(moment());
 }
 
@@ -120,6 +122,7 @@ Faults PlayRun::change(Scene scene, const std::string& label, Crowding crowding)
     origin_ += world_.time();
     world_ = std::move(made).value();
     scene_ = std::make_shared<const Scene>(std::move(scene));
+    inertia_ = weigh_all(world_);
     ++generation_;
     moments_.push_back(moment());
     forget_some();
@@ -135,6 +138,7 @@ void PlayRun::restore(const Moment& moment)
     origin_ = moment.origin;
     earlier_events_ = moment.events;
     earlier_collisions_ = moment.collisions;
+    inertia_ = weigh_all(world_);
     ++generation_;
 }
 
@@ -163,6 +167,7 @@ void PlayRun::reset()
     scene_ = first_;
     origin_ = 0.0;
     earlier_events_ = earlier_collisions_ = 0;
+    inertia_ = weigh_all(world_);
     ++generation_;
     moments_.clear();
     moments_.push_back(moment());

@@ -41,6 +41,9 @@ public:
     /// Number of worlds so far: it changes whenever bodies may have other numbers or masses.
     [[nodiscard]] int generation() const { return generation_; }
 
+    /// What resists a push of a body of the scene; zeros for a static one.
+    [[nodiscard]] const Inertia& inertia(int body) const { return inertia_[static_cast<std::size_t>(body)]; }
+
     /// How far an advance got.
     struct Advance
     {
@@ -101,6 +104,7 @@ private:
     std::int64_t earlier_events_ = 0;
     std::int64_t earlier_collisions_ = 0;
     int generation_ = 0;
+    std::vector<Inertia> inertia_;
     std::deque<Moment> moments_; // in the order of time
     std::string stroke_;         // label of the change that goes on
 };

@@ -5,18 +5,63 @@
 #include <utility>
 
 #include "draw/layout.hpp"
+#include "math/random.hpp"
+#include "play/paint_stage.hpp"
 #include "scene/fault.hpp"
 
 namespace flying {
 
 namespace {
 
+/// A hue by lot, the same whenever it is asked for.
+Colour random_colour(int body)
+{
+    Random random(0x5eed + static_cast<std::uint64_t>(body));
+    const double hue = 6.0 * random.uniform();
+    const double strength = random.uniform(0.45, 0.85);
+    const auto part = [&](double shift) {
+        const double at = std::fmod(hue + shift, 6.0);
+        return 0.92 - strength * std::clamp(std::min(at, 4.0 - at), 0.0, 1.0);
+    };
+    return {part(5.0), part(3.0), part(1.0)};
+}
+
 constexpr double k_shown_for = 3.0;       ///< a mode's bar, and a notice [s]
 constexpr double k_longest_wall = 0.1;    ///< of one frame: what is longer was a hitch [s]
 constexpr double k_averaged_over = 1.0;   ///< [s]
+constexpr double k_mean = 0.05;           ///< share of a frame in the mean costs
 constexpr double k_remembered_every = 12; ///< [frames]
 
+double options_step(const Stage& stage)
+{
+    return stage.run.options().step;
+}
+
+/// Fills that don't follow from the palette.
+void colour_bodies(Stage& stage)
+{
+    const Theme theme = stage_theme(stage);
+    for (std::size_t k = 0; k < stage.picture.bodies.size(); ++k) {
+        DrawnBody& body = stage.picture.bodies[k];
+        body.fill.reset();
+        if (static_cast<int>(k) >= stage.run.world().body_count()) continue;
+        if (stage.look.colouring == Colouring::mover) body.fill = mover_colour(stage.run.world().mover(static_cast<int>(k)), theme);
+        if (stage.look.colouring == Colouring::random && !body.is_static) body.fill = random_colour(static_cast<int>(k));
+    }
+}
+
 } // namespace
+
+Colour mover_colour(BodyMover mover, const Theme& theme)
+{
+    switch (mover) {
+    case BodyMover::events: return {0.337, 0.706, 0.914};
+    case BodyMover::rest: return {0.902, 0.560, 0.0};
+    case BodyMover::asleep: return {0.0, 0.30, 0.48};
+    case BodyMover::nobody: break;
+    }
+    return theme.body_static;
+}
 
 std::string_view layer_text(Layer layer)
 {
@@ -52,6 +97,16 @@ void Stage::refresh()
     }
     if (!view_is_free && !picture.box) picture.view = joined(picture.view, fitting_view(picture));
     picture.time = run.time();
+    check_hand(*this);
+    if (ship.body >= run.world().body_count()) ship = Ship{};
+    colour_bodies(*this);
+    watch_present(watch, run, look, now);
+    picture.trails.clear();
+    for (std::size_t k = 0; k < watch.trails.size() && k < picture.bodies.size(); ++k) {
+        if (watch.trails[k].size() < 2) continue;
+        const DrawnBody& body = picture.bodies[k];
+        picture.trails.push_back({body.colour, 0.6 * trail_width(body.shape), {watch.trails[k].begin(), watch.trails[k].end()}});
+    }
 }
 
 void Stage::say(std::string text, bool is_fault)
@@ -73,28 +128,47 @@ bool Stage::change(Scene scene, const std::string& label, Crowding crowding)
 void Stage::advance(double wall, double (*seconds)())
 {
     now += wall;
-    if (clock.is_paused || wall <= 0.0) return;
-    const double asked = wall * clock.speed;
+    if (wall <= 0.0) return;
     const double from = run.time();
-    const double target = from + std::min(wall, k_longest_wall) * clock.speed;
+    pull(*this, seconds);
+    drive(*this, wall, seconds);
+    if (clock.is_paused) {
+        clock.due = run.time();
+        return;
+    }
+
+    // A change may have brought the run to the end of a step: it waits until its time has come
+    const double asked = wall * clock.speed;
+    const double way = std::min(wall, k_longest_wall) * clock.speed;
+    const bool is_astray = clock.due > from + way || clock.due < from - options_step(*this) - way;
+    const double due_before = is_astray ? from : clock.due;
+    clock.due = due_before + way;
+    const double target = std::max(run.time(), clock.due);
 
     // As far as the budget lets it, a few events at a time
     const double started = seconds();
-    std::int64_t most = 32;
+    const bool sees_impacts = look.shows(Layer::contacts) || look.shows(Layer::normals) || look.shows(Layer::impulses);
+    if (sees_impacts) begin_watch(watch, run);
+    std::int64_t most = sees_impacts ? 1 : 32;
     PlayRun::Advance done;
     do {
         done = run.advance(target, most);
-        most = std::min<std::int64_t>(2 * most, 512);
+        if (sees_impacts) watch_event(watch, run, now);
+        else most = std::min<std::int64_t>(2 * most, 512);
     } while (!done.arrived && !done.failure && seconds() - started < clock.budget);
     clock.simulating = seconds() - started;
+    if (!done.arrived) clock.due = run.time();
     if (done.failure) {
         clock.is_paused = true;
         say("The run stopped: " + done.failure->message, true);
     }
 
     const double fresh = std::min(1.0, wall / k_averaged_over);
-    clock.share += fresh * ((run.time() - from) / asked - clock.share);
+    clock.share += fresh * (std::min(1.0, (clock.due - due_before) / asked) - clock.share);
     run.remember(k_remembered_every * clock.frame * clock.speed);
+    clock.mean_simulating += k_mean * (clock.simulating - clock.mean_simulating);
+    clock.mean_drawing += k_mean * (clock.drawing - clock.mean_drawing);
+    watch_frame(watch, run, look, now);
     refresh();
 }
 
@@ -110,6 +184,35 @@ void step(Stage& stage, int frames)
         stage.say("This is the earliest moment that is remembered");
     }
     stage.refresh();
+}
+
+void zoom(Stage& stage, double factor, const Vec2& pixel)
+{
+    const Vec2 extent = stage.picture.view.max - stage.picture.view.min;
+    const double longest = extent.maxCoeff();
+    if (!(factor > 0.0) || !(longest / factor > 1e-9) || !(longest / factor < 1e9)) return;
+    const Vec2 before = stage_map(stage, stage.size).world_at(pixel);
+    const Vec2 middle = 0.5 * (stage.picture.view.min + stage.picture.view.max);
+    stage.picture.view = {middle - 0.5 / factor * extent, middle + 0.5 / factor * extent};
+    const Vec2 shift = before - stage_map(stage, stage.size).world_at(pixel);
+    stage.picture.view.min += shift;
+    stage.picture.view.max += shift;
+    stage.view_is_free = true;
+}
+
+void pan(Stage& stage, const Vec2& pixels)
+{
+    const double scale = stage_map(stage, stage.size).scale;
+    const Vec2 shift(-pixels.x() / scale, pixels.y() / scale);
+    stage.picture.view.min += shift;
+    stage.picture.view.max += shift;
+    stage.view_is_free = true;
+}
+
+void fit_view(Stage& stage)
+{
+    stage.view_is_free = false;
+    stage.picture.view = fitting_view(stage.picture);
 }
 
 void set_speed(Stage& stage, double speed)
@@ -140,6 +243,15 @@ void set_field(Stage& stage, const Field& field)
     Scene scene = stage.run.scene_now();
     scene.world.field = field;
     stage.change(std::move(scene), "field");
+}
+
+void resize_box(Stage& stage, double wider, double higher)
+{
+    Scene scene = stage.run.scene_now();
+    if (!scene.world.box || !(wider > 0.0) || !(higher > 0.0)) return;
+    const Vec2 extent = scene.world.box->max - scene.world.box->min;
+    scene.world.box->max = scene.world.box->min + Vec2(wider * extent.x(), higher * extent.y());
+    if (stage.change(std::move(scene), "resize") && !stage.view_is_free) stage.picture.view = fitting_view(stage.picture);
 }
 
 FieldKind field_kind(const Field& field)

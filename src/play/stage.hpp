@@ -1,13 +1,18 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "draw/paint.hpp"
 #include "play/clock.hpp"
+#include "play/hand.hpp"
 #include "play/look.hpp"
 #include "play/run.hpp"
+#include "play/ship.hpp"
+#include "play/watch.hpp"
 
 namespace flying {
 
@@ -25,6 +30,20 @@ struct Notice
     std::string text;
     double until = 0.0; ///< of the stage's own clock [s]
     bool is_fault = false;
+};
+
+/// What only a window can do.
+enum class Request
+{
+    quit,
+    panel,      ///< show or hide the controls
+    fullscreen,
+    open,       ///< another scene
+    face,       ///< a picture for the balls
+    save,       ///< the scene as it is now
+    video,      ///< begin to record, or end
+    trace,
+    state       ///< write what the stage knows
 };
 
 /// All of a window but the window: a scene that is played, how it is shown, and whose keys do what. It knows neither
@@ -51,11 +70,16 @@ struct Stage
     PlayRun run;
     Look look;
     PlayClock clock;
+    Hand hand;
+    Ship ship;
+    Watch watch;
+    std::shared_ptr<cairo_surface_t> face; ///< picture on discs that move; null for none
     ArrowKeys arrow_keys = ArrowKeys::pointer;
     double mode_until = 0.0; ///< the bar of a mode is shown until then [s]
     Notice notice;
     double now = 0.0;        ///< of the stage's own clock [s]
-    bool wants_to_quit = false;
+    std::vector<Request> requests; ///< since the window last looked
+    bool box_follows = false;      ///< the box grows and shrinks with the window
     SurfaceSize size{1280, 800};
     Picture picture;         ///< of the run, as `refresh` left it
     bool view_is_free = false; ///< zoomed or moved by hand: it no longer widens by itself
@@ -69,6 +93,9 @@ void set_restitution(Stage& stage, double e);
 void set_friction(Stage& stage, double mu);
 void set_field(Stage& stage, const Field& field);
 
+/// Make the scene's box so many times wider and higher; bodies left outside are moved back in.
+void resize_box(Stage& stage, double wider, double higher);
+
 enum class FieldKind
 {
     none,
@@ -78,6 +105,12 @@ enum class FieldKind
 [[nodiscard]] FieldKind field_kind(const Field& field);
 /// The field of another kind, with strengths that suit what is in sight.
 void set_field_kind(Stage& stage, FieldKind kind);
+
+/// The view, larger by a factor about a point of the surface, or moved by so many pixels.
+void zoom(Stage& stage, double factor, const Vec2& pixel);
+void pan(Stage& stage, const Vec2& pixels);
+/// All that there is.
+void fit_view(Stage& stage);
 
 /// An arrow key where the arrows change something.  dx, dy  one of them +1 or -1, the other 0;  coarse  ten at once
 void turn_knob(Stage& stage, int dx, int dy, bool coarse);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -44,6 +45,15 @@ bool PairList::all_inside(std::span<const RestBody> bodies, std::span<const doub
 }
 // [rest.pairs.inside]
 
+// [rest.pairs.remember]
+void PairList::remember(std::vector<RestPair> pairs, int bodies)
+{
+    pairs_ = std::move(pairs);
+    make_index(bodies);
+    valid_ = false;
+}
+// [rest.pairs.remember]
+
 // [rest.pairs.update]
 bool PairList::update(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes,
                       std::span<const double> radius, std::span<const double> reach)
@@ -63,7 +73,7 @@ bool PairList::update(std::span<const RestBody> bodies, std::span<const Collisio
     }
     find_partners(bodies);
     add_pairs(bodies, shapes);
-    sort_by_second(static_cast<int>(bodies.size()));
+    make_index(static_cast<int>(bodies.size()));
     valid_ = true;
     return true;
 }
@@ -115,10 +125,8 @@ void PairList::add_pairs(std::span<const RestBody> bodies, std::span<const Colli
 {
     old_.swap(pairs_);
     pairs_.clear();
-    starts_.clear();
     std::size_t next = 0;
     for (int a = 0; a < static_cast<int>(bodies.size()); ++a) {
-        starts_.push_back(static_cast<int>(pairs_.size()));
         for (int i = partner_start_[a]; i < partner_start_[a + 1]; ++i) {
             RestPair pair;
             pair.a = a;
@@ -136,13 +144,15 @@ void PairList::add_pairs(std::span<const RestBody> bodies, std::span<const Colli
             }
         }
     }
-    starts_.push_back(static_cast<int>(pairs_.size()));
 }
 // [rest.pairs.merge]
 
 // [rest.pairs.second]
-void PairList::sort_by_second(int bodies)
+void PairList::make_index(int bodies)
 {
+    starts_.assign(bodies + 1, 0);
+    for (const RestPair& pair : pairs_) ++starts_[pair.a + 1];
+    std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
     second_starts_.assign(bodies + 1, 0);
     for (const RestPair& pair : pairs_) ++second_starts_[pair.b + 1];
     for (int k = 0; k < bodies; ++k) second_starts_[k + 1] += second_starts_[k];

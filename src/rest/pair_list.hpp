@@ -52,11 +52,7 @@ public:
 
     void invalidate() { valid_ = false; }
     /// Pairs of another list, in order, to look for anew with what they remember.
-    void remember(std::vector<RestPair> pairs)
-    {
-        pairs_ = std::move(pairs);
-        valid_ = false;
-    }
+    void remember(std::vector<RestPair> pairs, int bodies);
 
     [[nodiscard]] std::span<RestPair> pairs() { return pairs_; }
     [[nodiscard]] std::span<const RestPair> pairs() const { return pairs_; }
@@ -74,7 +70,7 @@ private:
                                   std::span<const double> reach) const;
     void find_partners(std::span<const RestBody> bodies);
     void add_pairs(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes);
-    void sort_by_second(int bodies);
+    void make_index(int bodies);
 
     struct Home
     {

@@ -276,7 +276,7 @@ void RestEngine::go_on_from(const Memory& memory)
     set_time(memory.time);
     none_awake_ = false;
     data_.max_overlap = memory.max_overlap;
-    data_.pairs.remember(memory.pairs);
+    data_.pairs.remember(memory.pairs, data_.bodies.count());
     for (RestPair& pair : data_.pairs.pairs()) pair.memory = {}; // ways are counted from another beginning
     for (std::size_t k = 0; k < data_.bodies.list.size(); ++k) {
         const Memory::Body& body = memory.bodies[k];

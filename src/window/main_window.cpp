@@ -8,12 +8,20 @@
 #include <algorithm>
 #include <cctype>
 
+#include "files/interrupt.hpp"
 #include "play/keys.hpp"
 #include "window/seconds.hpp"
 
 namespace flying {
 
 namespace {
+
+constexpr double k_sync_every = 0.2; ///< [s]
+
+bool has(Gdk::ModifierType modifiers, Gdk::ModifierType one)
+{
+    return (modifiers & one) == one;
+}
 
 /// A key as `press` names it.
 std::string key_name(unsigned value, Gdk::ModifierType modifiers)
@@ -22,58 +30,102 @@ std::string key_name(unsigned value, Gdk::ModifierType modifiers)
     if (!name) return {};
     std::string text = name;
     std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    const auto has = [&](Gdk::ModifierType modifier) { return (modifiers & modifier) == modifier; };
-    if (has(Gdk::ModifierType::SHIFT_MASK)) text.insert(0, "shift+");
-    if (has(Gdk::ModifierType::ALT_MASK)) text.insert(0, "alt+");
-    if (has(Gdk::ModifierType::CONTROL_MASK)) text.insert(0, "ctrl+");
+    if (has(modifiers, Gdk::ModifierType::SHIFT_MASK)) text.insert(0, "shift+");
+    if (has(modifiers, Gdk::ModifierType::ALT_MASK)) text.insert(0, "alt+");
+    if (has(modifiers, Gdk::ModifierType::CONTROL_MASK)) text.insert(0, "ctrl+");
     return text;
 }
 
 } // namespace
 
-MainWindow::MainWindow(Stage& stage, const WindowOptions& options) : stage_(stage), options_(options), canvas_(stage)
+MainWindow::MainWindow(Stage& stage, const WindowOptions& options)
+    : stage_(stage), options_(options), canvas_(stage),
+      panel_(stage, options.scenes, [this] { touch(); }, [this](int index) { choose_scene(index); })
 {
-    set_title("Flying Polygons");
+    set_title("Flying Polygons: " + options.scene);
     set_default_size(options.width, options.height);
-    set_child(canvas_);
+    row_.append(canvas_);
+    row_.append(panel_);
+    set_child(row_);
+    panel_.set_visible(options.has_panel);
+    const auto place = std::find(options.scenes.begin(), options.scenes.end(), options.scene);
+    panel_.show_scene(place == options.scenes.end() ? -1 : static_cast<int>(place - options.scenes.begin()));
+    if (!options.face.empty()) load_face(options.face);
+
     listen_to_keys();
+    listen_to_pointer();
+    listen_to_drops();
+    canvas_.signal_resize().connect([this](int width, int height) { resized(width, height); });
     canvas_.add_tick_callback([this](const Glib::RefPtr<Gdk::FrameClock>& clock) {
         return tick(static_cast<double>(clock->get_frame_time()) * 1e-6);
     });
     canvas_.grab_focus();
+    touch();
 }
 
 void MainWindow::listen_to_keys()
 {
-    auto keys = Gtk::EventControllerKey::create();
-    keys->signal_key_pressed().connect(
-        [this](guint value, guint, Gdk::ModifierType modifiers) { return key(value, modifiers); }, true);
-    add_controller(keys);
+    // The canvas takes its keys first; what controls leave over comes to the window
+    for (Gtk::Widget* widget : {static_cast<Gtk::Widget*>(&canvas_), static_cast<Gtk::Widget*>(this)}) {
+        auto keys = Gtk::EventControllerKey::create();
+        keys->signal_key_pressed().connect([this](guint value, guint, Gdk::ModifierType modifiers) { return key(value, modifiers); }, true);
+        widget->add_controller(keys);
+    }
 }
 
 bool MainWindow::key(unsigned value, Gdk::ModifierType modifiers)
 {
     const bool was_used = press(stage_, key_name(value, modifiers));
+    if (was_used && value == GDK_KEY_Escape) canvas_.grab_focus();
     touch();
     return was_used;
+}
+
+bool MainWindow::tick(double frame_time)
+{
+    if (interrupted() != 0) {
+        close();
+        return false;
+    }
+    const double wall = last_frame_ < 0.0 ? 0.0 : std::max(0.0, frame_time - last_frame_);
+    last_frame_ = frame_time;
+    const double shown_until = std::max({stage_.notice.until, stage_.mode_until, stage_.ship.burns_until});
+    const bool was_shown = stage_.now <= shown_until;
+    stage_.advance(wall, seconds_now);
+    const bool is_busy = is_stale_ || !stage_.clock.is_paused || was_shown || stage_.hand.grip;
+    if (is_busy) canvas_.queue_draw();
+    is_stale_ = false;
+    if (!stage_.clock.is_paused || is_busy) {
+        if (const std::optional<Fault> fault = recorder_.add(stage_, canvas_.surface())) stage_.say("Recording ended: " + fault->found, true);
+    }
+    if (stage_.now > synced_ + k_sync_every) {
+        synced_ = stage_.now;
+        panel_.sync(recorder_.is_filming(), recorder_.is_tracing());
+    }
+    return true;
 }
 
 void MainWindow::touch()
 {
     is_stale_ = true;
-    if (stage_.wants_to_quit) close();
+    stage_.refresh();
+    answer_requests();
+    panel_.sync(recorder_.is_filming(), recorder_.is_tracing());
+    const auto settings = Gtk::Settings::get_default();
+    if (settings && settings->property_gtk_application_prefer_dark_theme() != stage_.look.is_dark) {
+        settings->property_gtk_application_prefer_dark_theme() = stage_.look.is_dark;
+    }
 }
 
-bool MainWindow::tick(double frame_time)
+void MainWindow::resized(int width, int height)
 {
-    const double wall = last_frame_ < 0.0 ? 0.0 : std::max(0.0, frame_time - last_frame_);
-    last_frame_ = frame_time;
-    const double shown_until = std::max(stage_.notice.until, stage_.mode_until);
-    const bool was_shown = stage_.now <= shown_until;
-    stage_.advance(wall, seconds_now);
-    if (is_stale_ || !stage_.clock.is_paused || was_shown) canvas_.queue_draw();
-    is_stale_ = false;
-    return true;
+    const bool is_known = width_ > 0 && height_ > 0 && width > 0 && height > 0;
+    if (is_known && stage_.box_follows && (width != width_ || height != height_)) {
+        resize_box(stage_, static_cast<double>(width) / width_, static_cast<double>(height) / height_);
+    }
+    width_ = width;
+    height_ = height;
+    is_stale_ = true;
 }
 
 } // namespace flying

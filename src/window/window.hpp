@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "play/stage.hpp"
 
@@ -11,8 +12,11 @@ struct WindowOptions
 {
     int width = 1280;  ///< > 0 [pixels]
     int height = 800;  ///< > 0
-    std::string state; ///< where F8 writes what the window knows; empty for beside the scene
-    std::string scene; ///< path of the scene, for saving beside it; empty where it has none
+    std::string state; ///< where F8 writes what the window knows; empty for a free name in the present folder
+    std::string scene; ///< path of the scene that the stage plays
+    std::vector<std::string> scenes; ///< paths of others to choose from
+    std::string face;  ///< a PNG for the balls; empty for none
+    bool has_panel = true;
 };
 
 /// Show the stage in a window until it is closed. Returns the exit status of the program: 1, and a line on standard error,

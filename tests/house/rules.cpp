@@ -25,9 +25,10 @@ const std::map<std::string, std::vector<std::string>> k_arrows = {
     {"world", {"events", "rest", "mass"}},
     {"draw", {"world"}},
     {"scene", {"world"}},
+    {"files", {"math"}},
     {"play", {"draw", "scene"}},
-    {"window", {"play"}},
-    {"app", {"draw", "scene", "window"}},
+    {"window", {"play", "files"}},
+    {"app", {"draw", "scene", "files", "window"}},
     {"live", {"scene"}},
     {"weave", {}},
 };

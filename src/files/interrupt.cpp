@@ -1,4 +1,4 @@
-#include "app/interrupt.hpp"
+#include "files/interrupt.hpp"
 
 #include <array>
 #include <atomic>

@@ -1,4 +1,4 @@
-#include "app/output_file.hpp"
+#include "files/output_file.hpp"
 
 #include <cerrno>
 #include <climits>
@@ -8,7 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "app/interrupt.hpp"
+#include "files/interrupt.hpp"
 
 namespace flying {
 

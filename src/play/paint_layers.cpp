@@ -1,0 +1,300 @@
+#include "play/paint_layers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "play/brush.hpp"
+
+namespace flying {
+
+namespace {
+
+constexpr double k_normal = 16.0;      ///< length of a normal [pixels]
+constexpr double k_smallest_cell = 5.0; ///< [pixels]
+
+void line(cairo_t* cairo, const Vec2& from, const Vec2& to)
+{
+    cairo_move_to(cairo, from.x(), from.y());
+    cairo_line_to(cairo, to.x(), to.y());
+}
+
+void dashes(cairo_t* cairo, double length)
+{
+    const double lengths[] = {length, length};
+    cairo_set_dash(cairo, lengths, length > 0.0 ? 2 : 0, 0.0);
+}
+
+void paint_cells(cairo_t* cairo, const Stage& stage, const ViewMap& map, const Theme& theme)
+{
+    const double size = stage.watch.inside.cell_size;
+    if (!(size * map.scale >= k_smallest_cell)) return;
+    const Vec2 low = map.world_at(Vec2(0.0, stage.size.height));
+    const Vec2 high = map.world_at(Vec2(stage.size.width, 0.0));
+    for (double x = std::ceil(low.x() / size) * size; x <= high.x(); x += size) line(cairo, map(Vec2(x, low.y())), map(Vec2(x, high.y())));
+    for (double y = std::ceil(low.y() / size) * size; y <= high.y(); y += size) line(cairo, map(Vec2(low.x(), y)), map(Vec2(high.x(), y)));
+    brush::use(cairo, theme.ink, 0.22);
+    cairo_set_line_width(cairo, 1.0);
+    cairo_stroke(cairo);
+}
+
+void paint_boxes(cairo_t* cairo, const Stage& stage, const ViewMap& map)
+{
+    for (const DrawnBody& body : stage.picture.bodies) {
+        if (std::holds_alternative<HalfPlane>(body.shape)) continue;
+        const Aabb box = bounding_box(body.shape, body.pose);
+        const Vec2 low = map(box.min);
+        const Vec2 high = map(box.max);
+        cairo_rectangle(cairo, low.x(), high.y(), high.x() - low.x(), low.y() - high.y());
+    }
+    brush::use(cairo, brush::k_blue, 0.9);
+    cairo_set_line_width(cairo, 1.0);
+    cairo_stroke(cairo);
+}
+
+/// Bodies of one island are tied together; each island has a colour of its own.
+void paint_islands(cairo_t* cairo, const Stage& stage, const ViewMap& map, const std::vector<LeaningContact>& contacts)
+{
+    constexpr Colour colours[] = {brush::k_blue, brush::k_vermilion, brush::k_green, brush::k_purple, brush::k_orange, brush::k_sky};
+    const World& world = stage.run.world();
+    const std::vector<int> groups = islands(world, contacts);
+    const int count = world.body_count();
+    const auto colour_of = [&](int body) { return colours[static_cast<std::size_t>(groups[static_cast<std::size_t>(body)]) % std::size(colours)]; };
+    cairo_set_line_width(cairo, 3.0);
+    for (const LeaningContact& contact : contacts) {
+        if (contact.a >= count || contact.b >= count) continue;
+        const int group_a = groups[static_cast<std::size_t>(contact.a)];
+        const int group_b = groups[static_cast<std::size_t>(contact.b)];
+        if (group_a < 0 || group_a != group_b) continue;
+        line(cairo, map(world.state(contact.a).position), map(world.state(contact.b).position));
+        brush::use(cairo, colour_of(contact.a));
+        cairo_stroke(cairo);
+    }
+    for (int k = 0; k < count; ++k) {
+        if (groups[static_cast<std::size_t>(k)] < 0 || stage.run.world().is_static(k)) continue;
+        brush::use(cairo, colour_of(k));
+        brush::dot(cairo, map(stage.run.world().state(k).position), 5.0);
+    }
+}
+
+void paint_centroids(cairo_t* cairo, const Stage& stage, const ViewMap& map, const Theme& theme)
+{
+    const World& world = stage.run.world();
+    for (int k = 0; k < world.body_count(); ++k) {
+        const Vec2 at = map(world.state(k).position);
+        line(cairo, at - Vec2(5.0, 0.0), at + Vec2(5.0, 0.0));
+        line(cairo, at - Vec2(0.0, 5.0), at + Vec2(0.0, 5.0));
+        const Inertia& inertia = stage.run.inertia(k);
+        if (inertia.inv_moment_of_inertia == 0.0) continue;
+        // Radius of gyration: a ring of the same mass and inertia
+        const double radius = std::sqrt(inertia.inv_mass / inertia.inv_moment_of_inertia) * map.scale;
+        cairo_new_sub_path(cairo);
+        cairo_arc(cairo, at.x(), at.y(), radius, 0.0, 2.0 * std::numbers::pi);
+    }
+    brush::use(cairo, theme.ink, 0.9);
+    cairo_set_line_width(cairo, 1.5);
+    cairo_stroke(cairo);
+}
+
+void paint_velocities(cairo_t* cairo, const Stage& stage, const ViewMap& map, const Theme& theme)
+{
+    const World& world = stage.run.world();
+    brush::use(cairo, theme.ink, 0.85);
+    for (int k = 0; k < world.body_count(); ++k) {
+        if (world.is_static(k)) continue;
+        const BodyState body = world.state(k);
+        brush::arrow(cairo, map(body.position), map(body.position + k_seconds_of_arrow * body.velocity), 2.0);
+    }
+}
+
+/// A push as an arrow, as long as the root of its size: small and large ones are both seen.
+void paint_push(cairo_t* cairo, const Vec2& at, const Vec2& push, double full)
+{
+    const double size = push.norm();
+    if (!(size > 0.0) || !(full > 0.0)) return;
+    const double length = std::min(90.0, 70.0 * std::sqrt(size / full));
+    brush::arrow(cairo, at, at + length / size * Vec2(push.x(), -push.y()), 3.0);
+}
+
+void paint_contacts(cairo_t* cairo, const Stage& stage, const ViewMap& map, const std::vector<LeaningContact>& contacts)
+{
+    const Look& look = stage.look;
+    double greatest_force = 0.0;
+    for (const LeaningContact& contact : contacts) greatest_force = std::max(greatest_force, contact.normal_force);
+    double greatest_push = 0.0;
+    for (const SeenImpact& impact : stage.watch.impacts) greatest_push = std::max(greatest_push, impact.push.norm());
+
+    for (const LeaningContact& contact : contacts) {
+        const Vec2 at = map(contact.point);
+        const Vec2 along(contact.normal.x(), -contact.normal.y());
+        if (look.shows(Layer::normals)) {
+            brush::use(cairo, brush::k_green);
+            brush::arrow(cairo, at, at + k_normal * along, 2.0);
+        }
+        if (look.shows(Layer::impulses)) {
+            brush::use(cairo, brush::k_vermilion);
+            paint_push(cairo, at, contact.normal_force * contact.normal + contact.tangent_force * perp(contact.normal), greatest_force);
+        }
+        if (look.shows(Layer::contacts)) {
+            brush::use(cairo, contact.normal_force > 0.0 ? brush::k_vermilion : brush::k_sky);
+            brush::dot(cairo, at, 3.5);
+        }
+    }
+    for (const SeenImpact& impact : stage.watch.impacts) {
+        const double left = 1.0 - (stage.now - impact.seen) / k_impact_fades;
+        if (left <= 0.0) continue;
+        const Vec2 at = map(impact.point);
+        const double size = impact.push.norm();
+        if (look.shows(Layer::normals) && size > 0.0) {
+            brush::use(cairo, brush::k_green, left);
+            brush::arrow(cairo, at, at + k_normal / size * Vec2(impact.push.x(), -impact.push.y()), 2.0);
+        }
+        if (look.shows(Layer::impulses)) {
+            brush::use(cairo, brush::k_vermilion, left);
+            paint_push(cairo, at, impact.push, greatest_push);
+        }
+        if (look.shows(Layer::contacts)) {
+            brush::use(cairo, brush::k_purple, left);
+            brush::dot(cairo, at, 3.0 + 4.0 * left);
+        }
+    }
+}
+
+/// Impacts that are foreseen: where the two will be when they meet, and in which order.
+void paint_next(cairo_t* cairo, const Stage& stage, const ViewMap& map, const Theme& theme)
+{
+    const World& world = stage.run.world();
+    const std::vector<NextImpact>& impacts = stage.watch.next;
+    brush::letters(cairo, 12.0, true);
+    for (std::size_t k = 0; k < impacts.size(); ++k) {
+        const NextImpact& impact = impacts[k];
+        if (impact.time < world.time() || impact.a >= world.body_count()) continue;
+        const double opacity = 1.0 - 0.7 * static_cast<double>(k) / static_cast<double>(impacts.size());
+        const auto show_way = [&](int body, const Vec2& place) {
+            dashes(cairo, 4.0);
+            line(cairo, map(world.state(body).position), map(place));
+            brush::use(cairo, brush::k_blue, opacity);
+            cairo_set_line_width(cairo, 1.5);
+            cairo_stroke(cairo);
+            dashes(cairo, 0.0);
+            brush::dot(cairo, map(place), 3.0);
+        };
+        show_way(impact.a, impact.place_a);
+        Vec2 at = map(impact.place_a);
+        if (impact.b < world.body_count() && !world.is_static(impact.b)) {
+            show_way(impact.b, impact.place_b);
+            at = 0.5 * (at + map(impact.place_b));
+        }
+        brush::use(cairo, theme.ink, opacity);
+        brush::text(cairo, at.x() + 6.0, at.y() - 6.0, fmt::format("{}: {:.2f} s", k + 1, impact.time - world.time()));
+    }
+}
+
+void paint_labels(cairo_t* cairo, const Stage& stage, const ViewMap& map, const Theme& theme)
+{
+    const World& world = stage.run.world();
+    brush::letters(cairo, 12.0);
+    for (int k = 0; k < world.body_count(); ++k) {
+        const std::string& name = world.scene().bodies[static_cast<std::size_t>(k)].name;
+        const std::string text = name.empty() ? std::to_string(k) : name;
+        const Vec2 at = map(world.state(k).position);
+        const double width = brush::text_width(cairo, text);
+        brush::rounded(cairo, {at.x() - 0.5 * width - 4.0, at.y() - 9.0, at.x() + 0.5 * width + 4.0, at.y() + 7.0}, 4.0);
+        brush::use(cairo, theme.paper, 0.75);
+        cairo_fill(cairo);
+        brush::use(cairo, theme.ink);
+        brush::text(cairo, at.x() - 0.5 * width, at.y() + 4.0, text);
+    }
+}
+
+/// The ship's arrow, and its flame as arcs behind it.
+void paint_ship(cairo_t* cairo, const Stage& stage, const ViewMap& map, const Theme& theme)
+{
+    const Ship& ship = stage.ship;
+    if (ship.body < 0 || ship.body >= stage.run.world().body_count()) return;
+    const Vec2 at = map(stage.run.world().state(ship.body).position);
+    const double radius = std::max(8.0, bounding_radius(stage.run.world().shape(ship.body)) * map.scale);
+    const Vec2 ahead(std::cos(ship.heading), -std::sin(ship.heading));
+    if (ship.burns(stage.now)) {
+        const double sign = ship.thrust > 0.0 ? -1.0 : 1.0;
+        const double back = std::atan2(sign * ahead.y(), sign * ahead.x());
+        const double flicker = 0.85 + 0.15 * std::sin(70.0 * stage.now);
+        const int arcs = 2 + static_cast<int>(4.0 * std::abs(ship.thrust));
+        cairo_set_line_cap(cairo, CAIRO_LINE_CAP_ROUND);
+        for (int k = 0; k < arcs; ++k) {
+            const double share = static_cast<double>(k) / arcs;
+            const double out = radius * (1.2 + flicker * std::abs(ship.thrust) * 1.6 * share);
+            const double half = 0.5 * (1.0 - share);
+            cairo_new_sub_path(cairo);
+            cairo_arc(cairo, at.x(), at.y(), out, back - half, back + half);
+            brush::use(cairo, mixed(brush::k_yellow, brush::k_vermilion, 0.35 + 0.65 * share), 1.0 - 0.5 * share);
+            cairo_set_line_width(cairo, std::max(2.0, 0.14 * radius));
+            cairo_stroke(cairo);
+        }
+        cairo_set_line_cap(cairo, CAIRO_LINE_CAP_BUTT);
+    }
+    brush::use(cairo, theme.paper);
+    brush::arrow(cairo, at - 0.75 * radius * ahead, at + 1.15 * radius * ahead, 6.0);
+    brush::use(cairo, theme.ink);
+    brush::arrow(cairo, at - 0.7 * radius * ahead, at + 1.05 * radius * ahead, 3.0);
+}
+
+} // namespace
+
+void paint_layers(cairo_t* cairo, const Stage& stage, const ViewMap& map, const Theme& theme)
+{
+    const Look& look = stage.look;
+    const std::vector<LeaningContact>& contacts = stage.watch.contacts;
+    if (look.shows(Layer::cells)) paint_cells(cairo, stage, map, theme);
+    if (look.shows(Layer::boxes)) paint_boxes(cairo, stage, map);
+    if (look.shows(Layer::islands)) paint_islands(cairo, stage, map, contacts);
+    if (look.shows(Layer::centroids)) paint_centroids(cairo, stage, map, theme);
+    if (look.shows(Layer::arrows)) paint_velocities(cairo, stage, map, theme);
+    paint_ship(cairo, stage, map, theme);
+    paint_contacts(cairo, stage, map, contacts);
+    if (look.shows(Layer::next)) paint_next(cairo, stage, map, theme);
+    if (look.shows(Layer::labels)) paint_labels(cairo, stage, map, theme);
+}
+
+void paint_faces(cairo_t* cairo, const Stage& stage, const ViewMap& map)
+{
+    const World& world = stage.run.world();
+    cairo_surface_t* face = stage.face.get();
+    const bool lights = !face && stage.look.colouring == Colouring::random;
+    if (!face && !lights) return;
+    for (int k = 0; k < world.body_count(); ++k) {
+        const auto* disc = std::get_if<Disc>(&world.shape(k));
+        if (!disc || world.is_static(k)) continue;
+        const BodyState s = world.state(k);
+        const Vec2 at = map(s.position);
+        const double radius = disc->radius * map.scale;
+        if (radius < 1.0 || radius > 1e4) continue;
+        cairo_save(cairo);
+        cairo_new_path(cairo);
+        cairo_arc(cairo, at.x(), at.y(), radius, 0.0, 2.0 * std::numbers::pi);
+        if (face) {
+            const double side = std::min(cairo_image_surface_get_width(face), cairo_image_surface_get_height(face));
+            cairo_clip(cairo);
+            cairo_translate(cairo, at.x(), at.y());
+            if (stage.look.faces_turn) cairo_rotate(cairo, -std::remainder(s.angle, 2.0 * std::numbers::pi));
+            cairo_scale(cairo, 2.0 * radius / side, 2.0 * radius / side);
+            cairo_set_source_surface(cairo, face, -0.5 * cairo_image_surface_get_width(face), -0.5 * cairo_image_surface_get_height(face));
+            cairo_pattern_set_filter(cairo_get_source(cairo), CAIRO_FILTER_BILINEAR);
+            cairo_paint(cairo);
+        } else {
+            cairo_pattern_t* light = cairo_pattern_create_radial(at.x() - 0.35 * radius, at.y() - 0.4 * radius, 0.05 * radius, at.x(), at.y(), radius);
+            cairo_pattern_add_color_stop_rgba(light, 0.0, 1.0, 1.0, 1.0, 0.75);
+            cairo_pattern_add_color_stop_rgba(light, 0.55, 1.0, 1.0, 1.0, 0.05);
+            cairo_pattern_add_color_stop_rgba(light, 1.0, 0.0, 0.0, 0.0, 0.28);
+            cairo_set_source(cairo, light);
+            cairo_fill(cairo);
+            cairo_pattern_destroy(light);
+        }
+        cairo_restore(cairo);
+    }
+}
+
+} // namespace flying

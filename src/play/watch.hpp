@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+#include "motion/body.hpp"
+#include "play/inside.hpp"
+#include "play/look.hpp"
+#include "world/plan.hpp"
+
+namespace flying {
+
+class PlayRun;
+
+/// An impact as it happened.
+struct SeenImpact
+{
+    double seen = 0.0;          ///< on the stage's own clock [s]
+    Vec2 point = Vec2::Zero();  ///< [m]
+    Vec2 push = Vec2::Zero();   ///< impulse on one of the two [N s]
+};
+
+/// One point in the strips.
+struct Sample
+{
+    double time = 0.0; ///< of the run [s]
+    double kinetic = 0.0;
+    double potential = 0.0;
+    Vec2 momentum = Vec2::Zero();
+};
+
+/// What is kept of the past for layers that show it. Nothing is gathered for layers that are off.
+struct Watch
+{
+    std::deque<SeenImpact> impacts;
+    std::vector<std::deque<Vec2>> trails; ///< of each body, oldest first [m]
+    std::deque<Sample> samples;
+    std::deque<double> frames; ///< moments of the last frames, on the stage's own clock [s]
+    Plan plan;                 ///< with what it saved, as it was last asked for
+    double plan_asked = -1.0;  ///< on the stage's own clock [s]
+
+    Inside inside;
+    int inside_of = -1;        ///< generation of the run that `inside` belongs to
+    std::vector<LeaningContact> contacts;
+    std::vector<NextImpact> next;
+    double next_asked = -1.0;  ///< on the stage's own clock [s]
+
+    // What impacts are told from
+    std::int64_t known_collisions = 0;
+    std::vector<BodyState> flights; ///< of each body, as the last impact or the frame's start left it
+};
+
+/// How many impacts are kept, for how long, and how long the strips are.
+inline constexpr std::size_t k_most_impacts = 400;
+inline constexpr double k_impact_fades = 0.5;  ///< [s]
+inline constexpr double k_strip_length = 12.0; ///< [s]
+
+/// Before a frame's events: note how bodies fly.
+void begin_watch(Watch& watch, const PlayRun& run);
+/// After each event: take down the impact, where it was one.
+void watch_event(Watch& watch, const PlayRun& run, double now);
+/// After a frame.
+void watch_frame(Watch& watch, PlayRun& run, const Look& look, double now);
+/// What the layers show of the present moment.
+void watch_present(Watch& watch, const PlayRun& run, const Look& look, double now);
+
+/// Energy and momentum of all bodies that move.
+[[nodiscard]] Sample sample_of(const PlayRun& run);
+
+} // namespace flying

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "draw/video.hpp"
+#include "files/output_file.hpp"
+#include "play/stage.hpp"
+
+namespace flying {
+
+/// What is recorded while a scene is played. Files take their names when a record is ended.
+class Recorder
+{
+public:
+    [[nodiscard]] bool is_filming() const { return video_.has_value(); }
+    [[nodiscard]] bool is_tracing() const { return trace_.has_value(); }
+
+    /// Begin, or end; what to tell of it. Faults as `OutputFile` and `Video` have them.
+    [[nodiscard]] Expected<std::string> toggle_video(const std::string& path, SurfaceSize size);
+    [[nodiscard]] Expected<std::string> toggle_trace(const std::string& path);
+
+    /// One frame more of what is recorded, where anything is. A record that can't go on is given up: its fault.
+    [[nodiscard]] std::optional<Fault> add(const Stage& stage, cairo_surface_t* surface);
+
+private:
+    struct Film
+    {
+        OutputFile file;
+        Video video;
+        long frames = 0;
+    };
+    std::optional<Film> video_;
+    std::optional<OutputFile> trace_;
+    long lines_ = 0;
+};
+
+/// A file written at once, whole or not at all.
+[[nodiscard]] std::optional<Fault> write_whole(const std::string& path, const std::string& text);
+
+/// A name in the present folder that is free: "STEM.ENDING", "STEM-2.ENDING", ...
+[[nodiscard]] std::string free_name(const std::string& stem, const std::string& ending);
+
+} // namespace flying
