@@ -112,7 +112,16 @@ int main()
         }
     }
 
-    std::printf("\nscenes = %zu\n", records.diagrams.size());
+    std::printf("\n");
+    for (const GrowthRecord& growth : records.growths) {
+        if (growth.name != "discs") continue;
+        for (const auto& [engine, points] : growth.curves) {
+            std::printf("exponent of discs, %s = %.2f\n", engine.c_str(), exponent(points));
+        }
+        const auto& [size, seconds] = growth.curves.at("flying").back();
+        std::printf("most discs = %.0f\nseconds for the most discs = %.2g s\n", size, seconds);
+    }
+    std::printf("scenes = %zu\n", records.diagrams.size());
     std::printf("scenes reached = %d\n", reached);
     std::printf("scenes never slower = %d\n", won);
     std::printf("ratio discs = %.2g\n", row_named(records, "discs-0.1").at_their_best.value_or(0.0));
