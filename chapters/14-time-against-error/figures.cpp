@@ -18,7 +18,8 @@ void draw_orders(const std::string& folder)
 {
     Sketch sketch(folder + "/orders.svg", 560.0, 470.0);
     const Race race;
-    std::vector<Panel::Curve> curves = {{"Euler", {}}, {"symplectic Euler", {}}, {"Verlet", {}}, {"from wall to wall", {}}};
+    std::vector<Panel::Curve> curves = {
+        {"Euler", {}}, {"symplectic Euler", {}}, {"Verlet", {}}, {"from wall to wall", {}}};
     const auto spot = [](double work, double error) {
         return Panel::Spot{work, work, work, shown_error(error), false};
     };

@@ -35,7 +35,7 @@ Row row_of(const DiagramRecord& diagram)
 {
     Row row;
     row.name = diagram.name;
-    std::vector<Point> ours = points_of(diagram, "flying");
+    std::vector<Point> ours = our_points(diagram);
     row.best_of_ours =
         *std::min_element(ours.begin(), ours.end(), [](const Point& a, const Point& b) { return a.error < b.error; });
     // [time-against-error.measured.ratios]
