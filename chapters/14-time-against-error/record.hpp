@@ -160,6 +160,13 @@ template <typename Record>
     }
     return points;
 }
+
+/// Ours: those of the whole simulator, and where it took longer than the run allows, of its steps alone.
+[[nodiscard]] inline std::vector<Point> our_points(const DiagramRecord& diagram)
+{
+    const std::vector<Point> whole = points_of(diagram, "flying");
+    return whole.empty() ? points_of(diagram, "flying, steps only") : whole;
+}
 // [record.points]
 
 } // namespace flying::work
