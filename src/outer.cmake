@@ -22,6 +22,11 @@ if(FLYING_WASM)
     return()
 endif()
 
+# Reports and runs to go on with, as text
+find_package(nlohmann_json REQUIRED)
+flying_module(json scene)
+target_link_libraries(flying_json PRIVATE nlohmann_json::nlohmann_json)
+
 # Cairo's pictures
 pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo)
 flying_module(draw world)
@@ -30,10 +35,9 @@ target_link_libraries(flying_draw PUBLIC PkgConfig::CAIRO)
 # The program
 find_package(CLI11 REQUIRED)
 find_package(fmt REQUIRED)
-find_package(nlohmann_json REQUIRED)
 file(GLOB app_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/app/*.cpp)
 add_executable(flying ${app_sources})
-target_link_libraries(flying PRIVATE flying_draw flying_scene fmt::fmt nlohmann_json::nlohmann_json CLI11::CLI11)
+target_link_libraries(flying PRIVATE flying_draw flying_json fmt::fmt CLI11::CLI11)
 target_compile_definitions(flying PRIVATE FLYING_VERSION="${PROJECT_VERSION}")
 set_target_properties(flying PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
 # The literate tool: a library for its tests, and the program
@@ -44,3 +48,5 @@ target_link_libraries(flying_weave PUBLIC flying_flags fmt::fmt PRIVATE nlohmann
 target_include_directories(flying_weave PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
 add_executable(weave weave/main.cpp)
 target_link_libraries(weave PRIVATE flying_weave CLI11::CLI11)
+
+include(${CMAKE_CURRENT_SOURCE_DIR}/install.cmake)

@@ -25,7 +25,9 @@ const std::map<std::string, std::vector<std::string>> k_arrows = {
     {"world", {"events", "rest", "mass"}},
     {"draw", {"world"}},
     {"scene", {"world"}},
-    {"app", {"draw", "scene"}},
+    {"json", {"scene"}},
+    {"app", {"draw", "json"}},
+    {"python", {"json"}},
     {"live", {"scene"}},
     {"weave", {}},
 };

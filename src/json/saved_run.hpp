@@ -22,4 +22,8 @@ struct SavedRun
 /// it was written, or of another scene.
 [[nodiscard]] Expected<SavedRun> read_saved_run(const std::string& path, const Scene& scene);
 
+/// The same from the text of such a file.
+/// place  what to call it in faults
+[[nodiscard]] Expected<SavedRun> read_saved_run_text(const std::string& text, const std::string& place, const Scene& scene);
+
 } // namespace flying

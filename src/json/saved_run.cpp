@@ -1,6 +1,4 @@
-#include "app/saved_run.hpp"
-
-#include <fmt/format.h>
+#include "json/saved_run.hpp"
 
 #include <cmath>
 #include <fstream>
@@ -8,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "json/hexadecimal.hpp"
 #include "math/hash.hpp"
 #include "scene/write.hpp"
 #include "world/memory.hpp"
@@ -26,7 +25,7 @@ std::string fingerprint(const std::string& text)
 {
     Hash hash;
     for (const char c : text) hash.add(static_cast<std::uint64_t>(static_cast<unsigned char>(c)));
-    return fmt::format("{:016x}", hash.value());
+    return hexadecimal(hash.value());
 }
 
 // ---- Numbers and what is made of them -------------------------------------------------------------------------------
@@ -273,31 +272,39 @@ Expected<SavedRun> read_saved_run(const std::string& path, const Scene& scene)
     std::ifstream file(path, std::ios::binary);
     std::ostringstream text;
     if (!file || !(text << file.rdbuf())) return Fault{path, "no file that can be read", "one that --save has written"};
-    Json json = Json::parse(text.str(), nullptr, false);
-    if (json.is_discarded()) return Fault{path, "a file that is cut short, or no JSON", "one that --save has written"};
+    return read_saved_run_text(text.str(), path, scene);
+}
+
+Expected<SavedRun> read_saved_run_text(const std::string& text, const std::string& place, const Scene& scene)
+{
+    Json json = Json::parse(text, nullptr, false);
+    if (json.is_discarded()) return Fault{place, "a file that is cut short, or no JSON", "one that --save has written"};
     if (!json.is_object() || json.value("format", Json()) != k_format) {
-        return Fault{path, "JSON of another kind", "a file that --save has written"};
+        return Fault{place, "JSON of another kind", "a file that --save has written"};
     }
     if (json.value("version", Json()) != k_version) {
-        return Fault{path, "version " + json.value("version", Json()).dump(), fmt::format("version {}", k_version)};
+        return Fault{place, "version " + json.value("version", Json()).dump(), "version " + std::to_string(k_version)};
     }
     try {
         const std::string written = json.at("fingerprint");
         json.erase("fingerprint");
         const std::string found = fingerprint(json.dump(-1, ' ', false, Json::error_handler_t::replace));
-        if (found != written) return Fault{path, "content with the fingerprint " + found, written + ", with which it was written"};
+        if (found != written) {
+            return Fault{place, "content with the fingerprint " + found, written + ", with which it was written"};
+        }
 
         // No other scene can be gone on with, not even one whose bodies have other names
         const std::string expected = fingerprint(write_scene(scene));
         const Json& own = json.at("scene");
         if (own.at("fingerprint") != expected) {
-            return Fault{path, fmt::format("a run of the scene \"{}\", fingerprint {}", own.at("title").get<std::string>(),
-                                           own.at("fingerprint").get<std::string>()),
-                         fmt::format("one of \"{}\", fingerprint {}", scene.title, expected)};
+            const std::string title = own.at("title");
+            const std::string found_scene = own.at("fingerprint");
+            return Fault{place, "a run of the scene \"" + title + "\", fingerprint " + found_scene,
+                         "one of \"" + scene.title + "\", fingerprint " + expected};
         }
         return saved_run_of(json);
     } catch (const Json::exception& error) {
-        return Fault{path, error.what(), "a file that --save has written"};
+        return Fault{place, error.what(), "a file that --save has written"};
     }
 }
 

@@ -1,4 +1,4 @@
-#include "live/generate_words.hpp"
+#include "scene/generate_words.hpp"
 
 #include <algorithm>
 #include <charconv>
