@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "tests_bodies.hpp"
+#include "chapters/support/lying_bodies.hpp"
 
 using namespace flying;
 using namespace flying::test;

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "math/random.hpp"
-#include "tests_bodies.hpp"
+#include "chapters/support/lying_bodies.hpp"
 
 using namespace flying;
 using namespace flying::test;

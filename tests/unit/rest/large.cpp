@@ -8,7 +8,7 @@
 #include "math/random.hpp"
 #include "rest/sweep_batches.hpp"
 #include "rest/sweeps.hpp"
-#include "tests_bodies.hpp"
+#include "chapters/support/lying_bodies.hpp"
 
 using namespace flying;
 using namespace flying::test;

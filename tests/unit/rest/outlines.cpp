@@ -5,7 +5,7 @@
 #include "geometry/make_polygon.hpp"
 #include "mass/polygon.hpp"
 #include "math/random.hpp"
-#include "tests_bodies.hpp"
+#include "chapters/support/lying_bodies.hpp"
 
 // What the outline of a body says beside its shape: vertices in the middle of straight sides, and sides in one line.
 

@@ -1,7 +1,7 @@
 #include <doctest/doctest.h>
 
 #include "response/one_point.hpp"
-#include "tests_impacts.hpp"
+#include "support/impacts.hpp"
 
 using namespace impacts;
 using flying::PointImpulse;

@@ -1,7 +1,7 @@
 #include <doctest/doctest.h>
 
 #include "response/several_points.hpp"
-#include "tests_impacts.hpp"
+#include "support/impacts.hpp"
 
 using namespace impacts;
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests_bodies.hpp"
+#include "chapters/support/lying_bodies.hpp"
 
 using namespace flying;
 using namespace flying::test;

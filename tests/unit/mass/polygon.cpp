@@ -8,7 +8,7 @@
 
 #include <doctest/doctest.h>
 
-#include "exact_moments.hpp"
+#include "chapters/04-arbitrary-polygon/exact_moments.hpp"
 #include "mass/polygon.hpp"
 #include "mass/rectangle.hpp"
 #include "mass/regular_polygon.hpp"

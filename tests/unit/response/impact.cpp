@@ -3,7 +3,7 @@
 #include <array>
 
 #include "response/one_point.hpp"
-#include "tests_impacts.hpp"
+#include "support/impacts.hpp"
 
 using namespace impacts;
 

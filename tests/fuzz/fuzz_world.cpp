@@ -1,0 +1,157 @@
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include "fuzz/promise.hpp"
+#include "fuzz/scene_from_bytes.hpp"
+#include "json/saved_run.hpp"
+#include "scene/fault.hpp"
+#include "scene/write.hpp"
+
+// Scenes made of bytes, and what every run of a valid one owes whatever the scene: an end, finite numbers, no energy from
+// nowhere, no body through a wall, the same bits whoever asks, however often, with whatever work skipped, stopped or not.
+
+namespace flying::fuzz {
+
+namespace {
+
+constexpr std::int64_t k_most_events = 2000; ///< of a run: what takes longer is left there
+constexpr int k_looks = 6;
+constexpr double k_rise_allowed = 1e-8;    ///< of the energies that were there: rounding of thousands of impacts
+constexpr double k_overlap_allowed = 0.02; ///< bounding radii; the steps' own promise is 0.01 where islands are small
+
+/// Where a run went.
+struct Outcome
+{
+    bool failed = false;
+    bool is_whole = false; ///< it came to the end within the events that it was given
+    std::uint64_t hash = 0;
+    std::int64_t events = 0;
+};
+
+std::string text(double value)
+{
+    char digits[32];
+    std::snprintf(digits, sizeof digits, "%.17g", value);
+    return digits;
+}
+
+double size_of(const World& world)
+{
+    double least = 1e300;
+    for (int k = 0; k < world.body_count(); ++k) least = std::fmin(least, bounding_radius(world.shape(k)));
+    return least;
+}
+
+/// What must hold at any moment.
+/// most  the largest sum of energies without their signs so far  [J]
+void look(World& world, double& most)
+{
+    const Report report = world.report();
+    for (const BodyReport& body : report.bodies) {
+        const BodyState& s = body.state;
+        const bool is_finite = std::isfinite(s.position.x() + s.position.y() + s.velocity.x() + s.velocity.y() + s.angle + s.spin);
+        promise(is_finite, "every number of a state is finite");
+    }
+    promise(std::isfinite(report.energy.total()), "energies are finite");
+
+    const Scene& scene = world.scene();
+    double energies = report.energy.kinetic + std::abs(report.energy.potential);
+    for (const BodyReport& body : report.bodies) energies += body.mass * std::abs(potential_at(scene.world.field, body.state.position));
+    most = std::fmax(most, energies);
+    const double rise = report.energy.total() - report.initial_total;
+    promise(rise <= k_rise_allowed * most, "no impact adds energy",
+            text(report.initial_total) + " J before, " + text(report.energy.total()) + " J at " + text(report.time) + " s");
+
+    if (!scene.world.box) return;
+    for (int k = 0; k < world.body_count(); ++k) {
+        if (world.is_static(k)) continue;
+        const Vec2 place = world.state(k).position;
+        const bool is_inside = (place - scene.world.box->min).minCoeff() >= 0.0 && (scene.world.box->max - place).minCoeff() >= 0.0;
+        promise(is_inside, "no body leaves the box",
+                "body " + std::to_string(k) + " at (" + text(place.x()) + ", " + text(place.y()) + ") at " + text(report.time) + " s");
+    }
+}
+
+/// looks  moments at which the world is asked, the end among them
+Outcome run(World& world, int looks, bool is_judged)
+{
+    Outcome outcome;
+    double most = 0.0;
+    const double until = world.scene().until;
+    for (int k = 1; k <= looks; ++k) {
+        const double time = until * k / looks;
+        const std::int64_t left = k_most_events - world.events();
+        if (left <= 0) return outcome;
+        if (const auto failure = world.advance(time, left)) {
+            // Impacts may crowd without end where nothing can take them over, and only there
+            outcome.failed = true;
+            return outcome;
+        }
+        if (world.time() < time || world.events() >= k_most_events) return outcome;
+        if (is_judged) look(world, most);
+    }
+    const Report report = world.report();
+    if (is_judged) {
+        const bool by_events = report.engine == "events";
+        promise(report.max_overlap <= (by_events ? 1e-9 : k_overlap_allowed) * (by_events ? 1.0 : size_of(world)),
+                "no two bodies overlap", text(report.max_overlap) + " m");
+    }
+    outcome.is_whole = true;
+    outcome.hash = report.hash;
+    outcome.events = report.events;
+    return outcome;
+}
+
+void try_trial(const Trial& trial)
+{
+    Expected<World> made = World::make(trial.scene, trial.options);
+    if (!made) {
+        promise(!made.faults().empty() && !format_faults(made.faults()).empty(), "what is no scene has faults");
+        return;
+    }
+    const Outcome first = run(made.value(), k_looks, true);
+    if (!first.is_whole) return;
+
+    // However often it was asked
+    World second = World::make(trial.scene, trial.options).value();
+    promise(run(second, 1, false).hash == first.hash, "what happens doesn't depend on when somebody asks");
+
+    // With nothing skipped that may be done without a bit's change
+    WorldOptions bare = trial.options;
+    for (const Skip& skip : second.report().plan.skips)
+        if (skip.kind != SkipClass::altering) bare.without.push_back(skip.name);
+    World third = World::make(trial.scene, bare).value();
+    promise(run(third, 1, false).hash == first.hash, "neutral skips change no bit");
+
+    // Stopped on the way and gone on with
+    World half = World::make(trial.scene, trial.options).value();
+    if (half.advance(0.37 * trial.scene.until, k_most_events)) return;
+    const std::string saved = write_saved_run(trial.scene, trial.options, half.snapshot());
+    Expected<SavedRun> read = read_saved_run_text(saved, "saved", trial.scene);
+    promise(read.has_value(), "a saved run can be read");
+    Expected<World> again = World::resume(trial.scene, read.value().snapshot, read.value().options);
+    promise(again.has_value(), "a saved run can be gone on with");
+    promise(run(again.value(), 1, false).hash == first.hash, "a run that was stopped goes on with the same bits");
+}
+
+} // namespace
+
+} // namespace flying::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+    using namespace flying;
+    const fuzz::Trial trial = fuzz::trial_from_bytes({data, size});
+    if (std::getenv("FLYING_PRINT_SCENE") != nullptr) {
+        const char* names[] = {"auto", "events", "rest"};
+        std::printf("%s", write_scene(trial.scene, "--engine " + std::string(names[static_cast<int>(trial.options.engine)]) +
+                                                       " --step " + std::to_string(trial.options.step)).c_str());
+        std::fflush(stdout);
+    }
+    fuzz::try_trial(trial);
+    return 0;
+}
