@@ -1,5 +1,7 @@
 #include "json/report_json.hpp"
 
+#include <cmath>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "json/hexadecimal.hpp"
@@ -10,10 +12,20 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// On one line; what is no UTF-8 becomes a question mark.
+/// On one line, each number with the 17 digits that name a double; what is no UTF-8 becomes a question mark.
 std::string line_of(const Json& json)
 {
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    if (json.is_number_float()) {
+        const auto value = json.get<double>();
+        char digits[32];
+        std::snprintf(digits, sizeof digits, "%.17g", value);
+        return std::isfinite(value) ? digits : "null";
+    }
+    if (!json.is_structured()) return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    std::string text;
+    for (const auto& [key, value] : json.items())
+        text += (text.empty() ? "" : ", ") + (json.is_object() ? line_of(Json(key)) + ": " : "") + line_of(value);
+    return json.is_object() ? "{" + text + "}" : "[" + text + "]";
 }
 
 /// Between brackets, each on a line of its own.
@@ -91,28 +103,27 @@ Json bodies_json(const std::vector<BodyReport>& bodies)
 
 std::string report_json(const Report& report, double wall_seconds, const std::optional<RunFailure>& failure)
 {
-    Json json{{"time", report.time},
-              {"engine", report.engine},
-              {"events", report.events},
-              {"collisions", report.collisions},
-              {"handovers", report.handovers.size()},
-              {"handover_log", handovers_json(report.handovers)},
-              {"energy",
-               {{"kinetic", report.energy.kinetic},
-                {"potential", report.energy.potential},
-                {"total", report.energy.total()},
-                {"initial_total", report.initial_total}}},
-              {"energy_changes",
-               {{"impacts", report.ledger.impacts},
-                {"steps", report.ledger.steps},
-                {"handovers", report.ledger.handovers}}},
-              {"momentum", vector(report.momentum)},
-              {"angular_momentum", report.angular_momentum},
-              {"max_overlap", report.max_overlap},
-              {"hash", hexadecimal(report.hash)},
-              {"plan", plan_json(report.plan)},
-              {"stages", stages_json(report.stages)},
-              {"wall_seconds", wall_seconds}};
+    Json json{
+        {"time", report.time},
+        {"engine", report.engine},
+        {"events", report.events},
+        {"collisions", report.collisions},
+        {"handovers", report.handovers.size()},
+        {"handover_log", handovers_json(report.handovers)},
+        {"energy",
+         {{"kinetic", report.energy.kinetic},
+          {"potential", report.energy.potential},
+          {"total", report.energy.total()},
+          {"initial_total", report.initial_total}}},
+        {"energy_changes",
+         {{"impacts", report.ledger.impacts}, {"steps", report.ledger.steps}, {"handovers", report.ledger.handovers}}},
+        {"momentum", vector(report.momentum)},
+        {"angular_momentum", report.angular_momentum},
+        {"max_overlap", report.max_overlap},
+        {"hash", hexadecimal(report.hash)},
+        {"plan", plan_json(report.plan)},
+        {"stages", stages_json(report.stages)},
+        {"wall_seconds", wall_seconds}};
     if (failure)
         json["failure"] = {{"time", failure->time}, {"bodies", failure->bodies}, {"message", failure->message}};
 

@@ -6,10 +6,10 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "json/hexadecimal.hpp"
 #include "math/hash.hpp"
 #include "scene/write.hpp"
 #include "world/memory.hpp"
+#include "json/hexadecimal.hpp"
 
 namespace flying {
 
@@ -53,8 +53,11 @@ Json state_json(const BodyState& s)
 
 BodyState state_of(const Json& json)
 {
-    return {{number(json.at(0)), number(json.at(1))}, {number(json.at(2)), number(json.at(3))},
-            number(json.at(4)), number(json.at(5)), number(json.at(6))};
+    return {{number(json.at(0)), number(json.at(1))},
+            {number(json.at(2)), number(json.at(3))},
+            number(json.at(4)),
+            number(json.at(5)),
+            number(json.at(6))};
 }
 
 /// A list, one entry for each thing.
@@ -155,8 +158,8 @@ Json resting_json(const RestEngine::Memory& m)
             {"bodies", list(m.bodies,
                             [](const RestEngine::Memory::Body& b) {
                                 return Json{state_json(b.state), number(b.pull.x()), number(b.pull.y()),
-                                            number(b.turn_pull), number(b.reach), b.sleep_group, b.is_active,
-                                            b.in_crowd};
+                                            number(b.turn_pull), number(b.reach),    b.sleep_group,
+                                            b.is_active,         b.in_crowd};
                             })},
             {"pairs", std::move(pairs)}};
 }
@@ -168,8 +171,9 @@ RestEngine::Memory resting_of(const Json& json)
     m.max_overlap = number(json.at("max_overlap"));
     m.order = json.at("order").get<std::vector<int>>();
     m.bodies = list_of<RestEngine::Memory::Body>(json.at("bodies"), [](const Json& b) {
-        return RestEngine::Memory::Body{state_of(b.at(0)),     {number(b.at(1)), number(b.at(2))}, number(b.at(3)),
-                                        number(b.at(4)),       b.at(5).get<int>(),                 b.at(6).get<bool>(),
+        return RestEngine::Memory::Body{state_of(b.at(0)),  {number(b.at(1)), number(b.at(2))},
+                                        number(b.at(3)),    number(b.at(4)),
+                                        b.at(5).get<int>(), b.at(6).get<bool>(),
                                         b.at(7).get<bool>()};
     });
     m.pairs = list_of<RestPair>(json.at("pairs"), pair_of);
@@ -192,8 +196,8 @@ Hybrid::Memory hybrid_of(const Json& json)
     Hybrid::Memory m;
     m.flying = flying_of(json.at("flying"));
     if (!json.at("resting").is_null()) m.resting = resting_of(json.at("resting"));
-    m.movers =
-        list_of<BodyMover>(json.at("movers"), [](const Json& mover) { return static_cast<BodyMover>(mover.get<int>()); });
+    m.movers = list_of<BodyMover>(json.at("movers"),
+                                  [](const Json& mover) { return static_cast<BodyMover>(mover.get<int>()); });
     m.clear = list_of<char>(json.at("clear"), [](const Json& count) { return static_cast<char>(count.get<int>()); });
     m.step_ends = number(json.at("step_ends"));
     m.energy_of_steps = number(json.at("energy_of_steps"));
@@ -217,10 +221,13 @@ Json handover_json(const Handover& h)
 
 Handover handover_of(const Json& json)
 {
-    return {number(json.at("time")),          json.at("bodies").get<std::vector<int>>(),
-            json.at("reason"),                number(json.at("energy_change")),
+    return {number(json.at("time")),
+            json.at("bodies").get<std::vector<int>>(),
+            json.at("reason"),
+            number(json.at("energy_change")),
             static_cast<Handover::To>(json.at("to").get<int>()),
-            number(json.at("energy_before")), number(json.at("energy_after")),
+            number(json.at("energy_before")),
+            number(json.at("energy_after")),
             json.at("ends_bounces").get<bool>()};
 }
 
@@ -249,19 +256,20 @@ SavedRun saved_run_of(const Json& json)
 
 std::string write_saved_run(const Scene& scene, const WorldOptions& options, const Snapshot& s)
 {
-    Json json{{"format", k_format},
-              {"version", k_version},
-              {"scene", {{"title", scene.title}, {"fingerprint", fingerprint(write_scene(scene))}}},
-              {"options", {{"engine", code(options.engine)}, {"step", number(options.step)}, {"without", options.without}}},
-              {"time", number(s.time)},
-              {"bodies", list(s.bodies, state_json)},
-              {"events", s.events},
-              {"collisions", s.collisions},
-              {"max_overlap", number(s.max_overlap)},
-              {"initial_total", number(s.initial_total)},
-              {"ledger", {number(s.ledger.impacts), number(s.ledger.steps), number(s.ledger.handovers)}},
-              {"handovers", list(s.handovers, handover_json)},
-              {"engines", hybrid_json(s.engines->hybrid)}};
+    Json json{
+        {"format", k_format},
+        {"version", k_version},
+        {"scene", {{"title", scene.title}, {"fingerprint", fingerprint(write_scene(scene))}}},
+        {"options", {{"engine", code(options.engine)}, {"step", number(options.step)}, {"without", options.without}}},
+        {"time", number(s.time)},
+        {"bodies", list(s.bodies, state_json)},
+        {"events", s.events},
+        {"collisions", s.collisions},
+        {"max_overlap", number(s.max_overlap)},
+        {"initial_total", number(s.initial_total)},
+        {"ledger", {number(s.ledger.impacts), number(s.ledger.steps), number(s.ledger.handovers)}},
+        {"handovers", list(s.handovers, handover_json)},
+        {"engines", hybrid_json(s.engines->hybrid)}};
     const std::string content = json.dump(-1, ' ', false, Json::error_handler_t::replace);
     json["fingerprint"] = fingerprint(content);
     return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";

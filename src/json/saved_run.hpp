@@ -24,6 +24,7 @@ struct SavedRun
 
 /// The same from the text of such a file.
 /// place  what to call it in faults
-[[nodiscard]] Expected<SavedRun> read_saved_run_text(const std::string& text, const std::string& place, const Scene& scene);
+[[nodiscard]] Expected<SavedRun> read_saved_run_text(const std::string& text, const std::string& place,
+                                                     const Scene& scene);
 
 } // namespace flying

@@ -2,8 +2,8 @@
 #include <chrono>
 #include <cmath>
 #include <cstdint>
-#include <stdexcept>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <variant>
@@ -13,14 +13,14 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include "json/report_json.hpp"
-#include "json/saved_run.hpp"
 #include "python/scene_text.hpp"
 #include "scene/fault.hpp"
 #include "scene/generate_words.hpp"
 #include "scene/read.hpp"
 #include "scene/write.hpp"
 #include "world/world.hpp"
+#include "json/report_json.hpp"
+#include "json/saved_run.hpp"
 
 // The module `flying` of Python: scenes as TOML text or dicts, states as NumPy arrays, reports as dicts. docs/USING.md.
 
@@ -279,8 +279,10 @@ class RunError(RuntimeError):
         .def("advance", &Run::advance, py::arg("time"), py::arg("max_events") = -1,
              "Move on to a time [s], or until that many events and steps more are done. True when there. Earlier times "
              "do nothing. Raises RunError.")
-        .def_property_readonly("time", [](Run& run) { return run.world().time(); }, "the clock [s]")
-        .def_property_readonly("until", [](Run& run) { return run.world().scene().until; }, "end of the scene [s]")
+        .def_property_readonly(
+            "time", [](Run& run) { return run.world().time(); }, "the clock [s]")
+        .def_property_readonly(
+            "until", [](Run& run) { return run.world().scene().until; }, "end of the scene [s]")
         .def("__len__", [](Run& run) { return run.world().body_count(); })
         .def_property_readonly(
             "names",
@@ -293,9 +295,11 @@ class RunError(RuntimeError):
         .def_property_readonly("events", [](Run& run) { return run.world().events(); })
         .def_property_readonly("collisions", [](Run& run) { return run.world().collisions(); })
         .def("states", &Run::states,
-             "An array of a row for each body, its columns as COLUMNS: x, y [m], angle [rad], vx, vy [m/s], spin [rad/s].")
+             "An array of a row for each body, its columns as COLUMNS: x, y [m], angle [rad], vx, vy [m/s], spin "
+             "[rad/s].")
         .def("outline", &Run::outline, py::arg("body"),
-             "How a body looks about its centre of mass [m]: of a disc its radius, of a polygon a list of rings, each an "
+             "How a body looks about its centre of mass [m]: of a disc its radius, of a polygon a list of rings, each "
+             "an "
              "array of vertices (x, y); the first is its outline, the others are holes.")
         .def("report", &Run::report, "The report of `flying simulate --report` as a dict.")
         .def("snapshot", &Run::snapshot, "A text from which `resume` goes on.")

@@ -7,12 +7,13 @@
 
 #include "fuzz/promise.hpp"
 #include "fuzz/scene_from_bytes.hpp"
-#include "json/saved_run.hpp"
 #include "scene/fault.hpp"
 #include "scene/write.hpp"
+#include "json/saved_run.hpp"
 
-// Scenes made of bytes, and what every run of a valid one owes whatever the scene: an end, finite numbers, no energy from
-// nowhere, no body through a wall, the same bits whoever asks, however often, with whatever work skipped, stopped or not.
+// Scenes made of bytes, and what every run of a valid one owes whatever the scene: an end, finite numbers, no energy
+// from nowhere, no body through a wall, the same bits whoever asks, however often, with whatever work skipped, stopped
+// or not.
 
 namespace flying::fuzz {
 
@@ -53,26 +54,31 @@ void look(World& world, double& most)
     const Report report = world.report();
     for (const BodyReport& body : report.bodies) {
         const BodyState& s = body.state;
-        const bool is_finite = std::isfinite(s.position.x() + s.position.y() + s.velocity.x() + s.velocity.y() + s.angle + s.spin);
+        const bool is_finite =
+            std::isfinite(s.position.x() + s.position.y() + s.velocity.x() + s.velocity.y() + s.angle + s.spin);
         promise(is_finite, "every number of a state is finite");
     }
     promise(std::isfinite(report.energy.total()), "energies are finite");
 
     const Scene& scene = world.scene();
     double energies = report.energy.kinetic + std::abs(report.energy.potential);
-    for (const BodyReport& body : report.bodies) energies += body.mass * std::abs(potential_at(scene.world.field, body.state.position));
+    for (const BodyReport& body : report.bodies)
+        energies += body.mass * std::abs(potential_at(scene.world.field, body.state.position));
     most = std::fmax(most, energies);
     const double rise = report.energy.total() - report.initial_total;
     promise(rise <= k_rise_allowed * most, "no impact adds energy",
-            text(report.initial_total) + " J before, " + text(report.energy.total()) + " J at " + text(report.time) + " s");
+            text(report.initial_total) + " J before, " + text(report.energy.total()) + " J at " + text(report.time) +
+                " s");
 
     if (!scene.world.box) return;
     for (int k = 0; k < world.body_count(); ++k) {
         if (world.is_static(k)) continue;
         const Vec2 place = world.state(k).position;
-        const bool is_inside = (place - scene.world.box->min).minCoeff() >= 0.0 && (scene.world.box->max - place).minCoeff() >= 0.0;
+        const bool is_inside =
+            (place - scene.world.box->min).minCoeff() >= 0.0 && (scene.world.box->max - place).minCoeff() >= 0.0;
         promise(is_inside, "no body leaves the box",
-                "body " + std::to_string(k) + " at (" + text(place.x()) + ", " + text(place.y()) + ") at " + text(report.time) + " s");
+                "body " + std::to_string(k) + " at (" + text(place.x()) + ", " + text(place.y()) + ") at " +
+                    text(report.time) + " s");
     }
 }
 
@@ -148,8 +154,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const fuzz::Trial trial = fuzz::trial_from_bytes({data, size});
     if (std::getenv("FLYING_PRINT_SCENE") != nullptr) {
         const char* names[] = {"auto", "events", "rest"};
-        std::printf("%s", write_scene(trial.scene, "--engine " + std::string(names[static_cast<int>(trial.options.engine)]) +
-                                                       " --step " + std::to_string(trial.options.step)).c_str());
+        std::printf("%s",
+                    write_scene(trial.scene, "--engine " + std::string(names[static_cast<int>(trial.options.engine)]) +
+                                                 " --step " + std::to_string(trial.options.step))
+                        .c_str());
         std::fflush(stdout);
     }
     fuzz::try_trial(trial);

@@ -112,7 +112,8 @@ BodyDef take_body(Bytes& bytes, const Scene& scene)
     // Upon the one before, or on the floor, to the bit
     if (place == 1 && !scene.bodies.empty() && body.angle == 0.0) {
         const BodyDef& below = scene.bodies.back();
-        body.position = below.position + Vec2(bytes.between(-0.5, 0.5), half_height(below.shape) + half_height(body.shape));
+        body.position =
+            below.position + Vec2(bytes.between(-0.5, 0.5), half_height(below.shape) + half_height(body.shape));
     }
     if (place == 2) body.position.y() = half_height(body.shape) - 5.0;
 

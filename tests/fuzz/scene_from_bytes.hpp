@@ -7,11 +7,11 @@
 
 namespace flying::fuzz {
 
-/// A run to try: any bytes make one, and near bytes make near ones, so that a fuzzer can find its way. Not every scene is
-/// valid: bodies may overlap, rings may cross themselves.
+/// A run to try: any bytes make one, and near bytes make near ones, so that a fuzzer can find its way. Not every scene
+/// is valid: bodies may overlap, rings may cross themselves.
 struct Trial
 {
-    Scene scene;        ///< one to eight bodies within metres of the origin, metres a second fast
+    Scene scene; ///< one to eight bodies within metres of the origin, metres a second fast
     WorldOptions options;
 };
 
