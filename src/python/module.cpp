@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include <pybind11/eval.h>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -182,7 +183,7 @@ public:
             }
             rings.append(vertices);
         }
-        return std::move(rings);
+        return rings;
     }
 
     [[nodiscard]] py::object report()

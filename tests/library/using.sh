@@ -56,7 +56,7 @@ target_link_libraries(example PRIVATE flying::flying)' >>CMakeLists.txt
 python)
     block python docs/USING.md >main.py
     compare "$(expected "$3")" "$(PYTHONPATH=$2 /usr/bin/python3 main.py)"
-    PYTHONPATH=$2 FLYING_PROGRAM=$3 /usr/bin/python3 -m unittest "$root/tests/library/module_test.py"
+    PYTHONPATH=$2 FLYING_PROGRAM=$3 PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 "$root/tests/library/module_test.py"
     ;;
 javascript)
     cp "$2/engine.js" "$2/flying.wasm" .
