@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <variant>
 
 #include "fuzz/promise.hpp"
 #include "fuzz/scene_from_bytes.hpp"
@@ -125,8 +126,11 @@ void try_trial(const Trial& trial)
 
     // With nothing skipped that may be done without a bit's change
     WorldOptions bare = trial.options;
+    // Round a centre, pairs whose features are all followed take minutes for a close passage
+    const bool is_central = std::holds_alternative<CentralField>(trial.scene.world.field);
     for (const Skip& skip : second.report().plan.skips)
-        if (skip.kind != SkipClass::altering) bare.without.push_back(skip.name);
+        if (skip.kind != SkipClass::altering && !(is_central && skip.name == "far-features"))
+            bare.without.push_back(skip.name);
     World third = World::make(trial.scene, bare).value();
     promise(agrees(run(third, 1, false), first), "neutral skips change no bit");
 
