@@ -117,7 +117,9 @@ void try_trial(const Trial& trial)
         promise(!made.faults().empty() && !format_faults(made.faults()).empty(), "what is no scene has faults");
         return;
     }
-    const Outcome first = run(made.value(), k_looks, true);
+    // Steps alone, asked to move what flies at a hundred of its sizes a step, owe less: ./course stress rest judges them
+    const bool is_steps_alone = trial.options.engine == EngineChoice::rest;
+    const Outcome first = run(made.value(), k_looks, !is_steps_alone);
     if (!first.is_whole) return;
 
     // However often it was asked
@@ -133,6 +135,8 @@ void try_trial(const Trial& trial)
             bare.without.push_back(skip.name);
     World third = World::make(trial.scene, bare).value();
     promise(agrees(run(third, 1, false), first), "neutral skips change no bit");
+
+    if (is_steps_alone) return;
 
     // Stopped on the way and gone on with
     World half = World::make(trial.scene, trial.options).value();
