@@ -8,7 +8,7 @@
 #include "response/several_points.hpp"
 #include "strikes.hpp"
 #include "support/receipts.hpp"
-#include "tests_impacts.hpp"
+#include "support/impacts.hpp"
 #include "wrong_impulse.hpp"
 
 using namespace impacts;

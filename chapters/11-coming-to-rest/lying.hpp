@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests_bodies.hpp"
+#include "../support/lying_bodies.hpp"
 
 /// Bodies that come to rest, and the limits at which they don't.
 namespace flying::test {

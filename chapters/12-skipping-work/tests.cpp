@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 #include <numbers>
 
-#include "../11-coming-to-rest/tests_bodies.hpp"
+#include "../support/lying_bodies.hpp"
 #include "math/roots.hpp"
 #include "plain_engine.hpp"
 #include "runs.hpp"

@@ -8,11 +8,11 @@
 #include "app/commands.hpp"
 #include "app/explain.hpp"
 #include "app/messages.hpp"
-#include "app/report_json.hpp"
 #include "app/report_text.hpp"
 #include "app/run.hpp"
-#include "app/saved_run.hpp"
 #include "draw/image.hpp"
+#include "json/report_json.hpp"
+#include "json/saved_run.hpp"
 #include "scene/fault.hpp"
 
 namespace flying {
