@@ -19,6 +19,7 @@ struct ChapterEntry
     std::string question;           ///< the one it answers; shown in the contents and on the map
     std::vector<std::string> files; ///< engine files that belong to it, from the project's folder
     std::vector<int> needs;         ///< numbers of the chapters it builds on directly
+    double told = 0.2;              ///< share of the lines of its files that its story has to tell
     bool written = false;           ///< its text is there: every rule applies to it and to its files
     int line = 0;                   ///< in book.toml
 
@@ -28,20 +29,11 @@ struct ChapterEntry
     [[nodiscard]] std::string folder() const { return "chapters/" + name; }
 };
 
-/// A region of the engine that no chapter shows, and why.
-struct Waiver
-{
-    std::string region;
-    std::string reason;
-    int line = 0; ///< in book.toml
-};
-
 /// The table of contents.
 struct Book
 {
     std::string title;
-    std::vector<ChapterEntry> chapters; ///< in the order of their numbers
-    std::vector<Waiver> waivers;
+    std::vector<ChapterEntry> chapters;         ///< in the order of their numbers
     std::map<std::string, std::string> modules; ///< what each module of src does, in a line
 
     /// The chapter of that number, or null.
