@@ -7,11 +7,11 @@
 /// WRONG on purpose: see "Where it breaks".
 namespace flying::wrong {
 
-// [wrong.degrees]
+
 enum class Kind
 {
-    ball,   ///< its angle is in radians, says whoever wrote the balls
-    polygon ///< its angle is in degrees, says whoever wrote the polygons
+    ball,   ///< its angle is in radians
+    polygon ///< its angle is in degrees
 };
 
 /// A point of the body, given in its own frame, in the world's.
@@ -21,6 +21,6 @@ enum class Kind
     const double angle = kind == Kind::polygon ? body.angle * degree : body.angle;
     return body.position + Rotation::of(angle) * r_local;
 }
-// [wrong.degrees]
+
 
 } // namespace flying::wrong

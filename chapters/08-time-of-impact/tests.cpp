@@ -20,8 +20,8 @@ namespace {
 
 constexpr double k_pi = 3.14159265358979323846;
 
-/// Star-shaped about the origin, so that it is simple; concave more often than not. Its centroid is not the origin, which
-/// prediction doesn't mind.
+/// Star-shaped about the origin, so that it is simple; concave more often than not. Its centroid is not the origin,
+/// which prediction doesn't mind.
 Polygon star(Random& random, int corners, double inner)
 {
     std::vector<Vec2> ring;
@@ -57,7 +57,10 @@ Flyer random_flyer(Random& random, const Vec2& position)
     return flyer;
 }
 
-Pose pose_at(const Flyer& flyer, double time) { return pose_of(flight(flyer.state, flyer.acceleration, time)); }
+Pose pose_at(const Flyer& flyer, double time)
+{
+    return pose_of(flight(flyer.state, flyer.acceleration, time));
+}
 
 double gap_at(const Shape& a, const Flyer& fa, const Shape& b, const Flyer& fb, double time)
 {
@@ -93,7 +96,8 @@ TEST_CASE("two discs meet when the quadratic says so, to rounding, from near and
 
 TEST_CASE("a glancing pair of discs keeps its digits")
 {
-    // Sideways distance h just below the sum of the radii s: they meet at x = sqrt((s - h)(s + h)) before the closest point
+    // Sideways distance h just below the sum of the radii s: they meet at x = sqrt((s - h)(s + h)) before the closest
+    // point
     for (const double miss : {1e-4, 1e-8, 1e-12}) {
         const double s = 2.0;
         const double h = s - miss;
@@ -175,7 +179,8 @@ TEST_CASE("a spinning square comes down on a wall corner first, at the root of i
             long double low = 10.0L;
             for (int corner = 0; corner < 4; ++corner) {
                 const long double phase = static_cast<long double>(k_pi) * (0.25L + 0.5L * corner) +
-                                          static_cast<long double>(a.state.angle) + static_cast<long double>(a.state.spin) * t;
+                                          static_cast<long double>(a.state.angle) +
+                                          static_cast<long double>(a.state.spin) * t;
                 low = std::min(low, static_cast<long double>(a.state.position.y()) +
                                         static_cast<long double>(a.state.velocity.y()) * t +
                                         std::sqrt(0.5L) * std::sin(phase));
@@ -191,7 +196,8 @@ TEST_CASE("a spinning square comes down on a wall corner first, at the root of i
             (lowest(middle) > 0.0L ? low : high) = middle;
         }
         // A gap of one rounding over the speed of approach
-        worst = std::max(worst, std::abs(lowest(answer.time)) > 1e-15L ? static_cast<double>(std::abs(answer.time - low)) : 0.0);
+        worst = std::max(
+            worst, std::abs(lowest(answer.time)) > 1e-15L ? static_cast<double>(std::abs(answer.time - low)) : 0.0);
         CHECK(std::abs(static_cast<double>(lowest(answer.time))) <= 4e-15);
     }
     CHECK(worst <= 1e-12);
@@ -258,8 +264,8 @@ TEST_CASE("nothing passes a wall of a billionth of a body at a million sizes a s
 
 TEST_CASE("no first touch is missed or late, against dense sampling of the distance, over random pairs")
 {
-    // Sampled every 1/512 s with speeds below 20 m/s and arms below 1.5 m, a gap falls by less than 0.05 between samples;
-    // overlaps deeper than that can't hide, and shallower ones are looked at by the impact's own time
+    // Sampled every 1/512 s with speeds below 20 m/s and arms below 1.5 m, a gap falls by less than 0.05 between
+    // samples; overlaps deeper than that can't hide, and shallower ones are looked at by the impact's own time
     Random random(7);
     int impacts = 0;
     double worst_gap = 0.0;
@@ -354,15 +360,15 @@ TEST_CASE("lengths, times and masses by powers of two scale a prediction bit for
                 scaled.state.time *= time;
                 return scaled;
             };
-            const Prediction scaled = predict_until(scaled_polygon(a), scaled_flyer(fa), scaled_polygon(b),
-                                                    scaled_flyer(fb), 4.0 * time);
+            const Prediction scaled =
+                predict_until(scaled_polygon(a), scaled_flyer(fa), scaled_polygon(b), scaled_flyer(fb), 4.0 * time);
             CHECK(scaled.kind == plain.kind);
             CHECK(scaled.time == plain.time * time);
         }
     }
 }
 
-// [toi.tests.safe-step]
+
 TEST_CASE("a safe step never passes a root of a function whose bend is bounded")
 {
     // f = cos(w t + p) + b, so that |f''| <= w^2; its first root by the arc cosine
@@ -379,4 +385,4 @@ TEST_CASE("a safe step never passes a root of a function whose bend is bounded")
         CHECK(safe_step(f, -w * std::sin(p), w * w) <= root * (1.0 + 1e-12) + 1e-12);
     }
 }
-// [toi.tests.safe-step]
+

@@ -16,7 +16,7 @@
 
 using namespace flying;
 
-// [toi.tests.discs]
+
 TEST_CASE("two discs meet at the smaller root of their quadratic")
 {
     Random random(801);
@@ -32,9 +32,9 @@ TEST_CASE("two discs meet at the smaller root of their quadratic")
         CHECK_TWIN("toi.discs", t, c / (b - std::sqrt(D)), 4e-15);
     }
 }
-// [toi.tests.discs]
 
-// [toi.tests.fall]
+
+
 TEST_CASE("a disc falls on a wall when its parabola does")
 {
     Random random(802);
@@ -43,12 +43,11 @@ TEST_CASE("a disc falls on a wall when its parabola does")
         const double u = random.uniform(-9.0, 0.0);
         const double a = random.uniform(-9.0, 0.0);
         const double t = time_to_fall(h, u, a);
-        CHECK_EQUATION("toi.fall", t, 2 * h / (std::sqrt(u * u - 2 * a * h) - u), 2e-15, {"h", h}, {"u", u},
-                       {"a", a});
+        CHECK_EQUATION("toi.fall", t, 2 * h / (std::sqrt(u * u - 2 * a * h) - u), 2e-15, {"h", h}, {"u", u}, {"a", a});
         CHECK_TWIN("toi.fall", t, 2 * h / (std::sqrt(u * u - a * h) - u), 2e-15);
     }
 }
-// [toi.tests.fall]
+
 
 // [toi.tests.bar]
 TEST_CASE("a turning bar strikes the floor at the arc sine of its height")
@@ -64,8 +63,8 @@ TEST_CASE("a turning bar strikes the floor at the arc sine of its height")
         worst = std::max(worst, std::abs(read_corner(y, spin, answer.time).gap));
 
         // A few roundings of the height, over the speed at which the end comes down
-        CHECK_EQUATION("toi.bar", answer.time, t, 1e-13, {"y", y}, {"r", k_arm},
-                       {"\\alpha", k_lean}, {"\\omega", spin});
+        CHECK_EQUATION("toi.bar", answer.time, t, 1e-13, {"y", y}, {"r", k_arm}, {"\\alpha", k_lean},
+                       {"\\omega", spin});
         CHECK_TWIN("toi.bar", answer.time, std::asin(y / k_arm) / spin, 1e-13);
     }
     CHECK(worst <= 4e-15);
@@ -73,7 +72,7 @@ TEST_CASE("a turning bar strikes the floor at the arc sine of its height")
 }
 // [toi.tests.bar]
 
-// [toi.tests.rate]
+
 TEST_CASE("a gap changes as fast as the vertex moves along the normal, seen from the edge")
 {
     Random random(804);
@@ -91,9 +90,9 @@ TEST_CASE("a gap changes as fast as the vertex moves along the normal, seen from
         if (std::abs(twin - closed) > 1e-6) CHECK_TWIN_SCALED("toi.rate", rate, twin, 10.0, 1e-9);
     }
 }
-// [toi.tests.rate]
 
-// [toi.tests.bend]
+
+
 TEST_CASE("no gap bends more than its bound, and the worst of all flights bends just as much")
 {
     Random random(805);
@@ -128,9 +127,9 @@ TEST_CASE("no gap bends more than its bound, and the worst of all flights bends 
         CHECK(std::abs(two.bend_by_differences(0.0)) <= two.bend_bound() * (1.0 + 1e-6));
     }
 }
-// [toi.tests.bend]
 
-// [toi.tests.step]
+
+
 TEST_CASE("a safe step is the first root of the parabola below")
 {
     Random random(806);
@@ -148,9 +147,9 @@ TEST_CASE("a safe step is the first root of the parabola below")
         CHECK_TWIN("toi.step", step, static_cast<double>(2.0L * f / (std::sqrt(wide * wide + M * f) - wide)), 1e-14);
     }
 }
-// [toi.tests.step]
 
-// [toi.tests.noise]
+
+
 TEST_CASE("the noise of a gap counts the roundings of its coordinates and of its time")
 {
     Random random(811);
@@ -185,7 +184,8 @@ TEST_CASE("no gap of a turning vertex over a wall is farther off than the bound 
         const RelativeFlight relative = relative_flight(flyer, {}, 0.0);
         const Vec2 arm = Turning(flyer.state).at(t) * vertex;
         const double gap = relative.offset_at(t).y() - offset + arm.y();
-        const long double angle = static_cast<long double>(flyer.state.angle) + static_cast<long double>(flyer.state.spin) * t;
+        const long double angle =
+            static_cast<long double>(flyer.state.angle) + static_cast<long double>(flyer.state.spin) * t;
         const long double exact = static_cast<long double>(height) +
                                   static_cast<long double>(flyer.state.velocity.y()) * t - offset +
                                   std::sin(angle) * vertex.x() + std::cos(angle) * vertex.y();
@@ -199,9 +199,9 @@ TEST_CASE("no gap of a turning vertex over a wall is farther off than the bound 
     RECORD_VALUE("toi.noise.worst", 100.0 * worst);
     RECORD_VALUE("toi.noise.cases", k_cases);
 }
-// [toi.tests.noise]
 
-// [toi.tests.graze]
+
+
 TEST_CASE("where a vertex touches without approach, the march goes on by a step in which the gap hardly changes")
 {
     Random random(807);
@@ -234,9 +234,9 @@ TEST_CASE("a wave that dips below zero strikes and one that stays above does not
         if (depth == 0.0) CHECK(std::abs(wave(end.time).gap_rate) <= std::sqrt(2.0 * noise) * 1.01);
     }
 }
-// [toi.tests.graze]
 
-// [toi.tests.outlook]
+
+
 TEST_CASE("round a centre, the pull of the near future is that of half the distance, or of the nearest point")
 {
     Random random(808);
@@ -259,8 +259,8 @@ TEST_CASE("round a centre, the pull of the near future is that of half the dista
         const double energy = 0.5 * (v_1 * v_1 + v_2 * v_2) - 4.0 / r_0;
         const double r_1 = l * l / (4.0 * (1.0 + std::sqrt(1.0 + 2.0 * energy * l * l / 16.0)));
         const double nearest = std::max(0.5 * r_0, r_1);
-        CHECK_EQUATION("toi.pull", outlook.acceleration, 4.0 / (nearest * nearest), 1e-9, {"\\mu", 4.0},
-                       {"r_0", r_0}, {"r_1", r_1});
+        CHECK_EQUATION("toi.pull", outlook.acceleration, 4.0 / (nearest * nearest), 1e-9, {"\\mu", 4.0}, {"r_0", r_0},
+                       {"r_1", r_1});
         CHECK_TWIN("toi.pull", outlook.acceleration, 4.0 / nearest, 1e-9);
         if (r_1 > 0.5 * r_0) {
             ++by_orbit;
@@ -277,9 +277,9 @@ TEST_CASE("round a centre, the pull of the near future is that of half the dista
     CHECK(by_half > 100);
     CHECK(by_orbit > 100);
 }
-// [toi.tests.outlook]
 
-// [toi.tests.late]
+
+
 TEST_CASE("the same meeting a million seconds later is found a million seconds later")
 {
     Random random(812);
@@ -318,9 +318,9 @@ TEST_CASE("the same meeting a million seconds later is found a million seconds l
     CHECK(worst <= 2.0 * gap_tolerance(1.0, 1.0, 8.0, 4.0, k_later).noise);
     RECORD_VALUE("toi.late.off", worst);
 }
-// [toi.tests.late]
 
-// [toi.tests.radial]
+
+
 TEST_CASE("a disc that falls straight in strikes the disc at the centre at the time of the closed form")
 {
     // sqrt(r^3 / 2 mu) (acos sqrt q + sqrt(q (1 - q))), where q = 1/4 is the share of the way that is left
@@ -335,7 +335,7 @@ TEST_CASE("a disc that falls straight in strikes the disc at the centre at the t
     const double expected = 4.0 * (std::numbers::pi / 3 + std::sqrt(3.0) / 4);
     CHECK(std::abs(answer.time - expected) <= 1e-14 * expected);
 }
-// [toi.tests.radial]
+
 
 // [toi.tests.wrong_steps]
 TEST_CASE("a disc that is looked at step by step passes a thin wall "
@@ -351,22 +351,20 @@ TEST_CASE("a disc that is looked at step by step passes a thin wall "
         for (int k = 0; k < k_throws; ++k) {
             const Flyer flyer = thrown(-1.0 - V * step * k / k_throws, V);
             seen += first_overlap(flyer, step, 2.0 / V + 3 * step) < k_never ? 1 : 0;
-            const Prediction answer = predict(Disc{k_disc_radius}, flyer, thin_wall(), {}, 0.0,
-                                              {.windows = 1000});
+            const Prediction answer = predict(Disc{k_disc_radius}, flyer, thin_wall(), {}, 0.0, {.windows = 1000});
             CHECK(answer.kind == Prediction::Kind::impact);
         }
         // [toi.tests.wrong_steps.throws]
         const double share = static_cast<double>(seen) / k_throws;
-        CHECK_EQUATION("toi.seen", share, seen_from / (V * step), 1e-2,
-                       {"w", k_wall_thickness}, {"R", k_disc_radius}, {"V", V},
-                       {"\\Delta", step});
+        CHECK_EQUATION("toi.seen", share, seen_from / (V * step), 1e-2, {"w", k_wall_thickness}, {"R", k_disc_radius},
+                       {"V", V}, {"\\Delta", step});
         CHECK_TWIN("toi.seen", share, k_wall_thickness / (V * step), 1e-2);
         CHECK(seen < k_throws); // the wall is passed: this finds it
     }
 }
 // [toi.tests.wrong_steps]
 
-// [toi.tests.wrong_meet]
+
 TEST_CASE("the quadratic of school loses digits with the distance, and far away it loses the meeting")
 {
     Random random(809);
@@ -382,7 +380,7 @@ TEST_CASE("the quadratic of school loses digits with the distance, and far away 
     CHECK(missed > 100);
     RECORD_VALUE("toi.wrong.missed", 0.1 * missed);
 }
-// [toi.tests.wrong_meet]
+
 
 // [toi.tests.wrong_step]
 TEST_CASE("the safe step as school has it passes roots, or does not move at all")
@@ -395,8 +393,7 @@ TEST_CASE("the safe step as school has it passes roots, or does not move at all"
         const double bend = std::pow(10.0, random.uniform(-6.0, 0.0));
 
         // The worst that the bound allows is the parabola; here is its root by long double
-        const double root =
-            static_cast<double>(2.0L * f / (1.0L + std::sqrt(1.0L + 2.0L * bend * f)));
+        const double root = static_cast<double>(2.0L * f / (1.0L + std::sqrt(1.0L + 2.0L * bend * f)));
         CHECK(safe_step(f, -1.0, bend) <= root * (1.0 + 4e-16));
         const double wrong = school_step(f, -1.0, bend);
         passed += wrong > root * (1.0 + 1e-9) ? 1 : 0;

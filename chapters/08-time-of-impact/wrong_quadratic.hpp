@@ -9,7 +9,7 @@
 
 namespace flying {
 
-// [toi.wrong.meet]
+
 /// WRONG, and it looks right: the quadratic as school has it.
 inline double school_meet(const Vec2& x, const Vec2& v, double s)
 {
@@ -19,7 +19,7 @@ inline double school_meet(const Vec2& x, const Vec2& v, double s)
     if (b <= 0.0 || D < 0.0) return k_never;
     return (b - std::sqrt(D)) / v.dot(v);
 }
-// [toi.wrong.meet]
+
 
 /// Two discs far apart, on paths that lie aslant.
 struct FarPair
@@ -35,7 +35,7 @@ inline FarPair far_pair(double distance, double miss)
     return {-distance * along + miss * perp(along), 3.0 * along};
 }
 
-/// When they meet, to twice the digits and more: the roundings of the given numbers aside, which nobody can undo.
+/// When they meet, to twice the digits and more: but for the rounding of the given numbers.
 inline double exactly(const FarPair& pair, double s)
 {
     using Wide = boost::multiprecision::cpp_bin_float_100;
@@ -49,12 +49,12 @@ inline double exactly(const FarPair& pair, double s)
     return static_cast<double>(c / (b + sqrt(D)));
 }
 
-// [toi.wrong.step]
+
 /// WRONG, and it looks right: the safe step as school has it.
 inline double school_step(double f, double f_rate, double bend)
 {
     return (f_rate + std::sqrt(f_rate * f_rate + 2.0 * bend * f)) / bend;
 }
-// [toi.wrong.step]
+
 
 } // namespace flying

@@ -5,7 +5,7 @@
 
 using namespace flying;
 
-// [simulator.faults]
+
 int main()
 {
     const Expected<Scene> scene = read_scene_file(FLYING_HERE "/five-faults.toml");
@@ -16,4 +16,4 @@ int main()
         std::printf("%s\n", format_fault(fault).c_str());
     }
 }
-// [simulator.faults]
+

@@ -4,7 +4,7 @@
 
 using namespace flying;
 
-// [simulator.movers]
+
 int main()
 {
     World world = start(rain(24, 5));
@@ -35,4 +35,4 @@ int main()
     }
     std::printf("...\nof %zu\n", world.handovers().size());
 }
-// [simulator.movers]
+

@@ -9,7 +9,7 @@
 
 using namespace flying;
 
-// [simulator.tests.saved]
+
 TEST_CASE("a run that was saved and gone on with has the bits of one that never stopped")
 {
     for (const Scene& scene :
@@ -29,9 +29,9 @@ TEST_CASE("a run that was saved and gone on with has the bits of one that never 
         CHECK(broken.handovers().size() == whole.handovers().size());
     }
 }
-// [simulator.tests.saved]
 
-// [simulator.tests.by_eye]
+
+
 TEST_CASE(
     "what one sees of a run isn't enough to go on with: seventeen digits of it lead to "
     "another future")
@@ -53,9 +53,9 @@ TEST_CASE(
     const double energy = whole.report().energy.total();
     CHECK(std::abs(by_eye.report().energy.total() - energy) < 1e-12 * energy);
 }
-// [simulator.tests.by_eye]
 
-// [simulator.tests.asked]
+
+
 TEST_CASE("what happens doesn't depend on who looks, or how often")
 {
     World once = start(rain(16, 3));
@@ -70,9 +70,9 @@ TEST_CASE("what happens doesn't depend on who looks, or how often")
         CHECK(often.report().hash == once.report().hash);
     }
 }
-// [simulator.tests.asked]
 
-// [simulator.tests.frames]
+
+
 TEST_CASE("where steps follow the frames, each rate of frames has a future of its own")
 {
     WorldOptions slow;
@@ -85,9 +85,9 @@ TEST_CASE("where steps follow the frames, each rate of frames has a future of it
     go(two, 12.0);
     CHECK(apart(one, two) > 0.1);
 }
-// [simulator.tests.frames]
 
-// [simulator.tests.faults]
+
+
 TEST_CASE(
     "all faults of a scene come at once, each with its line, in the order of the text")
 {
@@ -103,9 +103,9 @@ TEST_CASE(
         CHECK(faults[k].place.find(lines[k]) != std::string::npos);
     }
 }
-// [simulator.tests.faults]
 
-// [simulator.tests.together]
+
+
 TEST_CASE(
     "bodies change hands both ways, at no cost of energy, and overlap by next to nothing")
 {
@@ -127,9 +127,9 @@ TEST_CASE(
     RECORD_VALUE("simulator.to_events", to_events);
     RECORD_VALUE("simulator.overlap", report.max_overlap);
 }
-// [simulator.tests.together]
 
-// [simulator.tests.original]
+
+
 TEST_CASE(
     "the original's scales: its dumbbell is a third too heavy, and its house has its "
     "centre in the wrong place")
@@ -156,4 +156,4 @@ TEST_CASE(
         }
     }
 }
-// [simulator.tests.original]
+

@@ -7,7 +7,7 @@
 
 namespace flying {
 
-// [rest.problem]
+
 /// One island as the direct solvers see it: impulses are sought from none.
 struct ContactProblem
 {
@@ -24,6 +24,6 @@ struct ContactProblem
     std::vector<Mover> bodies; ///< the members, with the velocities that they would have without contacts
     std::vector<double> slip;  ///< normal speed less the bound, and tangential speed, of each point without contacts [m/s]
 };
-// [rest.problem]
+
 
 } // namespace flying

@@ -11,7 +11,7 @@
 namespace flying {
 namespace {
 
-// [rest.group.limits]
+
 /// Newton's steps until the pieces must have been found, and corrections of what rounding leaves.
 constexpr int k_newton_steps = 8;
 /// [worst approach] A point that parts more slowly may still bear.
@@ -29,9 +29,9 @@ constexpr int k_most_few = 64;
 constexpr std::size_t k_most_from_nothing = 256;
 /// [points] Pieces of one that begins with nothing; it rarely takes more than three.
 constexpr int k_many = 16;
-// [rest.group.limits]
 
-// [rest.group.rounding]
+
+
 /// The most that an impulse changes the velocity of the lightest it pushes.  [m/s]
 [[nodiscard]] double greatest_push(std::span<const ContactPoint> points)
 {
@@ -40,26 +40,26 @@ constexpr int k_many = 16;
     return greatest;
 }
 
-// [rest.group.rounding]
+
 
 } // namespace
 
-// [rest.group.rounding_of]
+
 double rounding_of(std::span<const ContactPoint> points, std::size_t members)
 {
     return rest_tolerance::k_content * static_cast<double>(members) * greatest_push(points);
 }
-// [rest.group.rounding_of]
 
-// [rest.group.start]
+
+
 void GroupSolver::set_start(std::span<ContactPoint> points) const
 {
     if (warm_) return;
     for (ContactPoint& c : points) c.normal = c.tangent = 0.0;
 }
-// [rest.group.start]
 
-// [rest.group.prepare]
+
+
 void GroupSolver::prepare(std::span<const int> members, std::span<const ContactPoint> points, std::size_t movers)
 {
     // Number the members, and find who is coupled to whom
@@ -85,9 +85,9 @@ void GroupSolver::prepare(std::span<const int> members, std::span<const ContactP
     mode_factorised_.resize(points.size());
     factorised_ = false;
 }
-// [rest.group.prepare]
 
-// [rest.group.settle]
+
+
 void GroupSolver::restore_free(std::span<Mover> movers, std::span<const int> members) const
 {
     for (std::size_t k = 0; k < members.size(); ++k) movers[members[k]] = free_[k];
@@ -121,9 +121,9 @@ void GroupSolver::settle_for_sweeps(std::span<Mover> movers, std::span<ContactPo
         points[k].tangent = sweep_points_[k].tangent;
     }
 }
-// [rest.group.settle]
 
-// [rest.group.solve]
+
+
 bool GroupSolver::solve(std::span<Mover> movers, std::span<const int> members, std::span<ContactPoint> points,
                         double tolerance, Effort effort)
 {
@@ -239,9 +239,9 @@ void GroupSolver::take_impulses(const Island& island)
     restore_free(island.movers, island.members);
     warm_start(island.points, island.movers);
 }
-// [rest.group.solve]
 
-// [rest.group.newton]
+
+
 // [rest.group.slips]
 void GroupSolver::measure_slips(std::span<const Mover> movers,
                                 std::span<const ContactPoint> points)
@@ -288,9 +288,9 @@ bool GroupSolver::newton(std::span<const Mover> movers,
     }
     return false;
 }
-// [rest.group.newton]
 
-// [rest.group.trial]
+
+
 std::size_t GroupSolver::try_points(std::span<const ContactPoint> points)
 {
     static constexpr double k_still[3] = {0.0, 0.0, 0.0};
@@ -331,9 +331,9 @@ std::size_t GroupSolver::try_points(std::span<const ContactPoint> points)
     }
     return changes;
 }
-// [rest.group.trial]
 
-// [rest.group.assemble]
+
+
 void GroupSolver::assemble_masses(std::span<const Mover> movers)
 {
     system_.clear();
@@ -384,9 +384,9 @@ bool GroupSolver::assemble(std::span<const Mover> movers, std::span<const Contac
     factorised_ = system_.factorise();
     return factorised_;
 }
-// [rest.group.assemble]
 
-// [rest.group.imbalance]
+
+
 void GroupSolver::imbalance(std::span<const ContactPoint> points)
 {
     // What the pieces push at the speeds before the trial, beyond the impulses that are there
@@ -403,6 +403,6 @@ void GroupSolver::imbalance(std::span<const ContactPoint> points)
         push_members(c, normal, tangent, delta_);
     }
 }
-// [rest.group.imbalance]
+
 
 } // namespace flying

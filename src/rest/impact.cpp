@@ -8,13 +8,13 @@
 namespace flying {
 namespace {
 
-// [rest.impact.rounds]
+
 /// Rounds of impacts at one moment. A blow that runs through a row against the order of its pairs takes one for each of
 /// them; elastic bodies packed between walls would go on for ever.
 constexpr int k_rounds = 64;
-// [rest.impact.rounds]
 
-// [rest.impact.two]
+
+
 /// A contact as the law of two bodies wants it: its place from both centres, from the arms of its pushes.
 [[nodiscard]] ImpactPoint impact_point(const ContactPoint& c)
 {
@@ -34,11 +34,11 @@ void set_velocity(Mover& body, const Vec2& velocity, double spin)
     body.v_y = velocity.y();
     body.spin = spin;
 }
-// [rest.impact.two]
+
 
 } // namespace
 
-// [rest.impact]
+
 int throw_back(std::span<Mover> velocities, std::span<const ContactPoint> points, std::span<const double> slowest)
 {
     int impacts = 0;
@@ -71,6 +71,6 @@ int throw_back(std::span<Mover> velocities, std::span<const ContactPoint> points
     }
     return impacts;
 }
-// [rest.impact]
+
 
 } // namespace flying

@@ -9,7 +9,7 @@
 namespace flying {
 namespace {
 
-// [rest.interior.limits]
+
 /// Steps; each solves one system.
 constexpr int k_steps = 64;
 /// Steps in a row that don't halve the products: the way on is blocked, as it may be where friction is great.
@@ -22,19 +22,19 @@ constexpr double k_inside = 0.99;
 constexpr double k_short = 0.1;
 /// Share of the products that is left at least for the next step.
 constexpr double k_least_share = 0x1p-10;
-// [rest.interior.limits]
 
-// [rest.interior.until]
+
+
 /// Part of a change after which a positive number is zero; 2 where it does not shrink.
 [[nodiscard]] double part_until_zero(double value, double change)
 {
     return change < 0.0 ? -value / change : 2.0;
 }
-// [rest.interior.until]
+
 
 } // namespace
 
-// [rest.interior.start]
+
 void InteriorPoint::start(const ContactProblem& problem)
 {
     unit_ = 0.0;
@@ -86,9 +86,9 @@ void InteriorPoint::start(const ContactProblem& problem)
     }
 }
 
-// [rest.interior.start]
 
-// [rest.interior.assemble]
+
+
 bool InteriorPoint::assemble(const ContactProblem& problem, BlockSystem& system)
 {
     system.clear();
@@ -136,9 +136,9 @@ bool InteriorPoint::assemble(const ContactProblem& problem, BlockSystem& system)
     return system.factorise();
 }
 
-// [rest.interior.assemble]
 
-// [rest.interior.step]
+
+
 void InteriorPoint::step_towards(const ContactProblem& problem, BlockSystem& system, const Aim& aim)
 {
     static constexpr double k_none[3] = {0.0, 0.0, 0.0};
@@ -210,9 +210,9 @@ void InteriorPoint::step_towards(const ContactProblem& problem, BlockSystem& sys
     }
 }
 
-// [rest.interior.step]
 
-// [rest.interior.take]
+
+
 double InteriorPoint::longest_step() const
 {
     double most = 2.0;
@@ -260,9 +260,9 @@ void InteriorPoint::take(double step, double closed)
     }
 }
 
-// [rest.interior.take]
 
-// [rest.interior.solve]
+
+
 bool InteriorPoint::solve(const ContactProblem& problem, BlockSystem& system, std::span<double> impulse,
                           std::int64_t& factorisations)
 {
@@ -310,6 +310,6 @@ bool InteriorPoint::solve(const ContactProblem& problem, BlockSystem& system, st
     }
     return small;
 }
-// [rest.interior.solve]
+
 
 } // namespace flying

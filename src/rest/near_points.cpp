@@ -10,7 +10,7 @@
 namespace flying {
 namespace {
 
-// [rest.near.cut]
+
 /// [sine] Normals this near are those of one edge.
 constexpr double k_same_normal = 0x1p-10;
 
@@ -29,9 +29,9 @@ constexpr double k_hardly = 0.0625;
     }
     return false;
 }
-// [rest.near.cut]
 
-// [rest.near.out]
+
+
 /// The way out of `side` over one of its real sides that is the shortest for the other part; separation -infinity where
 /// the part has no real side. The normal leads from the side to the other.
 [[nodiscard]] Contact shortest_way_out(const NearSide& side, const NearSide& other)
@@ -59,9 +59,9 @@ constexpr double k_hardly = 0.0625;
     }
     return best;
 }
-// [rest.near.out]
 
-// [rest.near.nearest]
+
+
 /// Where two parts that are apart are nearest to each other, if it is no cut.
 struct Nearest
 {
@@ -109,9 +109,9 @@ void look_at_corners(const NearSide& side, const NearSide& other, std::uint32_t 
     if (nearest.square < least) nearest.contact.normal = -nearest.contact.normal;
     return nearest;
 }
-// [rest.near.nearest]
 
-// [rest.near.sides]
+
+
 /// Leaves of a manifold of two parts what doesn't stand on cuts, and adds what is near beside it.
 void keep_to_sides(const NearSide& a, const NearSide& b, double margin, Manifold& manifold)
 {
@@ -145,20 +145,20 @@ void keep_to_sides(const NearSide& a, const NearSide& b, double margin, Manifold
     const Contact& best = out_of_b.separation > out_of_a.separation ? out_of_b : out_of_a;
     if (depth >= -k_hardly * best.separation) manifold.contacts[manifold.count++] = best;
 }
-// [rest.near.sides]
+
 
 } // namespace
 
-// [rest.near]
+
 Manifold near_points(const NearSide& a, const NearSide& b, double margin)
 {
     Manifold manifold = make_manifold(a.shape, a.pose, b.shape, b.pose, margin);
     keep_to_sides(a, b, margin, manifold);
     return manifold;
 }
-// [rest.near]
 
-// [rest.near.memory]
+
+
 Manifold near_points(const NearSide& a, const NearSide& b, double margin, NearMemory& memory)
 {
     const auto* polygon_a = std::get_if<Polygon>(&a.shape);
@@ -177,6 +177,6 @@ Manifold near_points(const NearSide& a, const NearSide& b, double margin, NearMe
     keep_to_sides(a, b, margin, manifold);
     return manifold;
 }
-// [rest.near.memory]
+
 
 } // namespace flying

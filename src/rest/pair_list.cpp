@@ -10,7 +10,7 @@
 namespace flying {
 namespace {
 
-// [rest.pairs.room]
+
 // [radii] and [reaches] of room that a box gets: more room, fewer looks and more pairs
 constexpr double k_room_radii = 0.0625;
 constexpr double k_room_reaches = 3.0;
@@ -28,11 +28,11 @@ constexpr double k_room_reaches = 3.0;
     const double height = wall.normal.x() * x + wall.normal.y() * y;
     return height <= wall.offset;
 }
-// [rest.pairs.room]
+
 
 } // namespace
 
-// [rest.pairs.inside]
+
 bool PairList::all_inside(std::span<const RestBody> bodies, std::span<const double> radius,
                           std::span<const double> reach) const
 {
@@ -45,9 +45,9 @@ bool PairList::all_inside(std::span<const RestBody> bodies, std::span<const doub
     }
     return true;
 }
-// [rest.pairs.inside]
 
-// [rest.pairs.update]
+
+
 bool PairList::update(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes,
                       std::span<const double> radius, std::span<const double> reach)
 {
@@ -69,9 +69,9 @@ bool PairList::update(std::span<const RestBody> bodies, std::span<const Collisio
     valid_ = true;
     return true;
 }
-// [rest.pairs.update]
 
-// [rest.pairs.partners]
+
+
 void PairList::find_partners(std::span<const RestBody> bodies)
 {
     // Sort the boxes of all that have one into cells
@@ -109,9 +109,9 @@ void PairList::find_partners(std::span<const RestBody> bodies)
         std::sort(partners_.begin() + partner_start_[k], partners_.begin() + partner_start_[k + 1]);
     }
 }
-// [rest.pairs.partners]
 
-// [rest.pairs.merge]
+
+
 void PairList::add_pairs(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes)
 {
     old_.swap(pairs_);
@@ -139,9 +139,9 @@ void PairList::add_pairs(std::span<const RestBody> bodies, std::span<const Colli
     }
     starts_.push_back(static_cast<int>(pairs_.size()));
 }
-// [rest.pairs.merge]
 
-// [rest.pairs.second]
+
+
 void PairList::sort_by_second(int bodies)
 {
     second_starts_.assign(bodies + 1, 0);
@@ -152,6 +152,6 @@ void PairList::sort_by_second(int bodies)
     for (int k = bodies; k > 0; --k) second_starts_[k] = second_starts_[k - 1];
     second_starts_[0] = 0;
 }
-// [rest.pairs.second]
+
 
 } // namespace flying

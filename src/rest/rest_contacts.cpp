@@ -10,7 +10,7 @@
 namespace flying {
 namespace {
 
-// [rest.collide.limits]
+
 /// [sizes] A pair that overlaps by more is put right first, before anyone looks ahead.
 constexpr double k_deep = 0x1p-10;
 /// Looks at a pair that closes, each at the moment that the last one foresaw.
@@ -23,9 +23,9 @@ constexpr double k_slow = 0x1p-24;
 constexpr double k_doubt = 0x1p-44;
 /// [steps] What closes later is left to the next step.
 constexpr double k_last_moment = 1.0 - 0x1p-30;
-// [rest.collide.limits]
 
-// [rest.time_to_close]
+
+
 /// Time until a gap closes that changes at speed u and acceleration a; more than `within` where it doesn't by then. [s]
 [[nodiscard]] double time_to_close(double gap, double u, double a, double within)
 {
@@ -34,9 +34,9 @@ constexpr double k_last_moment = 1.0 - 0x1p-30;
     const double root = std::sqrt(std::max(square, 0.0));
     return root > u ? 2.0 * gap / (root - u) : 2.0 * within;
 }
-// [rest.time_to_close]
 
-// [rest.known]
+
+
 /// The point of the last look that a point continues: the nearest at the same place, whatever the names of the features,
 /// which change with rounding where corners lie on corners; or else that of the same features. -1 where there is none.
 [[nodiscard]] int known_point(const PairLoads& pair, std::uint32_t feature, const Vec2& place, double near)
@@ -59,11 +59,11 @@ constexpr double k_last_moment = 1.0 - 0x1p-30;
     }
     return false;
 }
-// [rest.known]
+
 
 } // namespace
 
-// [rest.collide]
+
 void RestEngine::collide()
 {
     found_.clear();
@@ -206,9 +206,9 @@ double RestEngine::weight_of(const ContactPoint& c) const
     const Vec2 shift = field_[c.b] - field_[c.a];
     return c.n_x * shift.x() + c.n_y * shift.y();
 }
-// [rest.collide]
 
-// [rest.points]
+
+
 void RestEngine::add_points(int index, const Manifold& manifold, double closes_at, double closing_speed)
 {
     RestPair& pair = pairs_.pairs()[index];
@@ -261,9 +261,9 @@ void RestEngine::set_arms(ContactPoint& c, const Vec2& n, const Vec2& r_a, const
     c.tangent_mass = 1.0 / (shift + (a.inv_moment * (c.tangent_arm_a * c.tangent_arm_a) +
                                      b.inv_moment * (c.tangent_arm_b * c.tangent_arm_b)));
 }
-// [rest.points]
 
-// [rest.look.again]
+
+
 void RestEngine::set_pose(int body, const Pose& pose)
 {
     // How far, at most, it has moved and any point at distance 1 from its centre has turned, in all
@@ -297,9 +297,9 @@ Manifold RestEngine::look_again(RestPair& pair, double margin)
     if (manifold.count > 0) mend(pair, poses_[pair.a], poses_[pair.b], margin, manifold);
     return manifold;
 }
-// [rest.look.again]
 
-// [rest.look]
+
+
 Manifold RestEngine::look(const RestPair& pair, const Pose& pose_a, const Pose& pose_b, double margin) const
 {
     const NearSide a{shapes_[pair.a].parts[pair.part_a].shape, pose_a, real_edges_[pair.a][pair.part_a]};
@@ -308,9 +308,9 @@ Manifold RestEngine::look(const RestPair& pair, const Pose& pose_a, const Pose& 
     if (manifold.count > 0) mend(pair, pose_a, pose_b, margin, manifold);
     return manifold;
 }
-// [rest.look]
 
-// [rest.wake]
+
+
 bool RestEngine::wake_touched()
 {
     if (none_sleeps_) return false;
@@ -333,6 +333,6 @@ bool RestEngine::wake_touched()
     }
     return any;
 }
-// [rest.wake]
+
 
 } // namespace flying

@@ -8,7 +8,7 @@
 namespace flying {
 namespace {
 
-// [rest.curves.limits]
+
 /// Points of the largest group whose lines of push are followed along its ways.
 constexpr int k_most_followed = 16;
 /// [1, or sizes] A line of push that changes by less within a step is straight.
@@ -19,19 +19,19 @@ constexpr double k_slide = 0x1p-10;
 /// may leave of a gap.
 constexpr int k_most_rounds = 6;
 constexpr double k_left_of_gap = 0.125;
-// [rest.curves.limits]
 
-// [rest.curves.lines]
+
+
 /// Lines as the mean of three: at the start of a way, halfway, and at its end.
 void set_mean_lines(ContactPoint& mean, const ContactPoint& start, const ContactPoint& half, const ContactPoint& end,
                     const Mover& a, const Mover& b)
 {
-    // [rest.curves.simpson]
+
     // The mean of a line over a way, by the rule for barrels
     const auto simpson = [&](double ContactPoint::* number) {
         return ((start.*number + end.*number) + 4.0 * half.*number) / 6.0;
     };
-    // [rest.curves.simpson]
+
     mean.n_x = simpson(&ContactPoint::n_x);
     mean.n_y = simpson(&ContactPoint::n_y);
     mean.normal_arm_a = simpson(&ContactPoint::normal_arm_a);
@@ -63,11 +63,11 @@ void set_mean_lines(ContactPoint& mean, const ContactPoint& start, const Contact
 {
     return c.gap > 0.5 * touch ? 0.0 : c.gap;
 }
-// [rest.curves.lines]
+
 
 } // namespace
 
-// [rest.curves]
+
 bool RestEngine::follow_curves(Group& group)
 {
     const std::span<ContactPoint> points = std::span(points_).subspan(group.first_point, group.point_count);
@@ -102,9 +102,9 @@ bool RestEngine::follow_curves(Group& group)
     group.has_ways = true;
     return true;
 }
-// [rest.curves]
 
-// [rest.curves.may]
+
+
 bool RestEngine::may_bend(const Group& group) const
 {
     // A few that move, some of which bear
@@ -140,9 +140,9 @@ void RestEngine::forget_ways(const Group& group)
         turn_[member] = 0.0;
     }
 }
-// [rest.curves.may]
 
-// [rest.curves.look]
+
+
 /// The contact that continues a point further along the ways: the one of its name, or, where names have changed, the one
 /// nearest to its place; null where there is none.
 const Contact* RestEngine::same_contact(const ContactPoint& c, const Manifold& manifold) const
@@ -192,9 +192,9 @@ void RestEngine::look_along(const Group& group, double part, std::vector<Contact
                  found->point - next_poses_[c.b].position);
     }
 }
-// [rest.curves.look]
 
-// [rest.curves.bend]
+
+
 RestEngine::Bend RestEngine::bend_lines(const Group& group, bool is_corrected)
 {
     const std::span<const ContactPoint> points = std::span(points_).subspan(group.first_point, group.point_count);
@@ -235,9 +235,9 @@ RestEngine::Bend RestEngine::bend_lines(const Group& group, bool is_corrected)
     }
     return any ? Bend::some : Bend::none;
 }
-// [rest.curves.bend]
 
-// [rest.curves.mean]
+
+
 bool RestEngine::find_mean_velocities(const Group& group)
 {
     const std::span<const ContactPoint> points = std::span(points_).subspan(group.first_point, group.point_count);
@@ -288,9 +288,9 @@ bool RestEngine::all_close() const
     }
     return true;
 }
-// [rest.curves.mean]
 
-// [rest.curves.end]
+
+
 bool RestEngine::end_velocities(const Group& group)
 {
     // As far beyond the mean as the start was before it
@@ -329,6 +329,6 @@ bool RestEngine::end_velocities(const Group& group)
     }
     return content;
 }
-// [rest.curves.end]
+
 
 } // namespace flying

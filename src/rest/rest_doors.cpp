@@ -7,7 +7,7 @@
 namespace flying {
 namespace {
 
-// [rest.doors.few]
+
 // What lets others share bodies with this integrator: steps of any length, a look ahead, and its memory.
 
 /// [speeds of the pair] An approach this slow is rounding.
@@ -15,11 +15,11 @@ constexpr double k_no_approach = 0x1p-44;
 
 /// [whole steps] A step this short tells nothing about accelerations.
 constexpr double k_telling = 0x1p-20;
-// [rest.doors.few]
+
 
 } // namespace
 
-// [rest.step_by]
+
 void RestEngine::step_by(double length, double end)
 {
     const double whole = options_.step;
@@ -65,9 +65,9 @@ void RestEngine::set_time(double time)
     start_ = time;
     steps_ = 0;
 }
-// [rest.step_by]
 
-// [rest.clear]
+
+
 void RestEngine::find_clear(double within, std::vector<char>& clear) const
 {
     clear.assign(bodies_.size(), 0);
@@ -129,9 +129,9 @@ bool RestEngine::stays_apart(const RestPair& pair, double within) const
     }
     return true;
 }
-// [rest.clear]
 
-// [rest.memory]
+
+
 RestEngine::Memory RestEngine::memory() const
 {
     Memory memory{time(), order_, {}, {pairs_.pairs().begin(), pairs_.pairs().end()}, max_overlap_};
@@ -174,6 +174,6 @@ void RestEngine::go_on_from(const Memory& memory)
         before_[k] = mover;
     }
 }
-// [rest.memory]
+
 
 } // namespace flying

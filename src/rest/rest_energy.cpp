@@ -6,7 +6,7 @@
 
 namespace flying {
 
-// [rest.energy.gain]
+
 RestEngine::Gain RestEngine::gain_of(const Group& group) const
 {
     Gain gain;
@@ -27,9 +27,9 @@ RestEngine::Gain RestEngine::gain_of(const Group& group) const
     }
     return gain;
 }
-// [rest.energy.gain]
 
-// [rest.energy.kept]
+
+
 /// The motion of an island as one rigid body that no contact with something static resists: all of it where there is none,
 /// what goes along a wall where the normals of all lead the same way, and none otherwise. Slowing an island down
 /// relative to that changes no momentum that is its own.
@@ -69,9 +69,9 @@ RestEngine::RigidMotion RestEngine::free_motion(const Group& group) const
     rigid.spin = turning / moment;
     return rigid;
 }
-// [rest.energy.kept]
 
-// [rest.energy.slow]
+
+
 /// Takes energy out of an island's motion relative to a rigid one, as much as there is. What remains to be taken.  [J]
 double RestEngine::slow_down(const Group& group, const RigidMotion& rigid, double by)
 {
@@ -89,12 +89,12 @@ double RestEngine::slow_down(const Group& group, const RigidMotion& rigid, doubl
         energy += 0.5 * (own.squaredNorm() / now.inv_mass + spin * spin / now.inv_moment);
         mixed += common.dot(own) / now.inv_mass + rigid.spin * spin / now.inv_moment;
     }
-    // [rest.energy.slow.share]
+
     // With a share s of the relative motion its energy is  energy s^2 + mixed s
     const double left = energy + mixed - by;
     const double root = mixed * mixed + 4.0 * energy * left;
     const double share = energy > 0.0 && root > 0.0 ? std::clamp((std::sqrt(root) - mixed) / (2.0 * energy), 0.0, 1.0) : 0.0;
-    // [rest.energy.slow.share]
+
     for (const int member : members) {
         Mover& now = movers_[member];
         const Vec2 common = velocity_of(member);
@@ -104,9 +104,9 @@ double RestEngine::slow_down(const Group& group, const RigidMotion& rigid, doubl
     }
     return by - ((energy + mixed) - (energy * share + mixed) * share);
 }
-// [rest.energy.slow]
 
-// [rest.energy.limit]
+
+
 /// The one limit of energy: what a step has gained beyond the field's work is taken from the motion of bodies relative to
 /// each other; where that isn't enough from all motion, and then from the way that they rise. Counted, since it changes
 /// the motion.
@@ -131,6 +131,6 @@ void RestEngine::limit_energy(const Group& group)
         turn_[member] *= part;
     }
 }
-// [rest.energy.limit]
+
 
 } // namespace flying

@@ -13,16 +13,16 @@
 namespace flying {
 namespace {
 
-// [rest.engine.mover_of]
+
 [[nodiscard]] Mover mover_of(const RestBody& body)
 {
     if (body.is_static) return {};
     const BodyState& s = body.state;
     return {s.velocity.x(), s.velocity.y(), s.spin, body.inertia.inv_mass, body.inertia.inv_moment_of_inertia};
 }
-// [rest.engine.mover_of]
 
-// [rest.engine.real_edges]
+
+
 /// For each convex part, which of its edges are sides of the shape, and not cuts through it; empty where all are.
 [[nodiscard]] std::vector<std::vector<char>> real_edges(const Shape& shape, const CollisionShape& parts)
 {
@@ -37,11 +37,11 @@ namespace {
     }
     return result;
 }
-// [rest.engine.real_edges]
+
 
 } // namespace
 
-// [rest.engine.setup]
+
 RestEngine::RestEngine(std::vector<RestBody> bodies, const RestOptions& options, double time)
     : RestEngine(bodies, options, time, order_in_memory(bodies, options.most_solved))
 {
@@ -91,26 +91,26 @@ RestEngine::RestEngine(std::vector<RestBody> bodies, const RestOptions& options,
     sleep_group_.assign(count, -1);
     find_fixed_seams();
 }
-// [rest.engine.setup]
 
-// [rest.engine.expect_flight]
+
+
 void RestEngine::expect_flight(int body, const Vec2& place)
 {
     pull_[body] = is_moved(body) ? field_at(body, place) : Vec2(Vec2::Zero());
     turn_pull_[body] = 0.0;
 }
-// [rest.engine.expect_flight]
 
-// [rest.engine.advance]
+
+
 void RestEngine::advance(double time)
 {
     // A step whose end is `time` but for rounding still fits
     const double last = time + 0.5 * tolerance::coordinate_rounding(std::abs(time));
     while (start_ + static_cast<double>(steps_ + 1) * options_.step <= last) step();
 }
-// [rest.engine.advance]
 
-// [rest.reach]
+
+
 void RestEngine::measure_reach(std::span<const int> who)
 {
     const double dt = span_;
@@ -134,9 +134,9 @@ void RestEngine::measure_reach(std::span<const int> who)
         turn_[k] = 0.0;
     }
 }
-// [rest.reach]
 
-// [rest.engine.touch_gap]
+
+
 double RestEngine::touch_gap(int a, int b) const
 {
     return touch_gap(a, bodies_[a].state.position, b, bodies_[b].state.position);
@@ -148,9 +148,9 @@ double RestEngine::touch_gap(int a, const Vec2& place_a, int b, const Vec2& plac
     return rest_tolerance::k_touch * std::min(radius_[a], radius_[b]) +
            tolerance::coordinate_rounding(coordinates);
 }
-// [rest.engine.touch_gap]
 
-// [rest.engine.change]
+
+
 void RestEngine::set_state(int number, const BodyState& state)
 {
     const int body = place_[number];
@@ -190,9 +190,9 @@ void RestEngine::wake_all_with(int body)
         wake(sleep_group_[pair.b]);
     }
 }
-// [rest.engine.change]
 
-// [rest.engine.contacts]
+
+
 std::vector<RestContact> RestEngine::contacts() const
 {
     std::vector<RestContact> result;
@@ -218,9 +218,9 @@ std::vector<RestContact> RestEngine::contacts() const
     });
     return result;
 }
-// [rest.engine.contacts]
 
-// [rest.engine.groups]
+
+
 std::vector<int> RestEngine::groups() const
 {
     std::vector<int> group(bodies_.size());
@@ -241,9 +241,9 @@ std::vector<int> RestEngine::groups() const
     }
     return group;
 }
-// [rest.engine.groups]
 
-// [rest.engine.hash]
+
+
 std::uint64_t RestEngine::hash() const
 {
     Hash hash;
@@ -254,6 +254,6 @@ std::uint64_t RestEngine::hash() const
     }
     return hash.value();
 }
-// [rest.engine.hash]
+
 
 } // namespace flying

@@ -15,7 +15,7 @@
 
 namespace flying {
 
-// [rest.options]
+
 struct RestOptions
 {
     double step = 1.0 / 60.0; ///< > 0 [s]
@@ -28,9 +28,9 @@ struct RestOptions
     std::optional<CentralField> centre = {}; ///< round which all are pulled that move, in place of their accelerations
     double (*seconds)() = nullptr; ///< a clock, lent to measure the stages; null to measure nothing [s]
 };
-// [rest.options]
 
-// [rest.counts]
+
+
 /// Work done so far.
 struct RestCounts
 {
@@ -45,9 +45,9 @@ struct RestCounts
     std::int64_t projected = 0; ///< islands whose overlap was taken off
     std::int64_t limited = 0;   ///< islands slowed down, so that they have no more energy than before
 };
-// [rest.counts]
 
-// [rest.seconds]
+
+
 /// Seconds spent, where a clock was lent.
 struct RestSeconds
 {
@@ -56,9 +56,9 @@ struct RestSeconds
     double solve = 0.0;
     double move = 0.0;
 };
-// [rest.seconds]
 
-// [rest.contact]
+
+
 /// One point of contact as the last step left it.
 struct RestContact
 {
@@ -69,9 +69,9 @@ struct RestContact
     double normal_force = 0.0;  ///< mean over the step [N]
     double tangent_force = 0.0; ///< mean over the step, along the normal turned a quarter counter-clockwise [N]
 };
-// [rest.contact]
 
-// [rest.engine]
+
+
 /// Moves bodies that lean on each other, by steps of one length. What happens depends on the bodies and the step alone:
 /// not on who looks, when, or where the bodies lie in memory.
 ///
@@ -84,13 +84,13 @@ class RestEngine
 public:
     /// bodies  not overlapping, beyond touching
     /// time    of their states [s]
-    // [rest.engine.doors]
+
     explicit RestEngine(std::vector<RestBody> bodies, const RestOptions& options = {}, double time = 0.0);
 
     /// Step as long as whole steps fit before `time`.  [s]
     void advance(double time);
     void step();
-    // [rest.engine.doors]
+
 
     /// One step of another length, which ends at a moment that is known better than as a sum.  [s]
     void step_by(double length, double end);
@@ -343,7 +343,7 @@ private:
     [[nodiscard]] bool stays_apart(const RestPair& pair, double within) const;
     void scale_loads_awake(double factor);
 
-    // [rest.engine.data]
+
     std::vector<RestBody> bodies_; // as they lie in memory (rest/body_order.hpp), as all that follows
     std::vector<int> order_;       // of each of them, the number by which it is known outside
     std::vector<int> place_;       // of each such number, its place
@@ -423,8 +423,8 @@ private:
     double energy_limited_ = 0.0; // [J]
     double max_overlap_ = 0.0;
     std::vector<std::vector<Leg>>* legs_ = nullptr; // of each body, as it is known outside, while they are noted
-    // [rest.engine.data]
+
 };
-// [rest.engine]
+
 
 } // namespace flying

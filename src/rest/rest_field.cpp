@@ -6,7 +6,7 @@
 
 namespace flying {
 
-// [rest.field.mean]
+
 /// The acceleration by which the field acts on a body that goes from one place to another.  [m/s^2]
 ///
 /// Round a centre, with r and s the distances of the two places x and y from it, it is -mu (x + y) / (r s (r + s)). Its
@@ -34,9 +34,9 @@ double RestEngine::work_of_field(int body) const
     const Vec2& from = bodies_[body].state.position;
     return mean_field(body, from, from + shift_[body]).dot(shift_[body]);
 }
-// [rest.field.mean]
 
-// [rest.field.aim]
+
+
 /// Set the acceleration for a step, or a part of one, by where the body is expected to get in it.
 void RestEngine::aim_field(int body)
 {
@@ -62,9 +62,9 @@ double RestEngine::greatest_field(int body, double within) const
     const double least = std::max(distance - way, 0.5 * distance);
     return least > 0.0 ? options_.centre->mu / (least * least) : here;
 }
-// [rest.field.aim]
 
-// [rest.field.fly]
+
+
 /// Bodies that no point holds fly: round a centre by the closed form, as everywhere.
 void RestEngine::fly(Group& group)
 {
@@ -82,6 +82,6 @@ void RestEngine::fly(Group& group)
         group.has_ways = true;
     }
 }
-// [rest.field.fly]
+
 
 } // namespace flying

@@ -6,16 +6,16 @@
 namespace flying {
 namespace {
 
-// [rest.groups.limits]
+
 /// [speeds that the field gives in a step] A large group whose bodies are all slower may part.
 constexpr double k_slow = 0x1p-4;
 /// [steps] Who would not touch within so many, as things go, is not held together by that.
 constexpr double k_ahead = 4.0;
-// [rest.groups.limits]
+
 
 } // namespace
 
-// [rest.groups]
+
 int RestEngine::root_of(int body)
 {
     while (parent_[body] != body) body = parent_[body] = parent_[parent_[body]];
@@ -135,6 +135,6 @@ void RestEngine::lay_out_points()
         points_[group.first_point + group.point_count++] = found_[k];
     }
 }
-// [rest.groups]
+
 
 } // namespace flying

@@ -6,7 +6,7 @@
 #include "rest/rest_tolerance.hpp"
 
 namespace flying {
-// [rest.move.expect]
+
 void RestEngine::expect_same(int body)
 {
     const Mover& old = before_[body];
@@ -25,9 +25,9 @@ void RestEngine::expect(const Group& group)
         if (is_moved(c.b)) expect_same(c.b);
     }
 }
-// [rest.move.expect]
 
-// [rest.places]
+
+
 void RestEngine::find_places(const Group& group)
 {
     if (group.has_ways) return;
@@ -45,9 +45,9 @@ void RestEngine::find_places(const Group& group)
     }
     // [rest.places.mean]
 }
-// [rest.places]
 
-// [rest.move]
+
+
 /// A body had no motion when the step began either, and what is expected of it now was expected then.
 bool RestEngine::stood_alike(int member) const
 {
@@ -102,6 +102,6 @@ void RestEngine::move_group(const Group& group)
         }
     }
 }
-// [rest.move]
+
 
 } // namespace flying

@@ -8,7 +8,7 @@
 namespace flying {
 namespace {
 
-// [rest.overlap.limits]
+
 /// [sizes] Where two come nearer by less, parts of theirs that had no point are not looked at.
 constexpr double k_short_way = 0x1p-10;
 /// [rad] Turn within a step that a group with contacts may make.
@@ -19,11 +19,11 @@ constexpr double k_most_push = 0.5;
 constexpr double k_fair_rise = 0x1p-8;
 /// Rounds of taking off overlap: each leaves about the square of what the last has found.
 constexpr int k_rounds = 4;
-// [rest.overlap.limits]
+
 
 } // namespace
 
-// [rest.overlap.may]
+
 bool RestEngine::may_overlap(const ContactPoint& c) const
 {
     // A gap along a fixed normal is never more than the distance; turning may bring anything along it by its whole arc
@@ -31,9 +31,9 @@ bool RestEngine::may_overlap(const ContactPoint& c) const
     const double arcs = std::abs(turn_[c.a]) * turning_[c.a] + std::abs(turn_[c.b]) * turning_[c.b];
     return c.gap + way - arcs < -touch_gap(c.a, c.b);
 }
-// [rest.overlap.may]
 
-// [rest.overlap.look]
+
+
 double RestEngine::look_at_end(const Group& group)
 {
     place_points_.clear();
@@ -138,9 +138,9 @@ double RestEngine::look_at_pair(int index)
     if (clipped.separation < 0.0) add(clipped);
     return worst;
 }
-// [rest.overlap.look]
 
-// [rest.overlap.apart]
+
+
 /// Moves bodies out of what they overlap: the same conditions for places as for velocities, least by the masses, without
 /// friction. It adds no velocity.
 void RestEngine::put_apart(const Group& group, double overlap)
@@ -185,9 +185,9 @@ void RestEngine::find_pushes(const Group& group, double tolerance)
     if (is_heap(group)) sweep_heap(group, place_movers_, place_points_, tolerance);
     else solver_.solve(place_movers_, members, place_points_, tolerance);
 }
-// [rest.overlap.apart]
 
-// [rest.overlap.fair]
+
+
 /// Deepest overlap that the step has begun with.  [sizes]
 double RestEngine::overlap_at_start(const Group& group) const
 {
@@ -227,6 +227,6 @@ bool RestEngine::is_fair(const Group& group, double overlap) const
     const Gain gain = gain_of(group);
     return gain.gained <= k_fair_rise * gain.scale;
 }
-// [rest.overlap.fair]
+
 
 } // namespace flying

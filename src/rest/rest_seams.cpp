@@ -7,14 +7,14 @@
 namespace flying {
 namespace {
 
-// [rest.seams.limits]
+
 /// [speeds] Two that part no faster than this, beside one that passes both, go together.
 constexpr double k_together = 0x1p-6;
-// [rest.seams.limits]
+
 
 } // namespace
 
-// [rest.seams.find]
+
 // Where surfaces of neighbours act as one (collide/seams.hpp): who neighbours whom.
 
 /// Adds the seams of a part with a part of another body, or of its own.
@@ -71,9 +71,9 @@ void RestEngine::find_fixed_seams()
         add(two.body, one.body);
     });
 }
-// [rest.seams.find]
 
-// [rest.seams.moving]
+
+
 /// Adds those of one body of a pair with others that go with it, beside it, while the other body of the pair passes a
 /// corner of its.
 void RestEngine::find_moving_seams(const RestPair& pair, Owner owner, const Pose& pose, const Manifold& manifold,
@@ -121,9 +121,9 @@ Vec2 RestEngine::velocity_of(int body, const Vec2& point) const
     const BodyState& s = bodies_[body].state;
     return bodies_[body].is_static ? Vec2(Vec2::Zero()) : velocity_at(s, point - poses_[body].position);
 }
-// [rest.seams.moving]
 
-// [rest.seams.mend]
+
+
 /// Puts right what the two of a pair would touch of sides that neighbours hide.
 void RestEngine::mend(const RestPair& pair, const Pose& pose_a, const Pose& pose_b, double margin, Manifold& manifold) const
 {
@@ -145,6 +145,6 @@ void RestEngine::mend(const RestPair& pair, const Pose& pose_a, const Pose& pose
         if (!moving.empty()) mend_at_seams(*polygon, pose, moving, owner, other, other_pose, near, margin, manifold);
     }
 }
-// [rest.seams.mend]
+
 
 } // namespace flying

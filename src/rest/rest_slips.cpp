@@ -8,16 +8,16 @@
 namespace flying {
 namespace {
 
-// [rest.slip_ends.limits]
+
 /// Parts of one step.
 constexpr int k_most_parts = 4;
 /// Bisections until a part of a step slips to its end.
 constexpr int k_part_halvings = 10;
-// [rest.slip_ends.limits]
+
 
 } // namespace
 
-// [rest.slip_ends]
+
 const Mover& RestEngine::start_of_part(int member) const
 {
     return parted_ ? part_movers_[member] : before_[member];
@@ -118,6 +118,6 @@ void RestEngine::add_part(const Group& group, double time)
         part_movers_[member] = now;
     }
 }
-// [rest.slip_ends]
+
 
 } // namespace flying

@@ -9,7 +9,7 @@
 namespace flying {
 namespace {
 
-// [rest.solve.limits]
+
 /// Points of the largest group whose step is parted where slip ends.
 constexpr int k_most_parted = 12;
 
@@ -24,11 +24,11 @@ constexpr double k_slight = 0x1p-6;
 
 /// [speeds that the field gives in a step] A tall group that moves no faster stands, or begins to fall.
 constexpr double k_standing = 4.0;
-// [rest.solve.limits]
+
 
 } // namespace
 
-// [rest.solve.whole]
+
 bool RestEngine::is_heap(const Group& group)
 {
     return group.member_count > k_most_whole;
@@ -48,9 +48,9 @@ bool RestEngine::is_solved_whole(const Group& group) const
     const bool is_tall = pairs <= rest_tolerance::k_tall * group.member_count;
     return is_tall && top_speed(group) <= k_standing * field_speed(group);
 }
-// [rest.solve.whole]
 
-// [rest.solve]
+
+
 void RestEngine::solve_group(Group& group, int depth)
 {
     if (group.point_count == 0) {
@@ -112,9 +112,9 @@ void RestEngine::find_impulses(Group& group, double time)
     group.is_content = solver_.solve(movers_, members, points, rest_tolerance::k_content * top_speed(group), effort);
     if (!group.is_content && !is_heap(group) && stood(group)) keep_loads(group, time);
 }
-// [rest.solve]
 
-// [rest.solve.keep]
+
+
 bool RestEngine::stood(const Group& group) const
 {
     return greatest_speed(before_, radius_, std::span(members_).subspan(group.first_member, group.member_count)) == 0.0;
@@ -141,9 +141,9 @@ void RestEngine::keep_loads(Group& group, double time)
     std::copy(load_points_.begin(), load_points_.end(), points.begin());
     (void)complaint();
 }
-// [rest.solve.keep]
 
-// [rest.solve.scales]
+
+
 double RestEngine::top_speed(const Group& group) const
 {
     const std::span<const int> members = std::span(members_).subspan(group.first_member, group.member_count);
@@ -159,9 +159,9 @@ double RestEngine::field_speed(const Group& group) const
     }
     return span_ * top;
 }
-// [rest.solve.scales]
 
-// [rest.bounds]
+
+
 /// What bears goes on to bear. What is apart may come as near as to touch when the step ends; where impacts have moments of
 /// their own only what is all but closed is held like that, since the step ends where anything else closes.
 void RestEngine::set_bounds(const Group& group)
@@ -185,9 +185,9 @@ void RestEngine::recall_load(ContactPoint& c) const
         c.tangent = pair.tangent[i];
     }
 }
-// [rest.bounds]
 
-// [rest.calm.rounding]
+
+
 /// Speeds that the impulses' rounding explains.  [m/s]
 double RestEngine::solve_rounding(const Group& group) const
 {
@@ -198,13 +198,13 @@ double RestEngine::solve_rounding(const Group& group) const
 /// Below what the field gives in a step by many orders, motion is the solve's rounding.  [m/s]
 double RestEngine::still_speed(const Group& group) const
 {
-    // [rest.calm.still]
-    return rest_tolerance::k_still * field_speed(group) + solve_rounding(group);
-    // [rest.calm.still]
-}
-// [rest.calm.rounding]
 
-// [rest.calm]
+    return rest_tolerance::k_still * field_speed(group) + solve_rounding(group);
+
+}
+
+
+
 void RestEngine::calm(const Group& group)
 {
     const double rounding = solve_rounding(group);
@@ -229,6 +229,6 @@ void RestEngine::calm(const Group& group)
         if (std::abs(mover.spin) * radius_[member] <= limit) mover.spin = 0.0;
     }
 }
-// [rest.calm]
+
 
 } // namespace flying

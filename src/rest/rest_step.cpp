@@ -7,7 +7,7 @@
 namespace flying {
 namespace {
 
-// [rest.step.limits]
+
 /// [steps] Shorter parts of a step are not cut again: an island takes what comes out.
 constexpr double k_shortest = 0x1p-10;
 /// Parts that the step of one island is made in, where its impacts have moments of their own, and where they have not;
@@ -17,11 +17,11 @@ constexpr int k_most_parts_of_many = 8;
 constexpr int k_deepest = 64;
 /// Bodies of the largest island whose step is cut at all.
 constexpr int k_most_cut = 64;
-// [rest.step.limits]
+
 
 } // namespace
 
-// [rest.step]
+
 void RestEngine::step()
 {
     // [rest.step.nobody]
@@ -63,9 +63,9 @@ void RestEngine::step()
     ++counts_.steps;
     if (awake_.empty()) sleepers_ = std::count(asleep_.begin(), asleep_.end(), 1);
 }
-// [rest.step]
 
-// [rest.step.awake]
+
+
 void RestEngine::list_awake()
 {
     awake_.clear();
@@ -81,9 +81,9 @@ void RestEngine::list_awake()
     for (const int k : awake_) wakes_[k] = 1;
     for (const int k : awake_) saved_[k] = {bodies_[k].state, pull_[k], turn_pull_[k], in_crowd_[k]};
 }
-// [rest.step.awake]
 
-// [rest.step.finish]
+
+
 void RestEngine::finish_groups(int depth, std::span<const int> pairs)
 {
     again_.resize(k_deepest + 1);
@@ -117,9 +117,9 @@ void RestEngine::finish_groups(int depth, std::span<const int> pairs)
     }
     if (!again.parts.empty()) find_pairs_of(again, pairs);
 }
-// [rest.step.finish]
 
-// [rest.step.again]
+
+
 bool RestEngine::may_be_cut(const Group& group, int depth) const
 {
     const int most = strikes_at_start(group) ? k_most_parts_of_many : k_most_parts;
@@ -167,9 +167,9 @@ void RestEngine::find_pairs_of(Again& again, std::span<const int> pairs)
     each([&](int pair, Again::Part& part) { again.pairs[part.first_pair + part.pair_count++] = pair; });
     for (const int member : again.members) part_of_[member] = -1;
 }
-// [rest.step.again]
 
-// [rest.step.parts]
+
+
 /// The steps of islands that end early, at a moment each: the part up to there, and what is left.
 void RestEngine::make_parts(int depth)
 {
@@ -218,6 +218,6 @@ void RestEngine::scale_loads(std::span<const int> pairs, double factor)
         }
     }
 }
-// [rest.step.parts]
+
 
 } // namespace flying

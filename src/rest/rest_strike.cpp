@@ -9,15 +9,15 @@
 namespace flying {
 namespace {
 
-// [rest.strike.limits]
+
 /// Bodies of the largest island whose impacts have moments of their own; in larger ones all that a step brings come at its
 /// start.
 constexpr int k_most_in_turn = 12;
-// [rest.strike.limits]
+
 
 } // namespace
 
-// [rest.strike.when]
+
 bool RestEngine::strikes_at_start(const Group& group)
 {
     return group.member_count > k_most_in_turn;
@@ -64,9 +64,9 @@ double RestEngine::missed_impact(const Group& group) const
     }
     return first < span_ ? std::max(first, rest_tolerance::k_at_once * span_) : 0.0;
 }
-// [rest.strike.when]
 
-// [rest.strike.rebound]
+
+
 /// A rebound that would come back within the rest of the step doesn't happen, but for one that loses nothing: the slowest
 /// approach that brings a rebound.  [m/s]
 double RestEngine::slowest_rebound(const ContactPoint& c) const
@@ -77,9 +77,9 @@ double RestEngine::slowest_rebound(const ContactPoint& c) const
     const double by_fall = -std::min(fall_of(c), weight_of(c)) * (span_ + after_);
     return std::max({by_load, by_fall, 0.0}) / (2.0 * c.restitution);
 }
-// [rest.strike.rebound]
 
-// [rest.strike]
+
+
 /// Impacts of an island, at the moment at which the step, or the part of one, begins: first those that throw back, then the
 /// rest of the approaches, all at once and without rebound. True where there were any; `before_` is what they leave.
 /// Where impacts have no moments of their own, all that closes within the step counts as closed.
@@ -122,6 +122,6 @@ void RestEngine::end_approaches(const Group& group)
     if (is_heap(group)) sweep_heap(group, before_, struck_);
     else solver_.solve(before_, members, struck_, rest_tolerance::k_content * top_speed(group));
 }
-// [rest.strike]
+
 
 } // namespace flying

@@ -8,7 +8,7 @@
 namespace flying {
 namespace {
 
-// [rest.swept.limits]
+
 /// [speeds that the field gives in a step] A group that was slower and stays so is at rest: what it was about to do is
 /// the price of its sleep. Its bodies would speed up by twice as much of the field's acceleration at most.
 constexpr double k_calm = 0x1p-8;
@@ -32,11 +32,11 @@ constexpr double k_gets_on = 0.25;
 constexpr double k_push_share = 0.25;
 /// Sweeps that end the impacts of a heap, and that push its overlap apart.
 constexpr int k_heap_sweeps = 16;
-// [rest.swept.limits]
+
 
 } // namespace
 
-// [rest.swept]
+
 /// A group too large to be solved whole: each step goes on with the sweeps of the last.
 void RestEngine::sweep_large(Group& group)
 {
@@ -78,9 +78,9 @@ void RestEngine::sweep_large(Group& group)
     bear_less(group);
     move_as_swept(group);
 }
-// [rest.swept]
 
-// [rest.swept.approaches]
+
+
 /// How much deeper points come to overlap in the step than they may.  [sizes]
 double RestEngine::approaches_left(std::span<const ContactPoint> points) const
 {
@@ -106,9 +106,9 @@ void RestEngine::end_approaches_whole(const Group& group, GroupSolver::SweepPlan
     solver_.solve(movers_, members, points, rest_tolerance::k_content * top_speed(group));
     for (const int member : members) place_movers_[member] = movers_[member];
 }
-// [rest.swept.approaches]
 
-// [rest.swept.scales]
+
+
 double RestEngine::greatest_speed(std::span<const Mover> movers, std::span<const double> radius,
                                   std::span<const int> members)
 {
@@ -129,14 +129,14 @@ double RestEngine::energy_of_fall(const Group& group) const
     }
     return sum > 0.0 ? sum : std::numeric_limits<double>::infinity();
 }
-// [rest.swept.scales]
 
-// [rest.swept.less]
+
+
 /// Sweeps that go on from what bore too much lift a heap. With no impulses it would fall through the step, and lose
 /// energy by that; with some share of them it neither gains nor loses any.
 void RestEngine::bear_less(const Group& group)
 {
-    // [rest.swept.less.share]
+
     // With a share s of the impulses the energy grows by  square s^2 + linear s + constant
     double square = 0.0;   // [J]
     double linear = 0.0;   // [J]
@@ -159,7 +159,7 @@ void RestEngine::bear_less(const Group& group)
     if (!(square + linear + constant > rest_tolerance::k_rounding * scale)) return;
     const double root = std::sqrt(linear * linear - 4.0 * square * constant);
     const double share = linear > 0.0 ? -2.0 * constant / (linear + root) : (root - linear) / (2.0 * square);
-    // [rest.swept.less.share]
+
 
     for (ContactPoint& c : std::span(points_).subspan(group.first_point, group.point_count)) {
         c.normal *= share;
@@ -179,9 +179,9 @@ void RestEngine::bear_less(const Group& group)
         pushed.spin += now.spin - all.spin;
     }
 }
-// [rest.swept.less]
 
-// [rest.swept.move]
+
+
 void RestEngine::move_as_swept(const Group& group)
 {
     const std::span<const int> members = std::span(members_).subspan(group.first_member, group.member_count);
@@ -208,9 +208,9 @@ Vec2 RestEngine::push_of(int member) const
     const Mover& pushed = place_movers_[member];
     return Vec2(pushed.v_x - now.v_x, pushed.v_y - now.v_y);
 }
-// [rest.swept.move]
 
-// [rest.swept.bounds]
+
+
 void RestEngine::bound_swept(const Group& group, bool is_calm)
 {
     const double field = field_speed(group);
@@ -221,9 +221,9 @@ void RestEngine::bound_swept(const Group& group, bool is_calm)
         if (is_calm && c.normal > 0.0 && -c.bound <= k_calm * field) c.bound = 0.0;
     }
 }
-// [rest.swept.bounds]
 
-// [rest.swept.heap]
+
+
 /// Sweeps over what the direct solve rarely finds where a heap moves, for all its factorisations.
 ///
 /// tolerance  where no point asks for a greater change, impulses stay as they are; below 0 they never do [m/s]
@@ -237,6 +237,6 @@ void RestEngine::sweep_heap(const Group& group, std::span<Mover> movers, std::sp
     part_movers_.resize(movers_.size());
     solver_.sweep_group(movers, members, points, plan, part_movers_);
 }
-// [rest.swept.heap]
+
 
 } // namespace flying

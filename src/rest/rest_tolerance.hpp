@@ -2,12 +2,12 @@
 
 #include "math/tolerance.hpp"
 
-// [rest.tolerance.note]
+
 /// The pure numbers of the resting integrator, each with its unit and its reason.
-// [rest.tolerance.note]
+
 namespace flying::rest_tolerance {
 
-// [rest.tolerance]
+
 /// [speeds of a group, or those that its impulses bring] What rounding leaves of the content of a point: a velocity is
 /// a sum of a handful of impulses over a mass.
 inline constexpr double k_content = 16.0 * tolerance::k_epsilon;
@@ -58,6 +58,6 @@ inline constexpr double k_fair_overlap = 0x1p-9;
 
 /// [energies] Rise that rounding explains.
 inline constexpr double k_rounding = 0x1p-46;
-// [rest.tolerance]
+
 
 } // namespace flying::rest_tolerance

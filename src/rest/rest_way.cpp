@@ -8,7 +8,7 @@
 namespace flying {
 namespace {
 
-// [rest.way.cubic]
+
 /// The number at a share s of a leg that grows by `way` in all: the cubic with the slopes of its ends, for a whole leg.
 [[nodiscard]] double cubic(double s, double way, double slope_start, double slope_end)
 {
@@ -22,11 +22,11 @@ namespace {
     const double t = 1.0 - s;
     return 6.0 * s * t * way + t * (1.0 - 3.0 * s) * slope_start + s * (3.0 * s - 2.0) * slope_end;
 }
-// [rest.way.cubic]
+
 
 } // namespace
 
-// [rest.way.along]
+
 BodyState along(const std::vector<Leg>& legs, double time)
 {
     // Find the leg; what rounding leaves beyond the last belongs to it
@@ -56,9 +56,9 @@ BodyState along(const std::vector<Leg>& legs, double time)
     }
     return state;
 }
-// [rest.way.along]
 
-// [rest.way.note]
+
+
 /// Write down how a group goes through a step, or a part of one, that has been found but not yet gone.
 void RestEngine::note_legs(const Group& group)
 {
@@ -77,9 +77,9 @@ void RestEngine::note_legs(const Group& group)
         (*legs_)[order_[member]].push_back(leg);
     }
 }
-// [rest.way.note]
 
-// [rest.way.foresee]
+
+
 std::vector<std::vector<Leg>> RestEngine::foresee(double length, double end)
 {
     const Memory before = memory();
@@ -94,6 +94,6 @@ std::vector<std::vector<Leg>> RestEngine::foresee(double length, double end)
     sleepers_ = sleepers;
     return legs;
 }
-// [rest.way.foresee]
+
 
 } // namespace flying

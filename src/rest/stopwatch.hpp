@@ -2,7 +2,7 @@
 
 namespace flying {
 
-// [rest.stopwatch]
+
 /// Measures the stages of a step, one after another, with a clock that somebody lends; without one it costs nothing.
 class Stopwatch
 {
@@ -22,6 +22,6 @@ private:
     double (*seconds_)();
     double since_;
 };
-// [rest.stopwatch]
+
 
 } // namespace flying

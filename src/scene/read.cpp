@@ -73,7 +73,7 @@ std::string label_of_body(const std::string& name, std::size_t index)
     return name.empty() ? "body " + std::to_string(index) : "body " + quoted(name);
 }
 
-// [scene.read-shape]
+
 ShapeDef read_shape(TableReader shape)
 {
     constexpr const char* k_length = "a positive length [m]";
@@ -118,7 +118,7 @@ ShapeDef read_shape(TableReader shape)
     if (!kind.empty()) shape.refuse_unknown_keys();
     return def;
 }
-// [scene.read-shape]
+
 
 BodyDef read_body(FaultList& faults, const toml::table& table, std::size_t index)
 {
@@ -208,7 +208,7 @@ struct Reading
     std::vector<Part> bodies;
 };
 
-// [scene.read]
+
 Reading read_all(FaultList& faults, const toml::table& root)
 {
     Reading reading;
@@ -234,7 +234,7 @@ Reading read_all(FaultList& faults, const toml::table& root)
     top.refuse_unknown_keys();
     return reading;
 }
-// [scene.read]
+
 
 /// A place in a scene, such as `body[3].shape.vertices[2]`, and where it stands in the text.
 struct Located
@@ -287,7 +287,7 @@ Located locate(const toml::table& root, const Scene& scene, const std::string& p
     return located;
 }
 
-// [scene.check]
+
 /// Whether a fault of body k is one of what could not be read, or hangs on it.
 bool hangs_on_lost(const FaultList& faults, const Reading& reading, std::size_t k, const std::string& label)
 {
@@ -322,10 +322,10 @@ void check_alone(FaultList& faults, const toml::table& root, const Reading& read
     }
 }
 
-/// The world's own faults with the parts that could be read: nothing is told of numbers that nobody wrote.
+/// The world's own faults with the parts that could be read: nothing is reported of numbers that the file doesn't have.
 void check(FaultList& faults, const toml::table& root, const Reading& reading)
 {
-    // What was not read whole may be elsewhere, or larger: it stands in nobody's way, and all others keep their numbers
+    // What was not read whole may be elsewhere, or larger: it is in no other's way, and all others keep their numbers
     Scene whole = reading.scene;
     for (std::size_t k = 0; k < whole.bodies.size(); ++k) {
         if (reading.bodies[k].is_whole()) continue;
@@ -345,7 +345,7 @@ void check(FaultList& faults, const toml::table& root, const Reading& reading)
         if (!reading.bodies[k].is_whole()) check_alone(faults, root, reading, k);
     }
 }
-// [scene.check]
+
 
 } // namespace
 

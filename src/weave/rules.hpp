@@ -33,8 +33,8 @@ struct Coverage
 /// listing; every chapter tells the share of its files that book.toml asks for.
 [[nodiscard]] Coverage check_coverage(const Material& material, Problems& problems);
 
-/// No decimal number is typed; no formula or code stands where the build can't see it. Returns how many numbers were
-/// declared as given.
+/// No decimal number is typed, no larger number in words; no formula or code stands where the build can't see it.
+/// Returns how many numbers were declared as given.
 int check_prose(const Material& material, Problems& problems);
 
 /// A chapter has a demo, tests, a figure, an exercise, symbols and a summary; figures have words for those who don't

@@ -39,7 +39,7 @@ namespace {
 
 } // namespace
 
-// [account.sums]
+
 Account take_account(const std::vector<BodyView>& bodies, const Scene& scene)
 {
     const Vec2 gravity = uniform_acceleration(scene.world.field);
@@ -60,9 +60,9 @@ Account take_account(const std::vector<BodyView>& bodies, const Scene& scene)
     }
     return account;
 }
-// [account.sums]
 
-// [account.overlap]
+
+
 double deepest_overlap(const std::vector<BodyView>& bodies, const std::vector<CollisionShape>& shapes)
 {
     std::vector<Pose> poses;
@@ -80,9 +80,9 @@ double deepest_overlap(const std::vector<BodyView>& bodies, const std::vector<Co
     });
     return deepest;
 }
-// [account.overlap]
 
-// [account.hash]
+
+
 std::uint64_t final_hash(std::uint64_t log_hash, const std::vector<BodyReport>& bodies)
 {
     Hash hash(log_hash);
@@ -95,7 +95,7 @@ std::uint64_t final_hash(std::uint64_t log_hash, const std::vector<BodyReport>& 
     }
     return hash.value();
 }
-// [account.hash]
+
 
 Plan plan_with_savings(Plan plan, const EventCounts& counts, const RestEngine* rest)
 {

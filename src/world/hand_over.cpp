@@ -13,7 +13,7 @@ constexpr std::size_t k_few = 64;
 
 } // namespace
 
-// [hand_over.islands]
+
 void HandOver::begin(std::vector<Leaning> leaning)
 {
     leaning_ = std::move(leaning);
@@ -66,9 +66,9 @@ void HandOver::join(int one, int two)
     const int q = root_of(two);
     parent_[std::max(p, q)] = std::min(p, q);
 }
-// [hand_over.islands]
 
-// [hand_over.reach]
+
+
 void HandOver::reach(double time)
 {
     islands_.assign(leaning_.size(), {});
@@ -94,9 +94,9 @@ bool HandOver::is_near(const Aabb& box) const
 {
     return !reaches_.visit_all_at(box, [](const BoxCells::Entry&) { return false; });
 }
-// [hand_over.reach]
 
-// [hand_over.leave]
+
+
 std::vector<int> HandOver::may_leave(std::vector<char> may_go) const
 {
     std::vector<int> going;
@@ -118,6 +118,6 @@ std::vector<int> HandOver::may_leave(std::vector<char> may_go) const
     std::sort(going.begin(), going.end());
     return going;
 }
-// [hand_over.leave]
+
 
 } // namespace flying

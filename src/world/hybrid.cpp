@@ -40,7 +40,7 @@ constexpr char k_clear_steps = 2;
 
 } // namespace
 
-// [hybrid.set_up]
+
 Hybrid::Hybrid(EventEngine engine, std::vector<Material> materials, const Setting& setting)
     : setting_(setting), flying_(std::move(engine)), materials_(std::move(materials))
 {
@@ -66,7 +66,7 @@ void Hybrid::begin()
     Change change;
     change.why = Change::Why::leaning;
     take_in(first, change);
-    if (setting_.policy == EngineChoice::rest) changes_.clear(); // nobody had them before
+    if (setting_.policy == EngineChoice::rest) changes_.clear(); // none was there before
     take_in_all_near();
 }
 
@@ -95,9 +95,9 @@ void Hybrid::set_stopwatch(double (*seconds)())
     flying_.set_clock(seconds);
     if (resting_) resting_->set_clock(seconds);
 }
-// [hybrid.set_up]
 
-// [hybrid.advance]
+
+
 std::optional<EventFailure> Hybrid::advance(double time, std::int64_t most)
 {
     for (std::int64_t done = 0;;) {
@@ -136,9 +136,9 @@ void Hybrid::finish_step()
     let_go_of_the_clear();
     take_in_all_near();
 }
-// [hybrid.advance]
 
-// [hybrid.step]
+
+
 /// Bring those that lean to a moment within their step.
 void Hybrid::cut(double time)
 {
@@ -194,9 +194,9 @@ int Hybrid::halvings_for(const std::vector<int>& near) const
     for (double way = fastest * setting_.step; way > k_way && halvings < k_most_halvings; way *= 0.5) ++halvings;
     return halvings;
 }
-// [hybrid.step]
 
-// [hybrid.impact]
+
+
 void Hybrid::answer_impact(const Event& impact)
 {
     // A body that slept and was struck wakes, and all that it touches
@@ -244,9 +244,9 @@ void Hybrid::take_blow(const Blow& blow)
     ways_.clear();
     resting_->set_state(body, state);
 }
-// [hybrid.impact]
 
-// [hybrid.take]
+
+
 /// Take the two bodies of a failure, and those near them.
 void Hybrid::take(const EventFailure& failure)
 {
@@ -324,9 +324,9 @@ bool Hybrid::any_leans() const
 {
     return std::any_of(leaning_.begin(), leaning_.end(), [&](int k) { return movers_[k] == BodyMover::rest; });
 }
-// [hybrid.take]
 
-// [hybrid.let_go]
+
+
 void Hybrid::let_go_of_the_clear()
 {
     if (setting_.policy == EngineChoice::rest) return;
@@ -366,9 +366,9 @@ void Hybrid::let_go_of_the_clear()
     }
     changes_.push_back(std::move(change));
 }
-// [hybrid.let_go]
 
-// [hybrid.sleep]
+
+
 /// Tell the event engine what has fallen asleep, and what has woken.
 void Hybrid::follow_sleep()
 {
@@ -380,9 +380,9 @@ void Hybrid::follow_sleep()
     }
     if (!any_leans()) step_ends_.reset();
 }
-// [hybrid.sleep]
 
-// [hybrid.state]
+
+
 bool Hybrid::is_within_step(int body) const
 {
     const bool leans = movers_[body] == BodyMover::rest || movers_[body] == BodyMover::asleep; // a step may wake it
@@ -403,9 +403,9 @@ BodyState Hybrid::state(int body)
     state.time = clock_;
     return state;
 }
-// [hybrid.state]
 
-// [hybrid.memory]
+
+
 Hybrid::Memory Hybrid::memory() const
 {
     Memory memory{flying_.resume(), {}, movers_, clear_, step_ends_.value_or(0.0), energy_of_steps_, energy_of_blows_};
@@ -432,6 +432,6 @@ void Hybrid::go_on_from(const Memory& memory, const std::vector<BodyState>& flig
     hand_over_.begin(leaning(leaning_));
     hand_over_.reach(*step_ends_ - resting_->time());
 }
-// [hybrid.memory]
+
 
 } // namespace flying

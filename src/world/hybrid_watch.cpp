@@ -14,7 +14,7 @@ constexpr double k_near = 0x1p-6;
 
 } // namespace
 
-// [hybrid.watch]
+
 /// What the rules of handing over need to know of a body.
 Leaning Hybrid::leaning(int k) const
 {
@@ -72,9 +72,9 @@ double Hybrid::bow_of(const Flyer& flyer, double from, double left) const
     if (outlook.until >= from + left) return 0.125 * left * left * outlook.acceleration;
     return std::numeric_limits<double>::infinity();
 }
-// [hybrid.watch]
 
-// [hybrid.energy]
+
+
 double Hybrid::energy(int body, const BodyState& state) const
 {
     const Inertia& inertia = flying_.inertia(body);
@@ -90,6 +90,6 @@ double Hybrid::energy_of_leaning() const
     for (const int k : leaning_) sum += energy(k, resting_->state(k));
     return sum;
 }
-// [hybrid.energy]
+
 
 } // namespace flying

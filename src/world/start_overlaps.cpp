@@ -19,7 +19,7 @@ double start_overlap_allowed(double size, double reach)
 
 namespace {
 
-// [world.start_overlaps.level]
+
 /// Bodies whose boxes are about as long as the cells of one grid, in the order of a curve through its cells.
 struct Level
 {
@@ -67,9 +67,9 @@ void fill_cells(Level& level, double cell_size)
     for (int k = 0; k < count; ++k) grid.insert(k, grid.cell_at(middle(level.entries[k].box)));
     level.grid = std::move(grid);
 }
-// [world.start_overlaps.level]
 
-// [world.start_overlaps.pairs]
+
+
 /// Call visit(a, b) for every two bodies, not both static, whose boxes share a point. It returns true to go on, false to
 /// end the search.
 ///
@@ -101,11 +101,11 @@ void for_each_near_pair(const std::vector<PlacedBody>& bodies, Visit&& visit)
         }
     }
 }
-// [world.start_overlaps.pairs]
+
 
 } // namespace
 
-// [world.start_overlaps]
+
 std::vector<StartOverlap> find_start_overlaps(const std::vector<PlacedBody>& bodies, std::size_t most)
 {
     // Look at each pair of boxes that overlap, until there are too many to name
@@ -127,6 +127,6 @@ std::vector<StartOverlap> find_start_overlaps(const std::vector<PlacedBody>& bod
     if (overlaps.size() > most) overlaps.resize(most);
     return overlaps;
 }
-// [world.start_overlaps]
+
 
 } // namespace flying

@@ -86,7 +86,7 @@ World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 World::~World() = default;
 
-// [world.make]
+
 Expected<World> World::make(const Scene& scene, const WorldOptions& options)
 {
     Expected<World> world = set_up(scene, options);
@@ -136,9 +136,9 @@ Expected<World> World::set_up(const Scene& scene, const WorldOptions& options)
     world.parts_->initial_total = take_account(world.parts_->view(), scene).energy.total();
     return world;
 }
-// [world.make]
 
-// [world.resume]
+
+
 Expected<World> World::resume(const Scene& scene, const Snapshot& snapshot, const WorldOptions& options)
 {
     Expected<World> made = set_up(scene, options);
@@ -176,9 +176,9 @@ Snapshot World::snapshot() const
     snapshot.ledger = parts.ledger;
     return snapshot;
 }
-// [world.resume]
 
-// [world.hand-over]
+
+
 /// Put what the integrators did with each other into the words of the scene.
 void World::Parts::note_handovers()
 {
@@ -196,9 +196,9 @@ EnergyLedger World::Parts::whole_ledger() const
     whole.handovers += hybrid.energy_of_blows();
     return whole;
 }
-// [world.hand-over]
 
-// [world.advance]
+
+
 std::optional<RunFailure> World::advance(double time, std::int64_t max_events)
 {
     Parts& parts = *parts_;
@@ -209,7 +209,7 @@ std::optional<RunFailure> World::advance(double time, std::int64_t max_events)
     parts.failed = true;
     return describe(*failure, parts.scene);
 }
-// [world.advance]
+
 
 double World::time() const { return parts_->hybrid.clock(); }
 int World::body_count() const { return static_cast<int>(parts_->scene.bodies.size()); }
@@ -247,7 +247,7 @@ std::uint64_t World::log_hash() const { return parts_->hybrid.flying().log_hash(
 
 void World::set_stopwatch(double (*seconds)()) { parts_->hybrid.set_stopwatch(seconds); }
 
-// [world.report]
+
 Report World::report()
 {
     Parts& parts = *parts_;
@@ -283,6 +283,6 @@ Report World::report()
     }
     return report;
 }
-// [world.report]
+
 
 } // namespace flying
