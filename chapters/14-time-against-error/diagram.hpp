@@ -23,7 +23,7 @@ struct Look
 
 [[nodiscard]] inline Look look_of(const std::string& engine)
 {
-    if (engine == "flying") return {k_teal, 3.2, false};
+    if (engine == "flying" || engine == "from wall to wall") return {k_teal, 3.2, false};
     if (engine == "flying, kept awake") return {k_teal, 2.0, false};
     if (engine.starts_with("flying")) return {k_teal, 2.0, true};
     if (engine == "Chipmunk") return {k_ochre, 2.2, false};
@@ -100,7 +100,7 @@ public:
     void draw(const std::string& along, const std::string& up) const
     {
         const Vec2 low_left(corner_.x() + 62.0, corner_.y() + size_.y() - 46.0);
-        const Vec2 up_right(corner_.x() + size_.x() - 14.0, corner_.y() + 28.0);
+        const Vec2 up_right(corner_.x() + size_.x() - 26.0, corner_.y() + 28.0);
         const LogPlot plot(sketch_, low_left, up_right, Vec2(x_.x(), y_.x()), Vec2(x_.y(), y_.y()));
         plot.axes(label_step(x_, 6), label_step(y_, 7));
         sketch_.words(Vec2(up_right.x(), low_left.y() + 42.0), along, Anchor::right, k_soft, 14.0);
@@ -259,47 +259,47 @@ inline void draw_ratios(const std::string& path, const Records& records)
     }
 }
 
-/// Every scene without each of its skips: time as a multiple of that with all of them.
+/// A row for each scene, a column for each skip: time without it as a multiple of that with all. Other bits have a
+/// frame.
 inline void draw_skips(const std::string& path, const Records& records)
 {
-    constexpr double k_row = 22.0;
-    constexpr double k_left = 250.0;
-    constexpr double k_right = 450.0;
-    std::size_t rows = 0;
-    for (const SkipsRecord& skips : records.skips) rows += skips.entries.size();
-    const double height = 50.0 + k_row * static_cast<double>(rows) + 8.0 * static_cast<double>(records.skips.size());
-    Sketch sketch(path, 560.0, height);
-    const auto x = [&](double factor) {
-        return k_left + std::clamp(std::log10(factor) + 0.3, 0.0, 2.3) / 2.3 * (k_right - k_left);
-    };
-    double y = 26.0;
-    for (const double factor : {1.0, 10.0, 100.0}) {
-        sketch.line(Vec2(x(factor), 16.0), Vec2(x(factor), height - 28.0), pale(k_soft, 0.4),
-                    factor == 1.0 ? 1.8 : 1.0);
-        sketch.words(Vec2(x(factor), height - 10.0), "\u00d7" + text_of("%g", factor), Anchor::middle, k_ink, 14.0);
-    }
-    sketch.words(Vec2(552.0, 12.0), "bits", Anchor::right, k_soft, 13.0);
+    constexpr double k_row = 24.0;
+    constexpr double k_left = 196.0;
+    std::vector<std::string> names;
     for (const SkipsRecord& skips : records.skips) {
         for (const SkipsRecord::Entry& entry : skips.entries) {
-            const bool is_first = entry.without.empty();
-            const double factor = entry.seconds.median / skips.entries.front().seconds.median;
-            sketch.words(Vec2(is_first ? 6.0 : k_left - 12.0, y + 5.0),
-                         is_first ? skips.scene + text_of(", %.3g s", entry.seconds.median)
-                                  : "without " + entry.without,
-                         is_first ? Anchor::left : Anchor::right, is_first ? k_ink : k_soft, is_first ? 14.0 : 13.0);
-            if (!is_first) {
-                const Tone tone = factor > 1.2 ? k_teal : factor < 1.0 / 1.2 ? k_rust : k_soft;
-                sketch.polygon(
-                    box(Vec2(0.5 * (x(1.0) + x(factor)), y), std::max(2.0, std::abs(x(factor) - x(1.0))), 12.0),
-                    pale(tone, 0.7), k_none);
-                sketch.words(Vec2(k_right + 50.0, y + 5.0), "\u00d7" + text_of("%.3g", factor), Anchor::right, k_ink,
-                             13.0);
-                sketch.words(Vec2(552.0, y + 5.0), entry.same_bits ? "same" : "other", Anchor::right,
-                             entry.same_bits ? k_soft : k_rust, 13.0);
+            if (!entry.without.empty() && std::find(names.begin(), names.end(), entry.without) == names.end()) {
+                names.push_back(entry.without);
             }
-            y += k_row;
         }
-        y += 8.0;
+    }
+    const double column = (556.0 - k_left) / std::max(1.0, static_cast<double>(names.size()));
+    const double keys = std::ceil(static_cast<double>(names.size()) / 3.0);
+    const double bottom = 30.0 + k_row * static_cast<double>(records.skips.size());
+    Sketch sketch(path, 560.0, bottom + 22.0 + 20.0 * keys);
+    const auto x = [&](std::size_t k) { return k_left + (static_cast<double>(k) + 0.5) * column; };
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        const std::string letter(1, static_cast<char>('a' + k));
+        sketch.words(Vec2(x(k), 16.0), letter, Anchor::middle, k_ink, 14.0);
+        const Vec2 at(10.0 + 186.0 * static_cast<double>(k % 3), bottom + 24.0 + 20.0 * static_cast<double>(k / 3));
+        sketch.words(at, letter + "  " + names[k], Anchor::left, k_ink, 14.0);
+    }
+    double y = 36.0;
+    for (const SkipsRecord& skips : records.skips) {
+        sketch.words(Vec2(k_left - 8.0, y + 5.0), skips.scene, Anchor::right, k_ink, 13.0);
+        for (const SkipsRecord::Entry& entry : skips.entries) {
+            if (entry.without.empty()) continue;
+            const auto place =
+                static_cast<std::size_t>(std::find(names.begin(), names.end(), entry.without) - names.begin());
+            const double factor = entry.seconds.median / skips.entries.front().seconds.median;
+            const double depth = std::clamp(std::abs(std::log10(factor)) / 1.5, 0.0, 1.0);
+            const Tone fill = factor > 1.0 ? pale(k_teal, 0.08 + 0.6 * depth) : pale(k_ochre, 0.08 + 0.6 * depth);
+            sketch.polygon(box(Vec2(x(place), y), column - 4.0, k_row - 4.0), fill, entry.same_bits ? k_none : k_rust,
+                           2.0);
+            sketch.words(Vec2(x(place), y + 4.5), text_of(factor < 9.95 ? "%.1f" : "%.0f", factor), Anchor::middle,
+                         k_ink, 12.0);
+        }
+        y += k_row;
     }
 }
 

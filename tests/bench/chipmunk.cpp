@@ -17,7 +17,6 @@ struct Chipmunk::Parts
     std::vector<cpShape*> shapes;
     double hertz = 60.0;
     long steps = 0;
-    std::vector<double> masses;
     std::optional<CentralField> centre;
 
     Parts() = default;
@@ -68,6 +67,14 @@ bool has_mixed_restitution(const Scene& scene)
     });
 }
 
+/// As its own demonstration of planets has it: the pull where the body is now, in place of gravity.
+void pull_to_centre(cpBody* body, cpVect, cpFloat damping, cpFloat step)
+{
+    const auto* centre = static_cast<const CentralField*>(cpBodyGetUserData(body));
+    const cpVect x = cpBodyGetPosition(body);
+    cpBodyUpdateVelocity(body, vect(acceleration_at(*centre, Vec2(x.x, x.y))), damping, step);
+}
+
 /// Ours, and Box2D's: of two bodies the larger restitution counts.
 cpBool take_larger_restitution(cpArbiter* arbiter, cpSpace*, cpDataPointer)
 {
@@ -104,7 +111,10 @@ Chipmunk::Chipmunk(const Scene& scene, double hertz, int effort) : parts_(std::m
         }
         cpSpaceAddBody(space, body);
         parts_->bodies.push_back(body);
-        parts_->masses.push_back(from.mass);
+        if (parts_->centre) {
+            cpBodySetUserData(body, &*parts_->centre);
+            cpBodySetVelocityUpdateFunc(body, pull_to_centre);
+        }
         for (const ConvexPart& part : make_collision_shape(from.shape).parts) {
             parts_->add(part_shape(body, part.shape), from.material);
         }
@@ -131,11 +141,6 @@ void Chipmunk::advance(double time)
 {
     const long until = steps_until(time, parts_->hertz);
     for (; parts_->steps < until; ++parts_->steps) {
-        for (std::size_t k = 0; parts_->centre && k < parts_->bodies.size(); ++k) {
-            const cpVect x = cpBodyGetPosition(parts_->bodies[k]);
-            cpBodySetForce(parts_->bodies[k],
-                           vect(parts_->masses[k] * acceleration_at(*parts_->centre, Vec2(x.x, x.y))));
-        }
         cpSpaceStep(parts_->space, 1.0 / parts_->hertz);
     }
 }

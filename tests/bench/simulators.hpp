@@ -30,7 +30,7 @@ private:
 };
 
 /// Chipmunk 7: 10 iterations a step as it comes, no damping, no sleep. Walls are a metre thick and more. The pull of a centre,
-/// which it doesn't know, is applied as a force before each step.
+/// which it doesn't know, takes gravity's place as in its own demonstration of planets.
 class Chipmunk
 {
 public:

@@ -12,7 +12,8 @@
 namespace flying::bench {
 namespace {
 
-constexpr double k_long = 0.5; // a run of that length is made once [s]
+constexpr double k_long = 0.5;   // a run of that length is made once [s]
+constexpr double k_short = 2e-3; // a shorter one is made many at a time [s]
 
 /// One series: a scene of any size, and how long of it is simulated.
 struct Series
@@ -149,6 +150,7 @@ work::SkipsRecord weigh_skips(const std::string& path, double until, int repeats
     std::vector<Skip> saved;
     std::vector<work::Prepare> prepares;
     std::vector<std::size_t> of_entry;
+    std::vector<int> copies_of;
     for (const std::string& name : names) {
         tell("skips of " + record.scene + ": without " + (name.empty() ? "none" : name));
         World world = start(name);
@@ -172,13 +174,21 @@ work::SkipsRecord weigh_skips(const std::string& path, double until, int repeats
         record.entries.push_back(entry);
         if (took > k_long) continue;
         of_entry.push_back(record.entries.size() - 1);
-        prepares.push_back([&, name] {
-            const auto once = std::make_shared<World>(start(name));
-            return [once, end] { static_cast<void>(once->advance(end)); };
+        const int copies = static_cast<int>(std::clamp(std::ceil(k_short / std::max(took, 1e-9)), 1.0, 1000.0));
+        copies_of.push_back(copies);
+        prepares.push_back([&, name, copies] {
+            const auto worlds = std::make_shared<std::vector<World>>();
+            for (int k = 0; k < copies; ++k) worlds->push_back(start(name));
+            return [worlds, end] {
+                for (World& each : *worlds) static_cast<void>(each.advance(end));
+            };
         });
     }
-    const std::vector<std::vector<double>> times = work::time_in_turn(prepares, repeats, cpu_seconds);
-    for (std::size_t k = 0; k < of_entry.size(); ++k) record.entries[of_entry[k]].seconds = work::spread_of(times[k]);
+    std::vector<std::vector<double>> times = work::time_in_turn(prepares, repeats, cpu_seconds);
+    for (std::size_t k = 0; k < of_entry.size(); ++k) {
+        for (double& time : times[k]) time /= copies_of[k];
+        record.entries[of_entry[k]].seconds = work::spread_of(times[k]);
+    }
     return record;
 }
 

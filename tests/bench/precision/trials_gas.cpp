@@ -29,6 +29,7 @@ Trial gas_trial(const std::string& name, const std::string& shape, double packin
     trial.title = std::to_string(count) + " elastic " + shape + "s, packing " + std::to_string(packing).substr(0, 3);
     trial.scene = scene_of("gas", gas(count, packing, shape));
     trial.until = k_until;
+    trial.patience = count >= 300 && shape != "disc" ? 10.0 : 3.0;
     trial.looks = {0.0, k_until};
     trial.why = "collisions make a small error grow without end; after one second it is still smaller than a body in a "
                 "good engine";

@@ -43,6 +43,7 @@ Trial stack(const std::string& name, int count, double top)
                       "from the weights above"
                     : "it stands still in truth; a light box between a heavy one and the floor is pressed through it";
     trial.truth = "nothing moves; each contact bears what stands above";
+    trial.patience = count > 10 ? 4.0 : 1.0;
     trial.until = 5.0;
     trial.looks = {0.0, trial.until};
     trial.rests = true;
@@ -65,6 +66,7 @@ Trial pyramid(int base)
     trial.title = "a pyramid on " + std::to_string(base) + " boxes, five seconds";
     trial.why = "it stands still in truth: how far any box has gone from its place";
     trial.truth = "nothing moves";
+    trial.patience = base > 10 ? 10.0 : 1.0;
     trial.until = 5.0;
     trial.looks = {0.0, trial.until};
     trial.rests = true;
@@ -84,7 +86,7 @@ Trial pile(int count)
     trial.title = std::to_string(count) + " boxes that fall into a bin";
     trial.why = "where each box comes to lie is chaos, but no two may share a place, and nothing may give them energy";
     trial.truth = "solid bodies don't overlap";
-    trial.patience = 5.0;
+    trial.patience = 12.0;
     trial.until = 5.0;
     trial.looks = looks_every(0.5, trial.until);
     trial.rests = true;
@@ -159,7 +161,7 @@ std::vector<TrialMaker> rest_trials()
             {"stack-50", [](Coarseness) { return stack("stack-50", 50, 1.0); }},
             {"mass-ratio", [](Coarseness) { return stack("mass-ratio", 2, 1e4); }},
             {"pyramid", [=](Coarseness c) { return pyramid(is_full(c) ? 20 : 10); }},
-            {"pile", [=](Coarseness c) { return pile(is_full(c) ? 200 : 100); }},
+            {"pile", [=](Coarseness c) { return pile(is_full(c) ? 100 : 50); }},
             {"beside-a-pile", [](Coarseness) { return beside(); }}};
 }
 
