@@ -9,7 +9,7 @@
 
 using namespace flying;
 
-
+// [simulator.tests.saved]
 TEST_CASE("a run that was saved and gone on with has the bits of one that never stopped")
 {
     for (const Scene& scene :
@@ -29,9 +29,9 @@ TEST_CASE("a run that was saved and gone on with has the bits of one that never 
         CHECK(broken.handovers().size() == whole.handovers().size());
     }
 }
+// [simulator.tests.saved]
 
-
-
+// [simulator.tests.by_eye]
 TEST_CASE(
     "what one sees of a run isn't enough to go on with: seventeen digits of it lead to "
     "another future")
@@ -53,9 +53,9 @@ TEST_CASE(
     const double energy = whole.report().energy.total();
     CHECK(std::abs(by_eye.report().energy.total() - energy) < 1e-12 * energy);
 }
+// [simulator.tests.by_eye]
 
-
-
+// [simulator.tests.asked]
 TEST_CASE("what happens doesn't depend on who looks, or how often")
 {
     World once = start(rain(16, 3));
@@ -70,7 +70,7 @@ TEST_CASE("what happens doesn't depend on who looks, or how often")
         CHECK(often.report().hash == once.report().hash);
     }
 }
-
+// [simulator.tests.asked]
 
 
 TEST_CASE("where steps follow the frames, each rate of frames has a future of its own")
@@ -123,9 +123,35 @@ TEST_CASE(
     CHECK(to_events > 0);
     CHECK(cost < 1e-12 * report.initial_total);
     CHECK(shares_of(world).events == 0);
+    CHECK(report.handovers.front().to == Handover::To::rest);
+    RECORD_VALUE("simulator.first_handover", report.handovers.front().time);
     RECORD_VALUE("simulator.to_rest", to_rest);
     RECORD_VALUE("simulator.to_events", to_events);
     RECORD_VALUE("simulator.overlap", report.max_overlap);
+}
+
+
+
+TEST_CASE(
+    "the original's scenes run for a minute: no energy is gained or lost, and nothing "
+    "overlaps")
+{
+    double gained = 0.0;
+    double overlap = 0.0;
+    for (const char* name : {"original-polygons", "original-polygons-gravity"}) {
+        World world = start(scene_of_course(FLYING_SCENES, name));
+        go(world, 60.0);
+        const Report report = world.report();
+        const double change = std::abs(report.energy.total() - report.initial_total);
+        gained = std::max(gained, change / report.initial_total);
+        overlap = std::max(overlap, report.max_overlap);
+        CHECK(report.collisions > 200);
+        CHECK(report.handovers.empty());
+    }
+    CHECK(gained < 1e-13);
+    CHECK(overlap < 1e-12);
+    RECORD_VALUE("simulator.original.gained", gained);
+    RECORD_VALUE("simulator.original.overlap", overlap);
 }
 
 

@@ -9,7 +9,7 @@
 namespace flying {
 namespace {
 
-
+// [rest.solve.limits]
 /// Points of the largest group whose step is parted where slip ends.
 constexpr int k_most_parted = 12;
 
@@ -24,7 +24,7 @@ constexpr double k_slight = 0x1p-6;
 
 /// [speeds that the field gives in a step] A tall group that moves no faster stands, or begins to fall.
 constexpr double k_standing = 4.0;
-
+// [rest.solve.limits]
 
 } // namespace
 

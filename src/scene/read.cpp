@@ -288,6 +288,7 @@ Located locate(const toml::table& root, const Scene& scene, const std::string& p
 }
 
 
+
 /// Whether a fault of body k is one of what could not be read, or hangs on it.
 bool hangs_on_lost(const FaultList& faults, const Reading& reading, std::size_t k, const std::string& label)
 {
@@ -322,6 +323,8 @@ void check_alone(FaultList& faults, const toml::table& root, const Reading& read
     }
 }
 
+
+
 /// The world's own faults with the parts that could be read: nothing is reported of numbers that the file doesn't have.
 void check(FaultList& faults, const toml::table& root, const Reading& reading)
 {
@@ -347,7 +350,9 @@ void check(FaultList& faults, const toml::table& root, const Reading& reading)
 }
 
 
+
 } // namespace
+
 
 Expected<Scene> read_scene_text(std::string_view text, const std::string& filename)
 {
@@ -373,5 +378,6 @@ Expected<Scene> read_scene_text(std::string_view text, const std::string& filena
     if (faults.size() > 0) return faults.in_order();
     return std::move(reading.scene);
 }
+
 
 } // namespace flying

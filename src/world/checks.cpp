@@ -8,6 +8,7 @@ namespace flying {
 
 namespace {
 
+
 /// Zero, or neither too small nor too large for the engine.
 bool in_range(double x)
 {
@@ -19,7 +20,9 @@ std::string limits()
     return number_text(k_least_number) + " to " + number_text(k_greatest_number);
 }
 
+
 } // namespace
+
 
 std::string number_text(double x)
 {
@@ -61,6 +64,8 @@ bool Checks::not_negative(std::string_view place, double x, std::string_view wha
     return false;
 }
 
+
+
 bool Checks::fraction(std::string_view place, double x, std::string_view what)
 {
     if (x >= 0.0 && x <= 1.0 && in_range(x)) return true;
@@ -68,6 +73,8 @@ bool Checks::fraction(std::string_view place, double x, std::string_view what)
           "a " + std::string(what) + " from 0 to 1, and not between 0 and " + number_text(k_least_number));
     return false;
 }
+
+
 
 bool Checks::vector(std::string_view place, const Vec2& a, std::string_view what)
 {
@@ -84,5 +91,6 @@ bool Checks::angle(std::string_view place, double x)
               " with either sign");
     return false;
 }
+
 
 } // namespace flying

@@ -10,6 +10,7 @@
 namespace flying {
 namespace {
 
+
 /// [steps] A step that would be shorter is joined to the next.
 constexpr double k_shortest = 0x1p-20;
 
@@ -37,6 +38,7 @@ constexpr char k_clear_steps = 2;
     default: return Hybrid::Change::Why::crowded;
     }
 }
+
 
 } // namespace
 
@@ -166,6 +168,7 @@ double Hybrid::step_length() const
     return is_whole ? setting_.step : *step_ends_ - from;
 }
 
+
 /// The first multiple of the step's length, halved so often, after a moment, but for one that is all but reached.
 double Hybrid::next_end(double time, int halvings) const
 {
@@ -174,6 +177,8 @@ double Hybrid::next_end(double time, int halvings) const
     while (count * h - time < k_shortest * h) count += 1.0;
     return count * h;
 }
+
+
 
 /// How often the step must be halved for those that lean, and those near them, to stay within a small part of their size.
 int Hybrid::halvings_for(const std::vector<int>& near) const
@@ -197,6 +202,7 @@ int Hybrid::halvings_for(const std::vector<int>& near) const
 
 
 
+
 void Hybrid::answer_impact(const Event& impact)
 {
     // A body that slept and was struck wakes, and all that it touches
@@ -217,6 +223,7 @@ void Hybrid::answer_impact(const Event& impact)
     }
 }
 
+// [hybrid.blows_of]
 /// What the event engine has just given to those of a pair that slept.
 std::vector<Hybrid::Blow> Hybrid::blows_of(int a, int b) const
 {
@@ -226,6 +233,8 @@ std::vector<Hybrid::Blow> Hybrid::blows_of(int a, int b) const
     }
     return blows;
 }
+// [hybrid.blows_of]
+
 
 void Hybrid::take_blow(const Blow& blow)
 {
@@ -244,6 +253,7 @@ void Hybrid::take_blow(const Blow& blow)
     ways_.clear();
     resting_->set_state(body, state);
 }
+
 
 
 
@@ -289,6 +299,7 @@ void Hybrid::take_in(const std::vector<int>& bodies, Change change)
     changes_.push_back(std::move(change));
 }
 
+
 /// Take in every body that may meet one that leans before the step ends, and again those that may meet these.
 void Hybrid::take_in_all_near()
 {
@@ -319,6 +330,7 @@ void Hybrid::take_in_all_near()
         hand_over_.add(leaning(near));
     }
 }
+
 
 bool Hybrid::any_leans() const
 {

@@ -7,10 +7,12 @@
 namespace flying {
 namespace {
 
+
 /// [radii] Room about a flight, against rounding and the tolerance of touching.
 constexpr double k_room = 0x1p-10;
 /// [radii] Room about the way of a body in a step, within which the resting integrator watches for contacts.
 constexpr double k_near = 0x1p-6;
+
 
 } // namespace
 
@@ -41,6 +43,7 @@ std::vector<Leaning> Hybrid::leaning(const std::vector<int>& bodies) const
     return all;
 }
 
+
 /// A flight leads, before the step ends, to where a body that leans may be.
 bool Hybrid::comes_near(int body) const
 {
@@ -54,6 +57,7 @@ bool Hybrid::comes_near(int body) const
     return hand_over_.is_near({start.cwiseMin(end) - Vec2(room, room), start.cwiseMax(end) + Vec2(room, room)});
 }
 
+
 /// No less than the field at a place, and wherever a body may fall from there in a step.  [m/s^2]
 double Hybrid::greatest_pull(const Vec2& place) const
 {
@@ -62,6 +66,7 @@ double Hybrid::greatest_pull(const Vec2& place) const
     const double least = std::max(central->radius, 0.5 * (place - central->centre).norm());
     return central->mu / (least * least);
 }
+
 
 /// How far a flight leads, at most, from the straight way between its ends; infinite where it may pass the centre.  [m]
 double Hybrid::bow_of(const Flyer& flyer, double from, double left) const
@@ -72,6 +77,7 @@ double Hybrid::bow_of(const Flyer& flyer, double from, double left) const
     if (outlook.until >= from + left) return 0.125 * left * left * outlook.acceleration;
     return std::numeric_limits<double>::infinity();
 }
+
 
 
 

@@ -12,7 +12,9 @@ namespace flying {
 
 namespace {
 
+
 constexpr const char* k_length = "length in m";
+
 
 
 /// Corners at exactly plus and minus half of the sides, so that the centre of mass is the origin without rounding.
@@ -145,9 +147,11 @@ Expected<Shape> make(const PolygonDef& def)
 
 } // namespace
 
+
 Expected<Shape> make_shape(const ShapeDef& def)
 {
     return std::visit([](const auto& kind) { return make(kind); }, def);
 }
+
 
 } // namespace flying

@@ -16,6 +16,7 @@ namespace flying {
 
 namespace {
 
+
 /// Overlapping pairs that are listed one by one.
 constexpr std::size_t k_most_overlaps = 1000;
 
@@ -30,6 +31,7 @@ std::string body_place(int index)
 {
     return "body[" + std::to_string(index) + "]";
 }
+
 
 
 /// The world's own numbers.
@@ -60,6 +62,7 @@ void check_world(const WorldDef& world, Faults& faults)
 }
 
 
+
 /// Area of a shape that `make_shape` made.  [m^2]
 double area_of(const Shape& shape)
 {
@@ -67,6 +70,7 @@ double area_of(const Shape& shape)
     if (const auto* polygon = std::get_if<Polygon>(&shape)) return moments_of(*polygon).area;
     return 0.0;
 }
+
 
 
 /// What a body weighs, and that a static one doesn't.
@@ -141,6 +145,7 @@ std::optional<PlacedBody> check_body(const Scene& scene, int index, Faults& faul
 }
 
 
+
 /// Names are there to tell bodies apart.
 void check_names(const Scene& scene, Faults& faults)
 {
@@ -155,6 +160,7 @@ void check_names(const Scene& scene, Faults& faults)
                           "a name of its own"});
     }
 }
+
 
 
 /// Bodies that move start inside the box.
@@ -233,11 +239,13 @@ void check_overlaps(const Scene& scene, const std::vector<PlacedBody>& bodies, F
 
 } // namespace
 
+
 std::string body_label(const Scene& scene, int index)
 {
     const std::string& name = scene.bodies[index].name;
     return name.empty() ? "body " + std::to_string(index) : name;
 }
+
 
 
 Faults validate(const Scene& scene)
