@@ -55,7 +55,6 @@ TEST_CASE("no first touch is missed or late, against dense sampling of the dista
     RECORD_VALUE("toi.dense.gap", worst_gap);
 }
 
-// [toi.tests.safe-step]
 TEST_CASE("a safe step never passes a root of a function whose bend is bounded")
 {
     // f = cos(w t + p) + b, so that |f''| <= w^2; its first root by the arc cosine
@@ -72,4 +71,4 @@ TEST_CASE("a safe step never passes a root of a function whose bend is bounded")
         CHECK(safe_step(f, -w * std::sin(p), w * w) <= root * (1.0 + 1e-12) + 1e-12);
     }
 }
-// [toi.tests.safe-step]
+

@@ -138,7 +138,7 @@ int main(int argc, char** argv)
     trace_race(folder);
     draw_late(folder);
     draw_turns(folder);
-    // [time-against-error.figures]
+
     for (const DiagramRecord& diagram : records->diagrams) {
         for (std::size_t k = 0; k < diagram.measures.size(); ++k) {
             const std::string suffix = k == 0 ? "" : "-" + std::to_string(k + 1);
@@ -148,6 +148,6 @@ int main(int argc, char** argv)
     for (const GrowthRecord& growth : records->growths) draw_growth(folder + "/growth-" + growth.name + ".svg", growth);
     draw_ratios(folder + "/ratios.svg", *records);
     draw_skips(folder + "/skips.svg", *records);
-    // [time-against-error.figures]
+
     return 0;
 }

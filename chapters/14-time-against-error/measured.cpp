@@ -38,14 +38,14 @@ Row row_of(const DiagramRecord& diagram)
     std::vector<Point> ours = our_points(diagram);
     row.best_of_ours =
         *std::min_element(ours.begin(), ours.end(), [](const Point& a, const Point& b) { return a.error < b.error; });
-    // [time-against-error.measured.ratios]
+
     const std::vector<Ratio> all = ratios(ours, of_peers(diagram));
     if (all.empty()) return row;
     row.at_their_worst = all.front().ours_over_theirs;
     row.at_their_best = all.back().ours_over_theirs;
     row.their_error = all.back().error;
     for (const Ratio& one : all) row.worst = std::max(row.worst, one.ours_over_theirs.value_or(0.0));
-    // [time-against-error.measured.ratios]
+
     return row;
 }
 

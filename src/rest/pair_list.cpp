@@ -12,7 +12,6 @@
 namespace flying {
 namespace {
 
-// [rest.pairs.room]
 [[nodiscard]] auto key(const RestPair& pair)
 {
     return std::tie(pair.a, pair.b, pair.part_a, pair.part_b);
@@ -26,11 +25,9 @@ namespace {
     const double height = wall.normal.x() * x + wall.normal.y() * y;
     return height <= wall.offset;
 }
-// [rest.pairs.room]
 
 } // namespace
 
-// [rest.pairs.inside]
 bool PairList::all_inside(std::span<const RestBody> bodies, std::span<const double> radius,
                           std::span<const double> reach) const
 {
@@ -43,18 +40,14 @@ bool PairList::all_inside(std::span<const RestBody> bodies, std::span<const doub
     }
     return true;
 }
-// [rest.pairs.inside]
 
-// [rest.pairs.remember]
 void PairList::remember(std::vector<RestPair> pairs, int bodies)
 {
     pairs_ = std::move(pairs);
     make_index(bodies);
     valid_ = false;
 }
-// [rest.pairs.remember]
 
-// [rest.pairs.update]
 bool PairList::update(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes,
                       std::span<const double> radius, std::span<const double> reach)
 {
@@ -77,9 +70,7 @@ bool PairList::update(std::span<const RestBody> bodies, std::span<const Collisio
     valid_ = true;
     return true;
 }
-// [rest.pairs.update]
 
-// [rest.pairs.partners]
 void PairList::find_partners(std::span<const RestBody> bodies)
 {
     // Sort the boxes of all that have one into cells
@@ -118,9 +109,7 @@ void PairList::find_partners(std::span<const RestBody> bodies)
         std::sort(partners_.begin() + partner_start_[k], partners_.begin() + partner_start_[k + 1]);
     }
 }
-// [rest.pairs.partners]
 
-// [rest.pairs.merge]
 void PairList::add_pairs(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes)
 {
     old_.swap(pairs_);
@@ -145,9 +134,7 @@ void PairList::add_pairs(std::span<const RestBody> bodies, std::span<const Colli
         }
     }
 }
-// [rest.pairs.merge]
 
-// [rest.pairs.second]
 void PairList::make_index(int bodies)
 {
     starts_.assign(bodies + 1, 0);
@@ -161,6 +148,5 @@ void PairList::make_index(int bodies)
     for (int k = bodies; k > 0; --k) second_starts_[k] = second_starts_[k - 1];
     second_starts_[0] = 0;
 }
-// [rest.pairs.second]
 
 } // namespace flying
