@@ -17,7 +17,7 @@ inline constexpr double k_stagnant = 16.0;
 /// is below a hundredth of the stack's own; corrections take what it leaves to rounding.
 inline constexpr double k_stiffness = 0x1p32;
 
-/// [speeds that the field gives in a step] Slower is still: what the solve leaves of a island that nothing moves, with
+/// [speeds that the field gives in a step] Slower is still: what the solve leaves of an island that nothing moves, with
 /// room; and a hundredth of what a slope gives that is 1e-9 too steep.
 inline constexpr double k_still = 0x1p-36;
 
@@ -175,7 +175,7 @@ inline constexpr double k_slow_island = 0x1p-4;
 inline constexpr double k_ahead = 4.0;
 
 // ---- Projection, and the verdict on a step (projection, rest_step)
-/// [rad] Turn within a step that a island with contacts may make.
+/// [rad] Turn within a step that an island with contacts may make.
 inline constexpr double k_fair_turn = 0.25;
 
 /// [radii] Push that may take off overlap.
