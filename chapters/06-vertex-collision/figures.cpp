@@ -78,7 +78,7 @@ void draw_cone(const std::string& folder)
     Sketch s(folder + "/cone.svg", 580, 250);
     const double pi = std::numbers::pi;
     const auto panel = [&](double x, double alpha, double beta, const char* words) {
-        const View view{Vec2(x, 118), 84.0};
+        const View view{Vec2(x, 112), 74.0};
         const Rotation turn_a = Rotation::of(pi / 4 + alpha);
         const Rotation turn_b = Rotation::of(-3 * pi / 4 + beta);
         const Polygon square = corner::box(1, 1);

@@ -12,7 +12,7 @@
 /// receipts that look like more than they are.
 namespace flying::weave {
 
-/// What a receipt proves. Named after the equation's id: `::equation id measured`.
+/// What a receipt proves. A word after the id on the equation's line.
 enum class ReceiptKind
 {
     oracle,   ///< no word: the engine's value against one found another way

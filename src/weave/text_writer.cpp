@@ -280,9 +280,13 @@ std::string TextWriter::listing(const Block& block)
         link.kind = FragmentKind::source;
         link.text = region.file;
         link.place = block.place;
-        captions += fmt::format("<a href=\"{}#l{:05}\">{}, {} {}{}</a> ", fragments_.add(std::move(link)), region.first,
-                                escape_html(region.file), region.first == region.last ? "line" : "lines", region.first,
-                                region.first == region.last ? "" : fmt::format("\u2013{}", region.last));
+        // From its first line on that is no marker: markers have no place on the page of the source
+        const SourceFile& file = material_.sources.files.at(region.file);
+        int first = region.first;
+        while (first < region.last && file.kinds[first - 1] == LineKind::marker) ++first;
+        captions += fmt::format("<a href=\"{}#l{:05}\">{}, {} {}{}</a> ", fragments_.add(std::move(link)), first,
+                                escape_html(region.file), first == region.last ? "line" : "lines", first,
+                                first == region.last ? "" : fmt::format("\u2013{}", region.last));
     }
     return block_token(fragments_.add_html(fmt::format(
         "<figure class=\"listing{}{}\"{}><figcaption>{}{}</figcaption><div class=\"fragment\">{}</div></figure>",
