@@ -44,6 +44,7 @@ void arrow(cairo_t* cairo, const Vec2& from, const Vec2& to, double width)
     const double head = std::min(4.5 * width, 0.6 * length);
     const double half = 0.5 * std::min(width, 0.3 * length);
     const Vec2 neck = to - head * along;
+    cairo_new_path(cairo);
     for (const Vec2& corner : {Vec2(from + half * across), Vec2(neck + half * across), Vec2(neck + 0.45 * head * across), to,
                                Vec2(neck - 0.45 * head * across), Vec2(neck - half * across), Vec2(from - half * across)}) {
         cairo_line_to(cairo, corner.x(), corner.y());

@@ -21,6 +21,7 @@ void paint_stage(cairo_t* cairo, const Stage& stage, SurfaceSize size)
 {
     const Theme theme = stage_theme(stage);
     paint(cairo, stage.picture, size, theme);
+    cairo_new_path(cairo); // the caption has left its end as the present point
     const ViewMap map = stage_map(stage, size);
     cairo_save(cairo);
     paint_faces(cairo, stage, map);

@@ -107,6 +107,7 @@ std::string state_json(const Stage& stage, const std::string& more)
     add("colouring", json_text(colourings[static_cast<int>(stage.look.colouring)]));
     add("dark", truth(stage.look.is_dark));
     add("faces_turn", truth(stage.look.faces_turn));
+    add("box_follows", truth(stage.box_follows));
     add("face", truth(stage.face != nullptr));
     add("ship", fmt::format("{{\"body\":{},\"heading\":{},\"thrust\":{},\"burns\":{}}}", stage.ship.body, number(stage.ship.heading),
                             number(stage.ship.thrust), truth(stage.ship.burns(stage.now))));

@@ -52,7 +52,7 @@ void Panel::add_heading(const char* text)
     auto* label = Gtk::make_managed<Gtk::Label>();
     label->set_markup(fmt::format("<b>{}</b>", text));
     label->set_xalign(0.0F);
-    label->set_margin_top(6);
+    label->set_margin_top(2);
     column_.append(*label);
 }
 

@@ -1,7 +1,10 @@
 #include "window/window.hpp"
 
 #include <gtk/gtk.h>
+#include <gdkmm/display.h>
 #include <gtkmm/application.h>
+#include <gtkmm/cssprovider.h>
+#include <gtkmm/stylecontext.h>
 
 #include <cstdio>
 #include <cstdlib>
@@ -24,6 +27,11 @@ int run_window(Stage stage, const WindowOptions& options)
     const auto application = Gtk::Application::create("org.flying.polygons", Gio::Application::Flags::NON_UNIQUE);
     std::unique_ptr<MainWindow> window;
     application->signal_activate().connect([&] {
+        // Controls close together, so that all are seen in a window of 800 pixels
+        const auto style = Gtk::CssProvider::create();
+        style->load_from_data("button { padding: 1px 8px; min-height: 22px; } scale { padding: 4px 8px; min-height: 16px; }"
+                              " checkbutton { padding: 0 2px; min-height: 20px; }");
+        Gtk::StyleContext::add_provider_for_display(Gdk::Display::get_default(), style, GTK_STYLE_PROVIDER_PRIORITY_APPLICATION);
         window = std::make_unique<MainWindow>(stage, options);
         application->add_window(*window);
         window->present();
