@@ -80,6 +80,77 @@ void draw_corner(const std::string& folder)
     s.words(Vec2(250, 140), "nobody can be here", Anchor::middle, k_soft, 17.0);
 }
 
+/// A contact: two bodies, the point, the normal, the tangent, and the arms of a push.
+void draw_contact(const std::string& folder)
+{
+    Sketch s(folder + "/contact.svg", 520, 330);
+    const Vec2 below(190, 240);
+    const Vec2 above(270, 104);
+    const Rotation turn = Rotation::of(-0.22);
+    std::vector<Vec2> tilted;
+    for (const Vec2& corner : box(Vec2::Zero(), 170, 100)) tilted.push_back(above + turn * corner);
+    s.polygon(box(below, 300, 130), pale(k_teal, 0.22), k_teal, 2.0);
+    const Vec2 point(tilted[3].x(), below.y() - 65.0);
+    const Vec2 shift = point - tilted[3];
+    for (Vec2& corner : tilted) corner += shift;
+    s.polygon(tilted, pale(k_blue, 0.22), k_blue, 2.0);
+    const Vec2 centre = above + shift;
+    s.dashed(below, point, k_teal, 1.6);
+    s.dashed(centre, point, k_blue, 1.6);
+    s.disc(below, 4.0, k_teal, k_none);
+    s.disc(centre, 4.0, k_blue, k_none);
+    s.arrow(point, point + Vec2(0, -86), k_rust, 2.6);
+    s.arrow(point, point + Vec2(-70, 0), k_ochre, 2.6);
+    s.disc(point, 5.0, k_ink, k_none);
+    s.formula(point + Vec2(-16, -70), "n", Anchor::right, k_rust);
+    s.words(point + Vec2(-40, -12), "tangent", Anchor::middle, k_ochre, 14.0);
+    s.formula(below + Vec2(8, -22), "r_a", Anchor::left, k_teal);
+    s.formula(0.5 * (centre + point) + Vec2(14, 20), "r_b", Anchor::left, k_blue);
+    s.words(below + Vec2(110, 46), "A", Anchor::middle, k_teal, 20.0);
+    s.words(centre + Vec2(58, -4), "B", Anchor::middle, k_blue, 20.0);
+}
+
+/// What a step is made of, and where it goes round again.
+void draw_step(const std::string& folder)
+{
+    Sketch s(folder + "/step.svg", 640, 412);
+    const auto card = [&](const Vec2& at, double width, const char* words, const char* more, Tone tone) {
+        s.polygon(box(at, width, 54), pale(tone, 0.2), tone, 1.8);
+        s.words(at + Vec2(0, -3), words, Anchor::middle, k_ink, 16.0);
+        s.words(at + Vec2(0, 17), more, Anchor::middle, k_soft, 12.5);
+    };
+    card(Vec2(84, 44), 136, "pairs", "whose boxes meet", k_soft);
+    card(Vec2(246, 44), 136, "contacts", "points, gaps, loads", k_soft);
+    card(Vec2(408, 44), 136, "islands", "tied by contacts", k_soft);
+    s.arrow(Vec2(152, 44), Vec2(176, 44));
+    s.arrow(Vec2(314, 44), Vec2(338, 44));
+    s.polygon(box(Vec2(292, 219), 572, 230), pale(k_teal, 0.06), k_teal, 1.6);
+    s.words(Vec2(566, 124), "each island", Anchor::right, k_teal, 14.0);
+    s.arrow(Vec2(408, 71), Vec2(408, 90), k_soft, 1.6);
+    s.line(Vec2(408, 90), Vec2(408, 118), k_soft, 1.6);
+    s.line(Vec2(408, 118), Vec2(94, 118), k_soft, 1.6);
+    s.arrow(Vec2(94, 118), Vec2(94, 148), k_soft, 1.6);
+    card(Vec2(94, 176), 140, "impacts", "at this moment", k_rust);
+    card(Vec2(262, 176), 140, "forces", "solved, or swept", k_rust);
+    card(Vec2(430, 176), 140, "places", "by mean velocities", k_rust);
+    s.arrow(Vec2(164, 176), Vec2(190, 176));
+    s.arrow(Vec2(332, 176), Vec2(358, 176));
+    card(Vec2(430, 286), 140, "as long as that?", "the verdict", k_ochre);
+    s.arrow(Vec2(430, 203), Vec2(430, 257));
+    s.words(Vec2(252, 276), "no: cut, and go on from there", Anchor::middle, k_ochre, 13.5);
+    s.line(Vec2(360, 286), Vec2(94, 286), k_ochre, 1.8);
+    s.arrow(Vec2(94, 286), Vec2(94, 205), k_ochre, 1.8);
+    card(Vec2(162, 380), 150, "limit of energy", "what was gained goes", k_blue);
+    card(Vec2(330, 380), 130, "move", "write it down", k_blue);
+    card(Vec2(496, 380), 150, "sleep", "where no bit changed", k_blue);
+    s.line(Vec2(430, 313), Vec2(430, 326), k_soft, 1.6);
+    s.line(Vec2(430, 326), Vec2(162, 326), k_soft, 1.6);
+    s.arrow(Vec2(162, 326), Vec2(162, 352), k_soft, 1.2);
+    s.words(Vec2(446, 328), "yes", Anchor::left, k_soft, 13.5);
+    s.arrow(Vec2(237, 380), Vec2(264, 380));
+    s.arrow(Vec2(395, 380), Vec2(420, 380));
+}
+
 /// What sweeps leave, for columns of several heights.
 void draw_sweeps(const std::string& folder)
 {
@@ -339,6 +410,8 @@ int main(int argc, char** argv)
     draw_stack(folder);
     draw_zeno(folder);
     draw_corner(folder);
+    draw_contact(folder);
+    draw_step(folder);
     draw_sweeps(folder);
     draw_slope(folder);
     draw_planks(folder);

@@ -55,6 +55,7 @@ void compare_runs(const Scene& scene)
     std::printf("the next: %s and %s at %.4f s, or %s and %s at %.4f s\n",
                 name(right[k].a), name(right[k].b), right[k].time, name(wrong[k].a),
                 name(wrong[k].b), wrong[k].time);
+    std::printf("the next is late by = %.6f s\n", wrong[k].time - right[k].time);
     std::printf("energy gained: %.0e J of %.0f J, and %.0e J of %.0f J\n",
                 kinetic_energy(ours) - energy_ours, energy_ours,
                 kinetic_energy(its) - energy_its, energy_its);

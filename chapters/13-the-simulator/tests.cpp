@@ -123,11 +123,37 @@ TEST_CASE(
     CHECK(to_events > 0);
     CHECK(cost < 1e-12 * report.initial_total);
     CHECK(shares_of(world).events == 0);
+    CHECK(report.handovers.front().to == Handover::To::rest);
+    RECORD_VALUE("simulator.first_handover", report.handovers.front().time);
     RECORD_VALUE("simulator.to_rest", to_rest);
     RECORD_VALUE("simulator.to_events", to_events);
     RECORD_VALUE("simulator.overlap", report.max_overlap);
 }
 // [simulator.tests.together]
+
+// [simulator.tests.again]
+TEST_CASE(
+    "the original's scenes run for a minute: no energy is gained or lost, and nothing "
+    "overlaps")
+{
+    double gained = 0.0;
+    double overlap = 0.0;
+    for (const char* name : {"original-polygons", "original-polygons-gravity"}) {
+        World world = start(scene_of_course(FLYING_SCENES, name));
+        go(world, 60.0);
+        const Report report = world.report();
+        const double change = std::abs(report.energy.total() - report.initial_total);
+        gained = std::max(gained, change / report.initial_total);
+        overlap = std::max(overlap, report.max_overlap);
+        CHECK(report.collisions > 200);
+        CHECK(report.handovers.empty());
+    }
+    CHECK(gained < 1e-13);
+    CHECK(overlap < 1e-12);
+    RECORD_VALUE("simulator.original.gained", gained);
+    RECORD_VALUE("simulator.original.overlap", overlap);
+}
+// [simulator.tests.again]
 
 // [simulator.tests.original]
 TEST_CASE(

@@ -7,6 +7,7 @@
 #include "runs.hpp"
 #include "support/receipts.hpp"
 #include "world/checks.hpp"
+#include "world/hand_over.hpp"
 
 using namespace flying;
 
@@ -149,7 +150,7 @@ TEST_CASE(
             const double S = ledger.steps;
             const double H = ledger.handovers;
             CHECK_EQUATION_SCALED("simulator.ledger", E, E_0 + I + S + H, scale, 1e-12,
-                                  {"E_0", E_0}, {"I", I}, {"S", S}, {"H", H});
+                                  {"E_0", E_0}, {"A_i", I}, {"A_s", S}, {"A_h", H});
             if (S != 0.0)
                 CHECK_TWIN_SCALED("simulator.ledger", E, E_0 + I + H, scale, 1e-12);
             worst = std::max(worst, std::abs(E - E_0 - I - S - H) / scale);
@@ -174,7 +175,7 @@ TEST_CASE("no double needs more than seventeen digits, and some need them all")
         most = std::max(most, text.size());
     }
     const double digits = std::ceil(1.0 + 53.0 * std::log(2.0) / std::log(10.0));
-    CHECK_EQUATION("simulator.digits", static_cast<double>(most), digits, 0.0, {"b", 53});
+    CHECK_EQUATION("simulator.digits", static_cast<double>(most), digits, 0.0, {"p", 53});
     CHECK_TWIN("simulator.digits", static_cast<double>(most), digits - 1.0, 0.0);
 }
 // [simulator.tests.digits]
@@ -203,3 +204,36 @@ TEST_CASE("a picture fits the view into its panel with one scale, and y points u
     }
 }
 // [simulator.tests.map]
+
+// [simulator.tests.reach]
+TEST_CASE("whatever might be struck is near as far as its reach, and no further")
+{
+    Random random(1305);
+    for (int k = 0; k < 100; ++k) {
+        const double v = random.uniform(0.0, 4.0);
+        const double g = random.uniform(1.0, 20.0);
+        const double d = random.uniform(0.004, 0.1);
+        Leaning one;
+        one.radius = 0.5;
+        one.speed = v;
+        one.pull = g;
+        one.way = {Vec2(-1.0, -1.0), Vec2(1.0, 1.0)};
+        one.is_awake = true;
+        HandOver rules;
+        rules.begin({one});
+        rules.reach(d);
+
+        // Halve the range in which it ends
+        double near = 0.0;
+        double far = 10.0;
+        for (int i = 0; i < 60; ++i) {
+            const Vec2 there(0.5 * (near + far), 0.0);
+            (rules.is_near({there, there}) ? near : far) = there.x();
+        }
+        const double l = near - (1.0 + 0x1p-10) * one.radius; // room for rounding
+        CHECK_EQUATION("simulator.reach", l, 2.0 * v * d + g * d * d, 1e-10, {"v", v},
+                       {"d", d}, {"g", g});
+        CHECK_TWIN("simulator.reach", l, v * d + g * d * d, 1e-10);
+    }
+}
+// [simulator.tests.reach]

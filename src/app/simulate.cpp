@@ -159,6 +159,7 @@ std::optional<Fault> write_picture(OutputFile& file, const World& world, std::ve
     return file.write(image.value());
 }
 
+// [app.commit]
 /// Finish all, and only then give them their names: all of them appear, or none.
 std::optional<Fault> commit_all(const std::vector<OutputFile*>& files)
 {
@@ -170,6 +171,7 @@ std::optional<Fault> commit_all(const std::vector<OutputFile*>& files)
     }
     return std::nullopt;
 }
+// [app.commit]
 
 int fail_to_write(Fault fault)
 {
@@ -287,6 +289,7 @@ std::optional<World> make_world_or_complain(const SimulateOptions& options, cons
 
 } // namespace
 
+// [app.simulate]
 int simulate(const SimulateOptions& options)
 {
     if (complain_of(usage_errors(options)) || complain_of(clashes(options))) return status::k_usage;
@@ -323,5 +326,6 @@ int simulate(const SimulateOptions& options)
     }
     return conclude(options, chosen, world, outputs, result, seconds_now() - started);
 }
+// [app.simulate]
 
 } // namespace flying

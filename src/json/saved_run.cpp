@@ -30,12 +30,14 @@ std::string fingerprint(const std::string& text)
 
 // ---- Numbers and what is made of them -------------------------------------------------------------------------------
 
+// [app.number]
 /// The fewest digits that read back to the same bits; JSON has no words for what is not finite.
 Json number(double x)
 {
     if (std::isfinite(x)) return x;
     return std::isnan(x) ? "nan" : x > 0.0 ? "inf" : "-inf";
 }
+// [app.number]
 
 double number(const Json& json)
 {
@@ -254,6 +256,7 @@ SavedRun saved_run_of(const Json& json)
 
 } // namespace
 
+// [app.saved]
 std::string write_saved_run(const Scene& scene, const WorldOptions& options, const Snapshot& s)
 {
     Json json{
@@ -274,6 +277,7 @@ std::string write_saved_run(const Scene& scene, const WorldOptions& options, con
     json["fingerprint"] = fingerprint(content);
     return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
+// [app.saved]
 
 Expected<SavedRun> read_saved_run(const std::string& path, const Scene& scene)
 {

@@ -288,6 +288,7 @@ Located locate(const toml::table& root, const Scene& scene, const std::string& p
 }
 
 // [scene.check]
+// [scene.check.alone]
 /// Whether a fault of body k is one of what could not be read, or hangs on it.
 bool hangs_on_lost(const FaultList& faults, const Reading& reading, std::size_t k, const std::string& label)
 {
@@ -321,7 +322,9 @@ void check_alone(FaultList& faults, const toml::table& root, const Reading& read
         faults.add(located.at, located.label, std::move(fault.found), std::move(fault.expected));
     }
 }
+// [scene.check.alone]
 
+// [scene.check.whole]
 /// The world's own faults with the parts that could be read: nothing is reported of numbers that the file doesn't have.
 void check(FaultList& faults, const toml::table& root, const Reading& reading)
 {
@@ -345,10 +348,12 @@ void check(FaultList& faults, const toml::table& root, const Reading& reading)
         if (!reading.bodies[k].is_whole()) check_alone(faults, root, reading, k);
     }
 }
+// [scene.check.whole]
 // [scene.check]
 
 } // namespace
 
+// [scene.read_text]
 Expected<Scene> read_scene_text(std::string_view text, const std::string& filename)
 {
     if (text.size() > k_largest_scene) {
@@ -373,5 +378,6 @@ Expected<Scene> read_scene_text(std::string_view text, const std::string& filena
     if (faults.size() > 0) return faults.in_order();
     return std::move(reading.scene);
 }
+// [scene.read_text]
 
 } // namespace flying

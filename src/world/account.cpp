@@ -10,6 +10,7 @@
 namespace flying {
 namespace {
 
+// [account.words]
 [[nodiscard]] BodyReport report_body(const BodyView& body, const std::string& name)
 {
     const auto inverse_or_zero = [](double x) { return x > 0.0 ? 1.0 / x : 0.0; };
@@ -36,6 +37,7 @@ namespace {
     const bool named = !scene.bodies[static_cast<std::size_t>(index)].name.empty();
     return named ? "\"" + body_label(scene, index) + "\"" : body_label(scene, index);
 }
+// [account.words]
 
 } // namespace
 
@@ -97,6 +99,7 @@ std::uint64_t final_hash(std::uint64_t log_hash, const std::vector<BodyReport>& 
 }
 // [account.hash]
 
+// [account.savings]
 Plan plan_with_savings(Plan plan, const EventCounts& counts, const RestEngine* rest)
 {
     for (Skip& skip : plan.skips) {
@@ -127,7 +130,9 @@ std::vector<StageCost> stage_costs(const RestCounts& counts, const RestSeconds& 
             {"solve", counts.groups, seconds.solve},
             {"move", counts.steps, seconds.move}};
 }
+// [account.savings]
 
+// [account.describe]
 Handover describe(const Hybrid::Change& change, const Scene& scene)
 {
     using Why = Hybrid::Change::Why;
@@ -190,5 +195,6 @@ RunFailure describe(const EventFailure& failure, const Scene& scene)
     }
     return described;
 }
+// [account.describe]
 
 } // namespace flying

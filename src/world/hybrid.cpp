@@ -10,6 +10,7 @@
 namespace flying {
 namespace {
 
+// [hybrid.constants]
 /// [steps] A step that would be shorter is joined to the next.
 constexpr double k_shortest = 0x1p-20;
 
@@ -37,6 +38,7 @@ constexpr char k_clear_steps = 2;
     default: return Hybrid::Change::Why::crowded;
     }
 }
+// [hybrid.constants]
 
 } // namespace
 
@@ -166,6 +168,7 @@ double Hybrid::step_length() const
     return is_whole ? setting_.step : *step_ends_ - from;
 }
 
+// [hybrid.next_end]
 /// The first multiple of the step's length, halved so often, after a moment, but for one that is all but reached.
 double Hybrid::next_end(double time, int halvings) const
 {
@@ -174,7 +177,9 @@ double Hybrid::next_end(double time, int halvings) const
     while (count * h - time < k_shortest * h) count += 1.0;
     return count * h;
 }
+// [hybrid.next_end]
 
+// [hybrid.halvings]
 /// How often the step must be halved for those that lean, and those near them, to stay within a small part of their size.
 int Hybrid::halvings_for(const std::vector<int>& near) const
 {
@@ -194,6 +199,7 @@ int Hybrid::halvings_for(const std::vector<int>& near) const
     for (double way = fastest * setting_.step; way > k_way && halvings < k_most_halvings; way *= 0.5) ++halvings;
     return halvings;
 }
+// [hybrid.halvings]
 // [hybrid.step]
 
 // [hybrid.impact]
@@ -217,6 +223,7 @@ void Hybrid::answer_impact(const Event& impact)
     }
 }
 
+// [hybrid.blows_of]
 /// What the event engine has just given to those of a pair that slept.
 std::vector<Hybrid::Blow> Hybrid::blows_of(int a, int b) const
 {
@@ -226,7 +233,9 @@ std::vector<Hybrid::Blow> Hybrid::blows_of(int a, int b) const
     }
     return blows;
 }
+// [hybrid.blows_of]
 
+// [hybrid.blow]
 void Hybrid::take_blow(const Blow& blow)
 {
     // The event engine took note of what it gave to a body that lay still; by now others may have moved it
@@ -244,6 +253,7 @@ void Hybrid::take_blow(const Blow& blow)
     ways_.clear();
     resting_->set_state(body, state);
 }
+// [hybrid.blow]
 // [hybrid.impact]
 
 // [hybrid.take]
@@ -289,6 +299,7 @@ void Hybrid::take_in(const std::vector<int>& bodies, Change change)
     changes_.push_back(std::move(change));
 }
 
+// [hybrid.take_in_all]
 /// Take in every body that may meet one that leans before the step ends, and again those that may meet these.
 void Hybrid::take_in_all_near()
 {
@@ -319,6 +330,7 @@ void Hybrid::take_in_all_near()
         hand_over_.add(leaning(near));
     }
 }
+// [hybrid.take_in_all]
 
 bool Hybrid::any_leans() const
 {

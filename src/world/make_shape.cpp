@@ -12,7 +12,9 @@ namespace flying {
 
 namespace {
 
+// [world.make_shape.length]
 constexpr const char* k_length = "length in m";
+// [world.make_shape.length]
 
 // [world.make_shape.rectangle]
 /// Corners at exactly plus and minus half of the sides, so that the centre of mass is the origin without rounding.
@@ -145,9 +147,11 @@ Expected<Shape> make(const PolygonDef& def)
 
 } // namespace
 
+// [world.make_shape]
 Expected<Shape> make_shape(const ShapeDef& def)
 {
     return std::visit([](const auto& kind) { return make(kind); }, def);
 }
+// [world.make_shape]
 
 } // namespace flying

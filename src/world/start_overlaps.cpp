@@ -12,10 +12,12 @@
 
 namespace flying {
 
+// [world.start_overlaps.allowed]
 double start_overlap_allowed(double size, double reach)
 {
     return tolerance::k_start_overlap * size + tolerance::coordinate_rounding(reach);
 }
+// [world.start_overlaps.allowed]
 
 namespace {
 
@@ -33,6 +35,7 @@ struct Level
     std::optional<Grid> grid;
 };
 
+// [world.start_overlaps.exponent]
 /// The exponent of the least power of two of which no box of this length fills more than eight ninths, so that boxes
 /// that share a point lie in neighbouring cells, whatever their middles' rounding.
 int exponent_for(const Aabb& box)
@@ -41,6 +44,7 @@ int exponent_for(const Aabb& box)
     (void)std::frexp(1.125 * (box.max - box.min).maxCoeff(), &exponent);
     return exponent;
 }
+// [world.start_overlaps.exponent]
 
 Vec2 middle(const Aabb& box) { return 0.5 * box.min + 0.5 * box.max; }
 

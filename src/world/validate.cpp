@@ -16,6 +16,7 @@ namespace flying {
 
 namespace {
 
+// [world.validate.labels]
 /// Overlapping pairs that are listed one by one.
 constexpr std::size_t k_most_overlaps = 1000;
 
@@ -30,6 +31,7 @@ std::string body_place(int index)
 {
     return "body[" + std::to_string(index) + "]";
 }
+// [world.validate.labels]
 
 // [world.validate.world]
 /// The world's own numbers.
@@ -60,6 +62,7 @@ void check_world(const WorldDef& world, Faults& faults)
 }
 // [world.validate.world]
 
+// [world.validate.area]
 /// Area of a shape that `make_shape` made.  [m^2]
 double area_of(const Shape& shape)
 {
@@ -67,6 +70,7 @@ double area_of(const Shape& shape)
     if (const auto* polygon = std::get_if<Polygon>(&shape)) return moments_of(*polygon).area;
     return 0.0;
 }
+// [world.validate.area]
 
 // [world.validate.mass]
 /// What a body weighs, and that a static one doesn't.
@@ -141,6 +145,7 @@ std::optional<PlacedBody> check_body(const Scene& scene, int index, Faults& faul
 }
 // [world.validate.body]
 
+// [world.validate.names]
 /// Names are there to tell bodies apart.
 void check_names(const Scene& scene, Faults& faults)
 {
@@ -155,6 +160,7 @@ void check_names(const Scene& scene, Faults& faults)
                           "a name of its own"});
     }
 }
+// [world.validate.names]
 
 // [world.validate.box]
 /// Bodies that move start inside the box.
@@ -233,11 +239,13 @@ void check_overlaps(const Scene& scene, const std::vector<PlacedBody>& bodies, F
 
 } // namespace
 
+// [world.validate.label]
 std::string body_label(const Scene& scene, int index)
 {
     const std::string& name = scene.bodies[index].name;
     return name.empty() ? "body " + std::to_string(index) : name;
 }
+// [world.validate.label]
 
 // [world.validate]
 Faults validate(const Scene& scene)

@@ -15,6 +15,7 @@
 namespace flying {
 namespace {
 
+// [world.walls]
 /// The box as four static half-planes, their normals inwards.
 [[nodiscard]] std::vector<EventBody> make_walls(const WorldDef& world)
 {
@@ -30,7 +31,9 @@ namespace {
     add({0.0, -1.0}, -world.box->max.y());
     return walls;
 }
+// [world.walls]
 
+// [world.core]
 /// The solid core of a central field, a static disc; none where it has none.
 [[nodiscard]] std::optional<EventBody> make_core(const WorldDef& world)
 {
@@ -40,7 +43,9 @@ namespace {
     core.flyer.state.position = central->centre;
     return core;
 }
+// [world.core]
 
+// [world.make_body]
 /// A body of a valid scene, ready to fly.
 [[nodiscard]] EventBody make_body(const BodyDef& def, const WorldDef& world)
 {
@@ -58,9 +63,11 @@ namespace {
     body.flyer.central = std::get_if<CentralField>(&world.field);
     return body;
 }
+// [world.make_body]
 
 } // namespace
 
+// [world.parts]
 /// What a world is made of.
 struct World::Parts
 {
@@ -85,6 +92,7 @@ World::World(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 World::~World() = default;
+// [world.parts]
 
 // [world.make]
 Expected<World> World::make(const Scene& scene, const WorldOptions& options)
@@ -120,6 +128,7 @@ Expected<World> World::set_up(const Scene& scene, const WorldOptions& options)
 
     // Do only what this scene needs
     const Plan plan = make_plan(scene, options.without);
+    // [world.make.options]
     EventEngineOptions engine_options;
     engine_options.pair_finder = plan.pair_finder;
     engine_options.skips_static_pairs = plan.skips_static_pairs;
@@ -130,6 +139,7 @@ Expected<World> World::set_up(const Scene& scene, const WorldOptions& options)
     engine_options.skips_far_vertices = plan.skips_far_vertices;
     engine_options.ends_bounces = options.engine == EngineChoice::automatic;
     const Hybrid::Setting setting{options.engine, options.step, scene.world.field, plan.sleeps, plan.warm_starts};
+    // [world.make.options]
     Hybrid hybrid(EventEngine(std::move(bodies), engine_options), std::move(materials), setting);
 
     World world(std::make_unique<Parts>(Parts{scene, plan, std::move(hybrid), std::move(shapes)}));
@@ -161,6 +171,7 @@ Expected<World> World::resume(const Scene& scene, const Snapshot& snapshot, cons
     return world;
 }
 
+// [world.resume.snapshot]
 Snapshot World::snapshot() const
 {
     const Parts& parts = *parts_;
@@ -176,6 +187,7 @@ Snapshot World::snapshot() const
     snapshot.ledger = parts.ledger;
     return snapshot;
 }
+// [world.resume.snapshot]
 // [world.resume]
 
 // [world.hand-over]
@@ -188,6 +200,7 @@ void World::Parts::note_handovers()
     }
 }
 
+// [world.ledger]
 EnergyLedger World::Parts::whole_ledger() const
 {
     EnergyLedger whole = ledger;
@@ -196,6 +209,7 @@ EnergyLedger World::Parts::whole_ledger() const
     whole.handovers += hybrid.energy_of_blows();
     return whole;
 }
+// [world.ledger]
 // [world.hand-over]
 
 // [world.advance]
@@ -211,6 +225,7 @@ std::optional<RunFailure> World::advance(double time, std::int64_t max_events)
 }
 // [world.advance]
 
+// [world.asked]
 double World::time() const { return parts_->hybrid.clock(); }
 int World::body_count() const { return static_cast<int>(parts_->scene.bodies.size()); }
 BodyState World::state(int index) const { return parts_->hybrid.state(index); }
@@ -246,6 +261,7 @@ std::int64_t World::collisions() const
 std::uint64_t World::log_hash() const { return parts_->hybrid.flying().log_hash(); }
 
 void World::set_stopwatch(double (*seconds)()) { parts_->hybrid.set_stopwatch(seconds); }
+// [world.asked]
 
 // [world.report]
 Report World::report()

@@ -80,6 +80,7 @@ flying_knows() { # place words...: the command and its options
 saved
 mkdir -p "$work/bin"
 ln -s "$(readlink -f "$flying")" "$work/bin/flying"
+ln -s "$top/chapters" "$work/chapters" # paths are as typed in the folder of the project
 while IFS=$'\t' read -r place kind typed; do
     count=$((count + 1))
     read -r -a words <<<"$typed"
