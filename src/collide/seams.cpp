@@ -191,6 +191,10 @@ void mend_at_seams(const Polygon& part, const Pose& world_from_part, std::span<c
         for (const Seam& seam : seams) {
             const Vec2& corner = part.vertices()[seam.corner];
             const double square = (here - corner).squaredNorm();
+            if (seam.bend == Seam::Bend::buried) {
+                if (square <= near * near) return false;
+                continue;
+            }
             const bool is_hidden = square <= near * near && !is_of_surface(part, seam, normal);
             const bool is_no_corner =
                 square <= seam.crack * seam.crack && seam.bend != Seam::Bend::ridge && !seam.is_loose;

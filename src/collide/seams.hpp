@@ -23,9 +23,10 @@ struct Seam
     double crack = 0.0;           ///< nothing tells two points apart that are no further from each other [m]
     enum class Bend
     {
-        ridge, ///< the surface turns down: the corner is one still, with fewer normals
-        none,  ///< it goes straight on: there is no corner
-        hollow ///< it turns up: nothing but a corner of another body gets there
+        ridge,  ///< the surface turns down: the corner is one still, with fewer normals
+        none,   ///< it goes straight on: there is no corner
+        hollow, ///< it turns up: nothing but a corner of another body gets there
+        buried  ///< neighbours hide both edges: what gets there touches them, and not this polygon
     };
     Bend bend = Bend::none;
     bool is_loose = false; ///< the two may part: the polygon needs what touches its corner, whatever lies beside it

@@ -43,7 +43,8 @@ std::vector<int> order_in_memory(std::span<const RestBody> bodies, int few)
 {
     std::vector<int> order(bodies.size());
     std::iota(order.begin(), order.end(), 0);
-    const auto moving = std::count_if(bodies.begin(), bodies.end(), [](const RestBody& body) { return !body.is_static; });
+    const auto moving =
+        std::count_if(bodies.begin(), bodies.end(), [](const RestBody& body) { return !body.is_static; });
     if (moving <= few) return order;
 
     const auto is_finite = [&](int k) { return !std::holds_alternative<HalfPlane>(bodies[k].shape); };

@@ -41,23 +41,22 @@ struct ContactPoint
     double bound = 0.0;         ///< least normal velocity with which the step may end [m/s]
     double normal = 0.0;        ///< impulse along the normal, >= 0 [N s]
     double tangent = 0.0;       ///< impulse along the tangent, at most mu times the normal one [N s]
-    double closes_at = std::numeric_limits<double>::infinity(); ///< when its pair is expected to close, after the start [s]
-    double closing_speed = 0.0; ///< with which it is expected to do so [m/s]
+    double closes_at =
+        std::numeric_limits<double>::infinity(); ///< when its pair is expected to close, after the start [s]
+    double closing_speed = 0.0;                  ///< with which it is expected to do so [m/s]
 };
 
 
 
 /// Normal velocity of B relative to A.  [m/s]
-[[nodiscard]] inline double normal_speed(const ContactPoint& c, const Mover& a,
-                                         const Mover& b)
+[[nodiscard]] inline double normal_speed(const ContactPoint& c, const Mover& a, const Mover& b)
 {
     const double shift = c.n_x * (b.v_x - a.v_x) + c.n_y * (b.v_y - a.v_y);
     return shift + (b.spin * c.normal_arm_b - a.spin * c.normal_arm_a);
 }
 
 /// Tangential velocity of B relative to A.  [m/s]
-[[nodiscard]] inline double tangent_speed(const ContactPoint& c, const Mover& a,
-                                          const Mover& b)
+[[nodiscard]] inline double tangent_speed(const ContactPoint& c, const Mover& a, const Mover& b)
 {
     const double shift = c.n_x * (b.v_y - a.v_y) - c.n_y * (b.v_x - a.v_x);
     return shift + (b.spin * c.tangent_arm_b - a.spin * c.tangent_arm_a);

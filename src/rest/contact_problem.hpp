@@ -22,7 +22,8 @@ struct ContactProblem
     std::span<const ContactPoint> points;
     std::vector<Seat> seats;   ///< of each point
     std::vector<Mover> bodies; ///< the members, with the velocities that they would have without contacts
-    std::vector<double> slip;  ///< normal speed less the bound, and tangential speed, of each point without contacts [m/s]
+    std::vector<double>
+        slip; ///< normal speed less the bound, and tangential speed, of each point without contacts [m/s]
 };
 
 

@@ -11,12 +11,6 @@ namespace {
 
 using rest_tolerance::k_stiffness;
 
-/// [shifts at the start] Where shifts grow beyond, the path comes from nowhere.
-constexpr double k_farthest = 0x1p10;
-/// [shifts] A path from nothing begins so much before the first point closes.
-constexpr double k_before = 0x1p-10;
-/// [shifts] Points have shifts that differ by up to this much, so that no two close at one place of the path.
-constexpr double k_apart = 0.25;
 /// 2^32 over the golden section: multiples of it, modulo 2^32, lie far from each other.
 constexpr std::uint32_t k_golden = 2654435769U;
 
@@ -24,8 +18,8 @@ constexpr std::uint32_t k_golden = 2654435769U;
 } // namespace
 
 
-/// Shifts of speeds with which the impulses that are there are right; or, from none, with which no point closes. Returns
-/// how many times those shifts the path begins with.
+/// Shifts of speeds with which the impulses that are there are right; or, from none, with which no point closes.
+/// Returns how many times those shifts the path begins with.
 double GroupSolver::shift_speeds(std::span<const ContactPoint> points, PathStart start)
 {
     shift_.assign(2 * points.size(), 0.0);
@@ -33,11 +27,11 @@ double GroupSolver::shift_speeds(std::span<const ContactPoint> points, PathStart
         double top = 0.0; // [m/s]
         for (std::size_t k = 0; k < points.size(); ++k) {
             const std::uint32_t mixed = static_cast<std::uint32_t>(k + 1) * k_golden;
-            shift_[2 * k] = 1.0 + k_apart * (static_cast<double>(mixed) * 0x1p-32);
+            shift_[2 * k] = 1.0 + rest_tolerance::k_path_apart * (static_cast<double>(mixed) * 0x1p-32);
             top = std::max(top, -slip_[2 * k] / shift_[2 * k]);
         }
         for (double& x : shift_) x *= top;
-        return 1.0 + k_before;
+        return 1.0 + rest_tolerance::k_path_before;
     }
     for (std::size_t k = 0; k < points.size(); ++k) {
         const ContactPoint& c = points[k];
@@ -53,10 +47,10 @@ double GroupSolver::shift_speeds(std::span<const ContactPoint> points, PathStart
 
 
 /// The speeds of all points are shifted at first, so that a solution is known; the shift shrinks to nothing, and the
-/// solution goes with it. From piece to piece one point changes what it does; where that turns the path round, which the
-/// sign of the determinant tells, the shift grows again for a while. A path from nothing has nowhere else to end but at a
-/// solution (Lemke 1965; Eaves 1976), wherever no bound asks bodies to part: in the plane Coulomb's cone has two edges, so
-/// that his conditions are linear in pieces, and their matrix is copositive whatever the friction.
+/// solution goes with it. From piece to piece one point changes what it does; where that turns the path round, which
+/// the sign of the determinant tells, the shift grows again for a while. A path from nothing has nowhere else to end
+/// but at a solution (Lemke 1965; Eaves 1976), wherever no bound asks bodies to part: in the plane Coulomb's cone has
+/// two edges, so that his conditions are linear in pieces, and their matrix is copositive whatever the friction.
 bool GroupSolver::follow_path(std::span<const Mover> movers, std::span<const ContactPoint> points, PathStart start,
                               int most)
 {
@@ -71,7 +65,7 @@ bool GroupSolver::follow_path(std::span<const Mover> movers, std::span<const Con
         if (piece == 0) first = system_.orientation();
         const double sign = first * system_.orientation();
         measure_rates(points, sign);
-        const Turn next = next_turn(points, last, sign > 0.0 ? left : k_farthest - left);
+        const Turn next = next_turn(points, last, sign > 0.0 ? left : rest_tolerance::k_path_farthest - left);
         left -= sign * next.way;
         for (Springs& s : springs_) {
             s.normal += next.way * s.normal_rate;
@@ -93,7 +87,8 @@ void GroupSolver::start_springs(std::span<const ContactPoint> points, double lef
     for (std::size_t k = 0; k < points.size(); ++k) {
         const ContactPoint& c = points[k];
         const double normal = c.normal - (k_stiffness * c.normal_mass) * (slip_[2 * k] + left * shift_[2 * k]);
-        const double tangent = c.tangent - (k_stiffness * c.tangent_mass) * (slip_[2 * k + 1] + left * shift_[2 * k + 1]);
+        const double tangent =
+            c.tangent - (k_stiffness * c.tangent_mass) * (slip_[2 * k + 1] + left * shift_[2 * k + 1]);
         springs_[k] = {normal, tangent, 0.0, 0.0};
         mode_[k] = Mode::stuck;
         if (!(normal > 0.0)) mode_[k] = Mode::apart;

@@ -12,26 +12,6 @@ namespace flying {
 namespace {
 
 
-/// Newton's steps until the pieces must have been found, and corrections of what rounding leaves.
-constexpr int k_newton_steps = 8;
-/// [worst approach] A point that parts more slowly may still bear.
-constexpr double k_may_bear = 0.25;
-constexpr int k_corrections = 48;
-/// Sweeps that lead nearer to where Newton's method works.
-constexpr int k_sweeps = 64;
-/// [greatest speeds] What parts so fast bears nothing.
-constexpr double k_never = 0x1p20;
-/// Pieces of a path that begins near its end: one for so many points, and so many at least.
-constexpr int k_few = 2;
-constexpr int k_fewest = 8;
-constexpr int k_most_few = 64;
-/// Points of the largest island that is solved from nothing: that takes a system for each, and more.
-constexpr std::size_t k_most_from_nothing = 256;
-/// [points] Pieces of one that begins with nothing; it rarely takes more than three.
-constexpr int k_many = 16;
-
-
-
 /// The most that an impulse changes the velocity of the lightest it pushes.  [m/s]
 [[nodiscard]] double greatest_push(std::span<const ContactPoint> points)
 {
@@ -111,11 +91,11 @@ void GroupSolver::settle_for_sweeps(std::span<Mover> movers, std::span<ContactPo
     // From the best that was met; sweeps never do work, whatever they leave
     sweep_points_.clear();
     for (const ContactPoint& c : points) sweep_points_.push_back(sweep_point(c));
-    for (int k = 0; k < k_sweeps; ++k) {
+    for (int k = 0; k < rest_tolerance::k_leading_sweeps; ++k) {
         if (k % 2 == 0) sweep(sweep_points_, movers);
         else sweep_back(sweep_points_, movers);
     }
-    counts_.sweeps += k_sweeps;
+    counts_.sweeps += rest_tolerance::k_leading_sweeps;
     for (std::size_t k = 0; k < points.size(); ++k) {
         points[k].normal = sweep_points_[k].normal;
         points[k].tangent = sweep_points_[k].tangent;
@@ -149,7 +129,7 @@ bool GroupSolver::solve(std::span<Mover> movers, std::span<const int> members, s
     bool content = improve(island, Way::newton);
     for (const Way way : {Way::swept, Way::interior, Way::nothing}) {
         if (content || effort == Effort::brief) break;
-        if (way == Way::nothing && points.size() > k_most_from_nothing) break;
+        if (way == Way::nothing && points.size() > rest_tolerance::k_most_from_nothing) break;
         go_back_to_best(island);
         content = improve(island, way);
     }
@@ -169,10 +149,10 @@ void GroupSolver::go_back_to_best(const Island& island)
 bool GroupSolver::improve(const Island& island, Way way)
 {
     double before = std::numeric_limits<double>::infinity();
-    for (int k = 0; k < k_corrections; ++k) {
+    for (int k = 0; k < rest_tolerance::k_corrections; ++k) {
         measure_slips(island.movers, island.points);
-        const bool found = k == 0 ? find_pieces(island, way)
-                                  : find_pieces(island, Way::newton) || find_pieces(island, Way::path);
+        const bool found =
+            k == 0 ? find_pieces(island, way) : find_pieces(island, Way::newton) || find_pieces(island, Way::path);
         if (!found) return false;
         take_impulses(island);
         const double now = worst_complaint(island.points, island.movers);
@@ -192,17 +172,25 @@ bool GroupSolver::improve(const Island& island, Way way)
 bool GroupSolver::find_pieces(const Island& island, Way way)
 {
     const std::span<ContactPoint> points = island.points;
-    const int few = std::min(static_cast<int>(points.size()) / k_few + k_fewest, k_most_few);
-    const int many = k_many * static_cast<int>(points.size());
+    const int few =
+        std::min(static_cast<int>(points.size()) / rest_tolerance::k_path_share + rest_tolerance::k_path_fewest,
+                 rest_tolerance::k_path_most);
+    const int many = rest_tolerance::k_path_pieces * static_cast<int>(points.size());
     switch (way) {
-    case Way::newton: return newton(island.movers, points);
-    case Way::swept: settle_for_sweeps(island.movers, points); break;
-    case Way::interior: start_from_within(island); break;
+    case Way::newton:
+        return newton(island.movers, points);
+    case Way::swept:
+        settle_for_sweeps(island.movers, points);
+        break;
+    case Way::interior:
+        start_from_within(island);
+        break;
     case Way::nothing:
         for (ContactPoint& c : points) c.normal = c.tangent = 0.0;
         restore_free(island.movers, island.members);
         break;
-    case Way::path: break;
+    case Way::path:
+        break;
     }
     measure_slips(island.movers, points);
     if (way == Way::swept) return newton(island.movers, points);
@@ -224,7 +212,8 @@ void GroupSolver::start_from_within(const Island& island)
     double top = 0.0; // [m/s]
     for (const double slip : slip_) top = std::isfinite(slip) ? std::max(top, std::abs(slip)) : top;
     problem_.slip.clear();
-    for (const double slip : slip_) problem_.slip.push_back(std::min(slip, k_never * top)); // some may never close
+    for (const double slip : slip_)
+        problem_.slip.push_back(std::min(slip, rest_tolerance::k_never_bears * top)); // some may never close
     factorised_ = false;
     (void)interior_.solve(problem_, system_, impulse_, counts_.factorisations);
     take_impulses(island);
@@ -243,8 +232,7 @@ void GroupSolver::take_impulses(const Island& island)
 
 
 // [rest.group.slips]
-void GroupSolver::measure_slips(std::span<const Mover> movers,
-                                std::span<const ContactPoint> points)
+void GroupSolver::measure_slips(std::span<const Mover> movers, std::span<const ContactPoint> points)
 {
     // All that follows is in changes from here, so that rounding takes its share of
     // the changes only
@@ -259,12 +247,13 @@ void GroupSolver::measure_slips(std::span<const Mover> movers,
 // [rest.group.guess]
 void GroupSolver::guess(std::span<const ContactPoint> points)
 {
-    // Whoever does not part clearly may bear, and holds; it is easier to let go of some than to find all one by one
+    // A point that does not part clearly may bear, and holds; it is easier to let go of some than to find all one by
+    // one
     double worst = 0.0;
     for (std::size_t k = 0; k < points.size(); ++k) worst = std::max(worst, -slip_[2 * k]);
     for (std::size_t k = 0; k < points.size(); ++k) {
         const ContactPoint& c = points[k];
-        const bool bears = c.normal > 0.0 || slip_[2 * k] <= k_may_bear * worst;
+        const bool bears = c.normal > 0.0 || slip_[2 * k] <= rest_tolerance::k_may_bear * worst;
         mode_[k] = bears ? Mode::stuck : Mode::apart;
         if (bears && c.tangent >= c.friction * c.normal && (c.friction == 0.0 || c.tangent > 0.0))
             mode_[k] = Mode::slips_backwards;
@@ -273,11 +262,10 @@ void GroupSolver::guess(std::span<const ContactPoint> points)
 }
 // [rest.group.guess]
 
-bool GroupSolver::newton(std::span<const Mover> movers,
-                         std::span<const ContactPoint> points)
+bool GroupSolver::newton(std::span<const Mover> movers, std::span<const ContactPoint> points)
 {
     guess(points);
-    for (int step = 0; step < k_newton_steps; ++step) {
+    for (int step = 0; step < rest_tolerance::k_newton_steps; ++step) {
         if (!assemble(movers, points)) return false;
         imbalance(points);
         system_.solve(delta_);

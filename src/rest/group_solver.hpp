@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "rest/block_system.hpp"
-#include "rest/interior_point.hpp"
 #include "rest/contact_point.hpp"
+#include "rest/interior_point.hpp"
 #include "rest/push_lines.hpp"
 #include "rest/sweep_batches.hpp"
 #include "rest/sweeps.hpp"

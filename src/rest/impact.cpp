@@ -4,15 +4,10 @@
 #include <vector>
 
 #include "response/impact.hpp"
+#include "rest/rest_tolerance.hpp"
 
 namespace flying {
 namespace {
-
-
-/// Rounds of impacts at one moment. A blow that runs through a row against the order of its pairs takes one for each of
-/// them; elastic bodies packed between walls would go on for ever.
-constexpr int k_rounds = 64;
-
 
 
 /// A contact as the law of two bodies wants it: its place from both centres, from the arms of its pushes.
@@ -43,7 +38,7 @@ int throw_back(std::span<Mover> velocities, std::span<const ContactPoint> points
 {
     int impacts = 0;
     std::vector<ImpactPoint> of_pair;
-    for (int round = 0; round < k_rounds; ++round) {
+    for (int round = 0; round < rest_tolerance::k_impact_rounds; ++round) {
         const int before = impacts;
         for (std::size_t first = 0, end = 0; first < points.size(); first = end) {
             // Find the points of the next two bodies, and whether one of them arrives

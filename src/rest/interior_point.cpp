@@ -5,24 +5,10 @@
 #include <limits>
 
 #include "rest/push_lines.hpp"
+#include "rest/rest_tolerance.hpp"
 
 namespace flying {
 namespace {
-
-
-/// Steps; each solves one system.
-constexpr int k_steps = 64;
-/// Steps in a row that don't halve the products: the way on is blocked, as it may be where friction is great.
-constexpr int k_patience = 16;
-/// [unit energies] Products this small tell their greater number from the smaller.
-constexpr double k_small = 0x1p-40;
-/// Part of the way to where the first number would vanish.
-constexpr double k_inside = 0.99;
-/// Steps towards less that are shorter lead off the middle: the products are evened out first.
-constexpr double k_short = 0.1;
-/// Share of the products that is left at least for the next step.
-constexpr double k_least_share = 0x1p-10;
-
 
 
 /// Part of a change after which a positive number is zero; 2 where it does not shrink.
@@ -122,7 +108,8 @@ bool InteriorPoint::assemble(const ContactProblem& problem, BlockSystem& system)
         add(left.a, stiff_tn, t.a);
         add(left.b, stiff_tn, t.b);
         const auto& seat = problem.seats[k];
-        const auto add_to = [&](Block& block, const double* of_left, const double* of_t, const double* n_of, const double* t_of) {
+        const auto add_to = [&](Block& block, const double* of_left, const double* of_t, const double* n_of,
+                                const double* t_of) {
             add_product(block, 1.0, of_left, n_of);
             if (stiff_tt > 0.0) add_product(block, stiff_tt, of_t, t_of);
         };
@@ -271,7 +258,8 @@ bool InteriorPoint::solve(const ContactProblem& problem, BlockSystem& system, st
     double least = std::numeric_limits<double>::infinity();
     bool small = false;
     int waits = 0;
-    for (int k = 0; k < k_steps && !small && waits < k_patience; ++k) {
+    for (int k = 0; k < rest_tolerance::k_interior_steps && !small && waits < rest_tolerance::k_interior_patience;
+         ++k) {
         ++factorisations;
         if (!assemble(problem, system)) break;
 
@@ -279,21 +267,21 @@ bool InteriorPoint::solve(const ContactProblem& problem, BlockSystem& system, st
         const double mean = mean_product(0.0);
         step_towards(problem, system, {0.0, 1.0, false});
         const double blocked = 1.0 - std::min(1.0, longest_step());
-        double share = std::max(blocked * blocked, k_least_share);
+        double share = std::max(blocked * blocked, rest_tolerance::k_interior_least_share);
         const double size = std::max(mean, missed);
-        step_towards(problem, system, {share * size, 1.0 - share, blocked < 1.0 - k_short});
-        double step = std::min(1.0, k_inside * longest_step());
-        if (step < k_short) {
+        step_towards(problem, system, {share * size, 1.0 - share, blocked < 1.0 - rest_tolerance::k_interior_short});
+        double step = std::min(1.0, rest_tolerance::k_interior_inside * longest_step());
+        if (step < rest_tolerance::k_interior_short) {
             share = 1.0;
             step_towards(problem, system, {size, 0.0, false});
-            step = std::min(1.0, k_inside * longest_step());
+            step = std::min(1.0, rest_tolerance::k_interior_inside * longest_step());
         }
         take(step, 1.0 - share);
         missed *= 1.0 - step * (1.0 - share);
         const double now = mean_product(0.0);
         waits = now < 0.5 * least ? 0 : waits + 1;
         least = std::min(least, now);
-        small = now <= k_small;
+        small = now <= rest_tolerance::k_interior_small;
     }
 
     // Of each pair only the greater number is left

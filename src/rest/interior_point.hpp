@@ -27,10 +27,12 @@ public:
     /// system   with the pattern of the island
     /// impulse  filled: normal and tangential, of each point [N s]
     /// True where all products have become as small as asked for.
-    bool solve(const ContactProblem& problem, BlockSystem& system, std::span<double> impulse, std::int64_t& factorisations);
+    bool solve(const ContactProblem& problem, BlockSystem& system, std::span<double> impulse,
+               std::int64_t& factorisations);
 
 private:
-    /// The four pairs of a point, in units in which its effective mass is 1 and the fastest approach of the island is 1.
+    /// The four pairs of a point, in units in which its effective mass is 1 and the fastest approach of the island
+    /// is 1.
     struct Pairs
     {
         double j, w;

@@ -6,17 +6,12 @@
 
 #include "collide/manifold.hpp"
 #include "collide/separating_axis.hpp"
+#include "math/tolerance.hpp"
+#include "rest/rest_tolerance.hpp"
 
 namespace flying {
 namespace {
 
-
-/// [sine] Normals this near are those of one edge.
-constexpr double k_same_normal = 0x1p-10;
-
-/// [way out over a side] What reaches over a cut by less than this share of the way out lies on the part beyond the cut,
-/// or beside it in a notch.
-constexpr double k_hardly = 0.0625;
 
 /// A normal that leads out of a part through a cut.
 [[nodiscard]] bool leads_through_cut(const NearSide& side, const Vec2& outwards)
@@ -25,7 +20,8 @@ constexpr double k_hardly = 0.0625;
     const auto& edges = std::get<Polygon>(side.shape).edges();
     const Vec2 local = inverse(side.pose.rotation) * outwards;
     for (std::size_t k = 0; k < edges.size(); ++k) {
-        if (!side.real[k] && (edges[k].normal - local).cwiseAbs().maxCoeff() < k_same_normal) return true;
+        if (!side.real[k] && (edges[k].normal - local).cwiseAbs().maxCoeff() < rest_tolerance::k_same_normal)
+            return true;
     }
     return false;
 }
@@ -58,6 +54,16 @@ constexpr double k_hardly = 0.0625;
         best.feature = 0x80000000u | static_cast<std::uint32_t>(k) << 1;
     }
     return best;
+}
+
+/// The shorter of the ways out of either of the two. The normal leads from `a` to `b`.
+[[nodiscard]] Contact shortest_way_apart(const NearSide& a, const NearSide& b)
+{
+    const Contact out_of_a = shortest_way_out(a, b);
+    Contact out_of_b = shortest_way_out(b, a);
+    out_of_b.normal = -out_of_b.normal;
+    out_of_b.feature |= 1u;
+    return out_of_b.separation > out_of_a.separation ? out_of_b : out_of_a;
 }
 
 
@@ -118,7 +124,13 @@ void keep_to_sides(const NearSide& a, const NearSide& b, double margin, Manifold
     const bool are_polygons = std::holds_alternative<Polygon>(a.shape) && std::holds_alternative<Polygon>(b.shape);
     const auto add_nearest = [&] {
         const Nearest found = nearest_points(a, b);
-        if (!found.on_cut && found.square > 0.0 && found.contact.separation <= margin)
+        const double reach = std::max(a.pose.position.cwiseAbs().maxCoeff(), b.pose.position.cwiseAbs().maxCoeff());
+        const double rounding = tolerance::coordinate_rounding(reach);
+        // A distance of rounding has no direction: the two touch, and a side tells which way
+        if (found.square <= rounding * rounding) {
+            const Contact apart = shortest_way_apart(a, b);
+            if (std::abs(apart.separation) <= rounding) manifold.contacts[manifold.count++] = apart;
+        } else if (!found.on_cut && found.contact.separation <= margin)
             manifold.contacts[manifold.count++] = found.contact;
     };
     if (manifold.count == 0) {
@@ -138,12 +150,8 @@ void keep_to_sides(const NearSide& a, const NearSide& b, double margin, Manifold
     }
 
     // Out over a side, by the shortest way; a part between two cuts may have none that is near
-    const Contact out_of_a = shortest_way_out(a, b);
-    Contact out_of_b = shortest_way_out(b, a);
-    out_of_b.normal = -out_of_b.normal;
-    out_of_b.feature |= 1u;
-    const Contact& best = out_of_b.separation > out_of_a.separation ? out_of_b : out_of_a;
-    if (depth >= -k_hardly * best.separation) manifold.contacts[manifold.count++] = best;
+    const Contact best = shortest_way_apart(a, b);
+    if (depth >= -rest_tolerance::k_hardly_over_cut * best.separation) manifold.contacts[manifold.count++] = best;
 }
 
 

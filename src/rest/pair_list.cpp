@@ -6,14 +6,11 @@
 #include <utility>
 
 #include "response/impact.hpp"
+#include "rest/rest_tolerance.hpp"
 
 namespace flying {
 namespace {
 
-
-// [radii] and [reaches] of room that a box gets: more room, fewer looks and more pairs
-constexpr double k_room_radii = 0.0625;
-constexpr double k_room_reaches = 3.0;
 
 [[nodiscard]] auto key(const RestPair& pair)
 {
@@ -58,7 +55,8 @@ bool PairList::update(std::span<const RestBody> bodies, std::span<const Collisio
     for (std::size_t k = 0; k < bodies.size(); ++k) {
         const RestBody& body = bodies[k];
         const bool moves = !body.is_static && body.is_active;
-        const double room = moves ? k_room_reaches * reach[k] + k_room_radii * radius[k] : 0.0;
+        const double room =
+            moves ? rest_tolerance::k_room_reaches * reach[k] + rest_tolerance::k_room_radii * radius[k] : 0.0;
         homes_[k] = {body.state.position, body.state.angle, room};
         const Aabb box = bounding_box(body.shape, pose_of(body.state));
         boxes_[k] = {box.min - Vec2(room, room), box.max + Vec2(room, room)};
@@ -79,7 +77,8 @@ void PairList::find_partners(std::span<const RestBody> bodies)
     std::vector<BoxCells::Entry> entries;
     entries.reserve(bodies.size());
     for (int k = 0; k < count; ++k) {
-        if (bodies[k].is_active && !std::holds_alternative<HalfPlane>(bodies[k].shape)) entries.push_back({boxes_[k], k});
+        if (bodies[k].is_active && !std::holds_alternative<HalfPlane>(bodies[k].shape))
+            entries.push_back({boxes_[k], k});
     }
     cells_.sort(std::move(entries));
     found_.clear();
@@ -88,7 +87,7 @@ void PairList::find_partners(std::span<const RestBody> bodies)
         found_.emplace_back(std::min(one.body, two.body), std::max(one.body, two.body));
     });
 
-    // Walls without end meet whoever reaches into them
+    // Walls without end meet what reaches into them
     for (int w = 0; w < count; ++w) {
         const auto* wall = std::get_if<HalfPlane>(&bodies[w].shape);
         if (!wall || !bodies[w].is_active) continue;

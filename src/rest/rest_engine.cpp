@@ -5,42 +5,12 @@
 #include <tuple>
 #include <utility>
 
-#include "geometry/straight_vertices.hpp"
 #include "math/hash.hpp"
 #include "rest/body_order.hpp"
 #include "rest/rest_tolerance.hpp"
+#include "rest/step_field.hpp"
 
 namespace flying {
-namespace {
-
-
-[[nodiscard]] Mover mover_of(const RestBody& body)
-{
-    if (body.is_static) return {};
-    const BodyState& s = body.state;
-    return {s.velocity.x(), s.velocity.y(), s.spin, body.inertia.inv_mass, body.inertia.inv_moment_of_inertia};
-}
-
-
-
-/// For each convex part, which of its edges are sides of the shape, and not cuts through it; empty where all are.
-[[nodiscard]] std::vector<std::vector<char>> real_edges(const Shape& shape, const CollisionShape& parts)
-{
-    std::vector<std::vector<char>> result(parts.parts.size());
-    const auto* whole = std::get_if<Polygon>(&shape);
-    if (!whole || parts.parts.size() == 1) return result;
-    for (std::size_t k = 0; k < result.size(); ++k) {
-        const Polygon& polygon = std::get<Polygon>(parts.parts[k].shape);
-        for (const Edge& edge : polygon.edges()) {
-            result[k].push_back(has_straight_side(*whole, polygon.vertices()[edge.from], polygon.vertices()[edge.to]) ? 1 : 0);
-        }
-    }
-    return result;
-}
-
-
-} // namespace
-
 
 RestEngine::RestEngine(std::vector<RestBody> bodies, const RestOptions& options, double time)
     : RestEngine(bodies, options, time, order_in_memory(bodies, options.most_solved))
@@ -48,56 +18,13 @@ RestEngine::RestEngine(std::vector<RestBody> bodies, const RestOptions& options,
 }
 
 RestEngine::RestEngine(std::vector<RestBody> bodies, const RestOptions& options, double time, std::vector<int> order)
-    : order_(std::move(order)), options_(options), start_(time)
+    : data_(options, RestBodies(std::move(bodies), std::move(order), time)),
+      start_(time),
+      sleepers_(data_.bodies.count()),
+      still_(data_.bodies.list.size(), 0),
+      part_of_(data_.bodies.list.size(), -1)
 {
-    const std::size_t count = bodies.size();
-    place_.resize(count);
-    for (std::size_t k = 0; k < count; ++k) {
-        bodies_.push_back(std::move(bodies[order_[k]]));
-        place_[order_[k]] = static_cast<int>(k);
-    }
-    for (RestBody& body : bodies_) {
-        body.state.time = time;
-        shapes_.push_back(make_collision_shape(body.shape));
-        real_edges_.push_back(real_edges(body.shape, shapes_.back()));
-        radius_.push_back(bounding_radius(body.shape));
-        field_.push_back(body.acceleration);
-        field_size_.push_back(body.acceleration.norm());
-        turning_.push_back(body.is_static || std::holds_alternative<Disc>(body.shape) ? 0.0 : radius_.back());
-        poses_.push_back(pose_of(body.state));
-        movers_.push_back(mover_of(body));
-    }
-    solver_.set_warm(options_.warm_starts);
-    before_ = movers_;
-    place_movers_ = movers_;
-    span_ = options_.step;
-    next_poses_ = poses_;
-    travel_.assign(count, Travel{});
-    part_of_.assign(count, -1);
-    is_inside_.assign(count, 0);
-    shift_before_.assign(count, Vec2::Zero());
-    turn_before_.assign(count, 0.0);
-    shift_.assign(count, Vec2::Zero());
-    turn_.assign(count, 0.0);
-    pull_.assign(count, Vec2::Zero());
-    turn_pull_.assign(count, 0.0);
-    for (std::size_t k = 0; k < count; ++k) expect_flight(static_cast<int>(k), bodies_[k].state.position);
-    reach_.assign(count, 0.0);
-    parent_.assign(count, 0);
-    slot_.assign(count, -1);
-    asleep_.assign(count, 0);
-    still_.assign(count, 0);
-    in_crowd_.assign(count, 0);
-    sleep_group_.assign(count, -1);
-    find_fixed_seams();
-}
-
-
-
-void RestEngine::expect_flight(int body, const Vec2& place)
-{
-    pull_[body] = is_moved(body) ? field_at(body, place) : Vec2(Vec2::Zero());
-    turn_pull_[body] = 0.0;
+    for (int k = 0; k < data_.bodies.count(); ++k) expect_flight(data_, k, data_.bodies.list[k].state.position);
 }
 
 
@@ -106,88 +33,40 @@ void RestEngine::advance(double time)
 {
     // A step whose end is `time` but for rounding still fits
     const double last = time + 0.5 * tolerance::coordinate_rounding(std::abs(time));
-    while (start_ + static_cast<double>(steps_ + 1) * options_.step <= last) step();
-}
-
-
-
-void RestEngine::measure_reach(std::span<const int> who)
-{
-    const double dt = span_;
-    for (const int k : who) {
-        aim_field(k);
-        const RestBody& body = bodies_[k];
-        const double speed = body.state.velocity.norm() + std::abs(body.state.spin) * radius_[k];
-        reach_[k] = dt * (speed + dt * greatest_field(k, dt)) + rest_tolerance::k_watch * radius_[k];
-        // What would carry a body beyond its reach in a part of a step was no load: it was taken from a shorter one
-        const double more = 0.5 * (dt * dt) * (pull_[k].norm() + std::abs(turn_pull_[k]) * radius_[k]);
-        const double room = reach_[k] - dt * speed;
-        if (!std::isfinite(more)) expect_flight(k, body.state.position);
-        else if (dt < options_.step && more > room) {
-            pull_[k] *= room / more;
-            turn_pull_[k] *= room / more;
-        }
-        movers_[k] = mover_of(body);
-        before_[k] = movers_[k];
-        set_pose(k, pose_of(body.state));
-        shift_[k] = Vec2::Zero();
-        turn_[k] = 0.0;
-    }
-}
-
-
-
-double RestEngine::touch_gap(int a, int b) const
-{
-    return touch_gap(a, bodies_[a].state.position, b, bodies_[b].state.position);
-}
-
-double RestEngine::touch_gap(int a, const Vec2& place_a, int b, const Vec2& place_b) const
-{
-    const double coordinates = place_a.cwiseAbs().maxCoeff() + place_b.cwiseAbs().maxCoeff();
-    return rest_tolerance::k_touch * std::min(radius_[a], radius_[b]) +
-           tolerance::coordinate_rounding(coordinates);
+    while (start_ + static_cast<double>(steps_ + 1) * data_.options.step <= last) step();
 }
 
 
 
 void RestEngine::set_state(int number, const BodyState& state)
 {
-    const int body = place_[number];
-    bodies_[body].state = state;
-    bodies_[body].state.time = time();
-    set_pose(body, pose_of(state));
-    next_poses_[body] = poses_[body];
-    expect_flight(body, state.position);
-    pairs_.invalidate();
+    const int body = data_.bodies.place[number];
+    data_.bodies.list[body].state = state;
+    data_.bodies.list[body].state.time = time();
+    data_.bodies.set_pose(body, pose_of(state));
+    data_.motion.end_poses[body] = data_.bodies.poses[body];
+    expect_flight(data_, body, state.position);
+    data_.pairs.invalidate();
     wake_all_with(body);
 }
 
 void RestEngine::set_active(int number, bool active)
 {
-    const int body = place_[number];
-    if (bodies_[body].is_active == active) return;
+    const int body = data_.bodies.place[number];
+    if (data_.bodies.list[body].is_active == active) return;
     wake_all_with(body);
-    bodies_[body].is_active = active;
-    pairs_.invalidate();
+    data_.bodies.list[body].is_active = active;
+    data_.pairs.invalidate();
 }
 
 void RestEngine::wake_all_with(int body)
 {
-    sleepers_ = -1;
-    const auto wake = [&](int group) {
-        if (group < 0) return;
-        for (std::size_t k = 0; k < bodies_.size(); ++k) {
-            if (sleep_group_[k] != group) continue;
-            asleep_[k] = 0;
-            sleep_group_[k] = -1;
-        }
-    };
-    wake(sleep_group_[body]);
-    for (const RestPair& pair : pairs_.pairs()) {
+    none_awake_ = false;
+    sleepers_.wake(sleepers_.island_of(body));
+    for (const RestPair& pair : data_.pairs.pairs()) {
         if (pair.count == 0 || (pair.a != body && pair.b != body)) continue;
-        wake(sleep_group_[pair.a]);
-        wake(sleep_group_[pair.b]);
+        sleepers_.wake(sleepers_.island_of(pair.a));
+        sleepers_.wake(sleepers_.island_of(pair.b));
     }
 }
 
@@ -196,16 +75,18 @@ void RestEngine::wake_all_with(int body)
 std::vector<RestContact> RestEngine::contacts() const
 {
     std::vector<RestContact> result;
-    for (const RestPair& pair : pairs_.pairs()) {
+    for (const RestPair& pair : data_.pairs.pairs()) {
         if (pair.count == 0) continue;
-        const double margin = reach_[pair.a] + reach_[pair.b] + 2.0 * touch_gap(pair.a, pair.b);
-        const Manifold manifold = look(pair, pose_of(bodies_[pair.a].state), pose_of(bodies_[pair.b].state), margin);
+        const double margin =
+            data_.motion.reach[pair.a] + data_.motion.reach[pair.b] + 2.0 * data_.bodies.touch_gap(pair.a, pair.b);
+        const Manifold manifold = look(data_, pair, pose_of(data_.bodies.list[pair.a].state),
+                                       pose_of(data_.bodies.list[pair.b].state), margin);
         for (int k = 0; k < pair.count; ++k) {
             for (int i = 0; i < manifold.count; ++i) {
                 if (manifold.contacts[i].feature != pair.feature[k]) continue;
-                result.push_back({order_[pair.a], order_[pair.b], manifold.contacts[i].normal,
-                                  manifold.contacts[i].separation, pair.normal[k] / options_.step,
-                                  pair.tangent[k] / options_.step});
+                result.push_back({data_.bodies.order[pair.a], data_.bodies.order[pair.b], manifold.contacts[i].normal,
+                                  manifold.contacts[i].separation, pair.normal[k] / data_.options.step,
+                                  pair.tangent[k] / data_.options.step});
                 RestContact& contact = result.back();
                 if (contact.a < contact.b) continue;
                 std::swap(contact.a, contact.b);
@@ -223,7 +104,7 @@ std::vector<RestContact> RestEngine::contacts() const
 
 std::vector<int> RestEngine::groups() const
 {
-    std::vector<int> group(bodies_.size());
+    std::vector<int> group(data_.bodies.list.size());
     for (std::size_t k = 0; k < group.size(); ++k) group[k] = static_cast<int>(k);
     const auto root = [&](int k) {
         while (group[k] != k) k = group[k] = group[group[k]];
@@ -231,7 +112,9 @@ std::vector<int> RestEngine::groups() const
     };
     for (const RestContact& contact : contacts()) {
         if (body(contact.a).is_static || body(contact.b).is_static) continue;
-        if (contact.normal_force == 0.0 && contact.gap > touch_gap(place_[contact.a], place_[contact.b])) continue;
+        if (contact.normal_force == 0.0 &&
+            contact.gap > data_.bodies.touch_gap(data_.bodies.place[contact.a], data_.bodies.place[contact.b]))
+            continue;
         const int one = root(contact.a);
         const int two = root(contact.b);
         group[std::max(one, two)] = std::min(one, two);
@@ -247,12 +130,190 @@ std::vector<int> RestEngine::groups() const
 std::uint64_t RestEngine::hash() const
 {
     Hash hash;
-    for (const int place : place_) {
-        const BodyState& s = bodies_[place].state;
+    for (const int place : data_.bodies.place) {
+        const BodyState& s = data_.bodies.list[place].state;
         for (const double x : {s.position.x(), s.position.y(), s.angle, s.velocity.x(), s.velocity.y(), s.spin})
             hash.add(x);
     }
     return hash.value();
+}
+
+
+
+void RestEngine::step_by(double length, double end)
+{
+    const double whole = data_.options.step;
+    if (length == whole) {
+        step();
+    } else {
+        // Loads are remembered for a whole step, and only a whole one shows that nothing changes
+        const bool sleeps = data_.options.sleeps;
+        const bool tells = length > rest_tolerance::k_telling * whole;
+        const std::vector<Vec2> pull = tells ? std::vector<Vec2>() : data_.motion.pull;
+        const std::vector<double> turn_pull = tells ? std::vector<double>() : data_.motion.turn_pull;
+        scale_loads_awake(length / whole);
+        data_.options.step = length;
+        data_.options.sleeps = false;
+        step();
+        data_.options.step = whole;
+        data_.options.sleeps = sleeps;
+        scale_loads_awake(whole / length);
+        if (!tells) {
+            data_.motion.pull = pull;
+            data_.motion.turn_pull = turn_pull;
+        }
+    }
+    start_ = end;
+    steps_ = 0;
+}
+
+void RestEngine::scale_loads_awake(double factor)
+{
+    const auto is_awake = [&](int body) {
+        return !data_.bodies.list[body].is_static && data_.bodies.list[body].is_active && !sleepers_.is_asleep(body);
+    };
+    std::vector<int> pairs;
+    for (int k = 0; k < static_cast<int>(data_.pairs.pairs().size()); ++k) {
+        const RestPair& pair = data_.pairs.pairs()[k];
+        if (is_awake(pair.a) || is_awake(pair.b)) pairs.push_back(k);
+    }
+    scale_loads(pairs, factor);
+}
+
+void RestEngine::set_time(double time)
+{
+    start_ = time;
+    steps_ = 0;
+}
+
+
+
+void RestEngine::find_clear(double within, std::vector<char>& clear) const
+{
+    clear.assign(data_.bodies.list.size(), 0);
+    for (std::size_t k = 0; k < data_.bodies.list.size(); ++k) {
+        const RestBody& body = data_.bodies.list[k];
+        clear[data_.bodies.order[k]] =
+            body.is_active && !body.is_static && !sleepers_.is_asleep(static_cast<int>(k)) ? 1 : 0;
+    }
+    for (const RestPair& pair : data_.pairs.pairs()) {
+        char& clear_a = clear[data_.bodies.order[pair.a]];
+        char& clear_b = clear[data_.bodies.order[pair.b]];
+        if (!clear_a && !clear_b) continue;
+        bool loaded = false;
+        for (int k = 0; k < pair.count; ++k) loaded = loaded || pair.normal[k] > 0.0;
+        if (loaded || !stays_apart(pair, within)) clear_a = clear_b = 0;
+    }
+}
+
+/// No point of the pair closes for so long.
+bool RestEngine::stays_apart(const RestPair& pair, double within) const
+{
+    const RestBody& a = data_.bodies.list[pair.a];
+    const RestBody& b = data_.bodies.list[pair.b];
+    const auto speed = [&](int index) {
+        const BodyState& s = data_.bodies.list[index].state;
+        return data_.bodies.list[index].is_static ? 0.0
+                                                  : s.velocity.norm() + std::abs(s.spin) * data_.bodies.radius[index];
+    };
+    const auto pull = [&](int index) {
+        const bool rests = data_.bodies.list[index].is_static || sleepers_.is_asleep(index);
+        return rests ? Vec2(Vec2::Zero()) : field_at(data_, index, data_.bodies.list[index].state.position);
+    };
+    const double top = speed(pair.a) + speed(pair.b);
+    const Vec2 fall = pull(pair.b) - pull(pair.a);
+    const double touch = data_.bodies.touch_gap(pair.a, pair.b);
+    const double margin = within * (top + 0.5 * within * fall.norm()) + touch;
+
+    // Look at the points that are near
+    const ConvexPart& part_a = data_.bodies.shapes[pair.a].parts[pair.part_a];
+    const ConvexPart& part_b = data_.bodies.shapes[pair.b].parts[pair.part_b];
+    const Pose pose_a = pose_of(a.state);
+    const Pose pose_b = pose_of(b.state);
+    const double far = part_a.radius + part_b.radius + margin;
+    const Vec2 way =
+        (pose_b.position - pose_a.position) + (pose_b.rotation * part_b.centre - pose_a.rotation * part_a.centre);
+    if (way.squaredNorm() > far * far) return true;
+    const Manifold manifold = look(data_, pair, pose_a, pose_b, margin);
+    for (int k = 0; k < manifold.count; ++k) {
+        const Contact& contact = manifold.contacts[k];
+        const Vec2 velocity_a = velocity_at(a.state, contact.point - pose_a.position);
+        const Vec2 velocity_b = velocity_at(b.state, contact.point - pose_b.position);
+        double u = (velocity_b - velocity_a).dot(contact.normal);
+        if (std::abs(u) <= rest_tolerance::k_doubt * top) u = 0.0;
+        const double f = fall.dot(contact.normal);
+        if (contact.separation < -touch) return false;
+        if (u >= 0.0 && f >= 0.0) continue;
+
+        // The gap is least at the end, or where the approach ends before
+        const double least_at = u < 0.0 && f > 0.0 ? std::min(within, -u / f) : within;
+        if (!(contact.separation + least_at * (u + 0.5 * least_at * f) > touch)) return false;
+    }
+    return true;
+}
+
+
+
+RestEngine::Memory RestEngine::memory() const
+{
+    Memory memory{
+        time(), data_.bodies.order, {}, {data_.pairs.pairs().begin(), data_.pairs.pairs().end()}, data_.max_overlap};
+    for (std::size_t k = 0; k < data_.bodies.list.size(); ++k) {
+        memory.bodies.push_back({data_.bodies.list[k].state, data_.motion.pull[k], data_.motion.turn_pull[k],
+                                 data_.motion.reach[k], sleepers_.island_of(static_cast<int>(k)),
+                                 data_.bodies.list[k].is_active, data_.bodies.in_crowd[k] != 0});
+    }
+    return memory;
+}
+
+void RestEngine::go_on_from(const Memory& memory)
+{
+    if (memory.order != data_.bodies.order) {
+        std::vector<RestBody> bodies;
+        for (const int place : data_.bodies.place) bodies.push_back(data_.bodies.list[place]);
+        *this = RestEngine(std::move(bodies), data_.options, memory.time, memory.order);
+    }
+    set_time(memory.time);
+    none_awake_ = false;
+    data_.max_overlap = memory.max_overlap;
+    data_.pairs.remember(memory.pairs);
+    for (RestPair& pair : data_.pairs.pairs()) pair.memory = {}; // ways are counted from another beginning
+    for (std::size_t k = 0; k < data_.bodies.list.size(); ++k) {
+        const Memory::Body& body = memory.bodies[k];
+        data_.bodies.list[k].state = body.state;
+        data_.bodies.list[k].is_active = body.is_active;
+        data_.motion.pull[k] = body.pull;
+        data_.motion.turn_pull[k] = body.turn_pull;
+        data_.motion.reach[k] = body.reach;
+        sleepers_.set(static_cast<int>(k), body.sleep_group);
+        data_.bodies.in_crowd[k] = body.in_crowd ? 1 : 0;
+        still_[k] = body.sleep_group >= 0 ? 1 : 0;
+        data_.bodies.set_pose(static_cast<int>(k), pose_of(body.state));
+        data_.motion.end_poses[k] = data_.bodies.poses[k];
+        if (data_.bodies.list[k].is_static) continue;
+        Mover& mover = data_.motion.now[k];
+        mover.v_x = body.state.velocity.x();
+        mover.v_y = body.state.velocity.y();
+        mover.spin = body.state.spin;
+        data_.motion.before[k] = mover;
+    }
+}
+
+
+
+std::vector<std::vector<Leg>> RestEngine::foresee(double length, double end)
+{
+    const Memory before = memory();
+    const RestCounts counts = data_.counts;
+    const bool none_awake = none_awake_;
+    std::vector<std::vector<Leg>> legs(data_.bodies.list.size());
+    legs_ = &legs;
+    step_by(length, end);
+    legs_ = nullptr;
+    go_on_from(before);
+    data_.counts = counts;
+    none_awake_ = none_awake;
+    return legs;
 }
 
 

@@ -3,47 +3,58 @@
 #include <utility>
 
 #include "rest/rest_engine.hpp"
-#include "rest/rest_tolerance.hpp"
+#include "rest/step_field.hpp"
 
 namespace flying {
+namespace {
 
-void RestEngine::expect_same(int body)
+
+void expect_same(RestData& data, int body)
 {
-    const Mover& old = before_[body];
-    const Mover& now = movers_[body];
-    pull_[body] = Vec2(now.v_x - old.v_x, now.v_y - old.v_y) / span_;
-    turn_pull_[body] = (now.spin - old.spin) / span_;
+    const Mover& old = data.motion.before[body];
+    const Mover& now = data.motion.now[body];
+    data.motion.pull[body] = Vec2(now.v_x - old.v_x, now.v_y - old.v_y) / data.motion.span;
+    data.motion.turn_pull[body] = (now.spin - old.spin) / data.motion.span;
 }
 
-void RestEngine::expect(const Group& group)
+void expect(RestData& data, const Island& island)
 {
     // Bodies that bear a load will do what they did in this step
-    for (const int member : std::span(members_).subspan(group.first_member, group.member_count)) expect_flight(member, bodies_[member].state.position + shift_[member]);
-    for (const ContactPoint& c : std::span(points_).subspan(group.first_point, group.point_count)) {
+    for (const int member : island.members)
+        expect_flight(data, member, data.bodies.list[member].state.position + data.motion.shift[member]);
+    for (const ContactPoint& c : island.points) {
         if (c.normal == 0.0) continue;
-        if (is_moved(c.a)) expect_same(c.a);
-        if (is_moved(c.b)) expect_same(c.b);
+        if (data.motion.is_moved(c.a)) expect_same(data, c.a);
+        if (data.motion.is_moved(c.b)) expect_same(data, c.b);
     }
 }
 
 
+} // namespace
 
-void RestEngine::find_places(const Group& group)
+
+/// Write down how a group goes through a step, or a part of one, that has been found but not yet gone.
+void RestEngine::note_legs(const Island& island)
 {
-    if (group.has_ways) return;
+    if (!legs_) return;
 
-    // [rest.places.mean]
-    // Places move by the mean of the velocities before and after
-    const double dt = span_;
-    for (int k = 0; k < group.member_count; ++k) {
-        const int member = members_[group.first_member + k];
-        const Mover& old = before_[member];
-        const Mover& now = movers_[member];
-        const Vec2 mean(0.5 * (old.v_x + now.v_x), 0.5 * (old.v_y + now.v_y));
-        shift_[member] += dt * mean;
-        turn_[member] += dt * (0.5 * (old.spin + now.spin));
+    // Impacts come at its beginning
+    for (const int member : island.members) {
+        const Mover& start = data_.motion.before[member];
+        const Mover& end = data_.motion.now[member];
+        Leg leg{data_.motion.span,
+                data_.bodies.list[member].state,
+                data_.motion.shift[member],
+                data_.motion.turn[member],
+                Vec2(end.v_x, end.v_y),
+                end.spin,
+                Leg::Kind::bent};
+        leg.start.velocity = Vec2(start.v_x, start.v_y);
+        leg.start.spin = start.spin;
+        if (!island.is_exact) leg.kind = Leg::Kind::even;
+        else if (island.has_ways) leg.kind = Leg::Kind::curved;
+        (*legs_)[data_.bodies.order[member]].push_back(leg);
     }
-    // [rest.places.mean]
 }
 
 
@@ -52,19 +63,18 @@ void RestEngine::find_places(const Group& group)
 bool RestEngine::stood_alike(int member) const
 {
     const Saved& old = saved_[member];
-    return old.state.velocity.isZero(0.0) && old.state.spin == 0.0 && old.pull == pull_[member] &&
-           old.turn_pull == turn_pull_[member] && old.in_crowd == in_crowd_[member];
+    return old.state.velocity.isZero(0.0) && old.state.spin == 0.0 && old.pull == data_.motion.pull[member] &&
+           old.turn_pull == data_.motion.turn_pull[member] && old.in_crowd == data_.bodies.in_crowd[member];
 }
 
-void RestEngine::move_group(const Group& group)
+void RestEngine::move_island(const Island& island)
 {
-    note_legs(group);
+    note_legs(island);
 
     // Remember what the points bore
     bool same = true;
-    for (int k = 0; k < group.point_count; ++k) {
-        const ContactPoint& c = points_[group.first_point + k];
-        RestPair& pair = pairs_.pairs()[c.pair];
+    for (const ContactPoint& c : island.points) {
+        RestPair& pair = data_.pairs.pairs()[c.pair];
         for (int i = 0; i < pair.count; ++i) {
             if (pair.feature[i] != c.feature) continue;
             same = same && pair.normal[i] == c.normal && pair.tangent[i] == c.tangent;
@@ -73,33 +83,28 @@ void RestEngine::move_group(const Group& group)
         }
     }
 
-    expect(group);
+    expect(data_, island);
 
     // Move
-    for (int k = 0; k < group.member_count; ++k) {
-        const int member = members_[group.first_member + k];
-        in_crowd_[member] = strikes_at_start(group) ? 1 : 0;
-        BodyState& state = bodies_[member].state;
-        const Mover& now = movers_[member];
-        const Vec2& way = shift_[member];
-        same = same && way.x() == 0.0 && way.y() == 0.0 && turn_[member] == 0.0 && now.v_x == 0.0 && now.v_y == 0.0 &&
-               now.spin == 0.0 && stood_alike(member);
+    for (const int member : island.members) {
+        data_.bodies.in_crowd[member] = strikes_at_start(island) ? 1 : 0;
+        BodyState& state = data_.bodies.list[member].state;
+        const Mover& now = data_.motion.now[member];
+        const Vec2& way = data_.motion.shift[member];
+        same = same && way.x() == 0.0 && way.y() == 0.0 && data_.motion.turn[member] == 0.0 && now.v_x == 0.0 &&
+               now.v_y == 0.0 && now.spin == 0.0 && stood_alike(member);
         state.position += way;
-        state.angle += turn_[member];
+        state.angle += data_.motion.turn[member];
         state.velocity = Vec2(now.v_x, now.v_y);
         state.spin = now.spin;
-        state.time = time() + options_.step;
+        state.time = time() + data_.options.step;
     }
 
     // What a whole step leaves as it was, the next leaves too
-    same = same && span_ == options_.step;
-    for (int k = 0; k < group.member_count; ++k) {
-        const int member = members_[group.first_member + k];
+    same = same && data_.motion.span == data_.options.step;
+    for (const int member : island.members) {
         still_[member] = same ? 1 : 0;
-        if (same && options_.sleeps) {
-            asleep_[member] = 1;
-            sleep_group_[member] = members_[group.first_member];
-        }
+        if (same && data_.options.sleeps) sleepers_.set(member, island.members.front());
     }
 }
 

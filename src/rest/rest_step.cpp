@@ -1,22 +1,78 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rest/energy_limit.hpp"
+#include "rest/find_contacts.hpp"
 #include "rest/rest_engine.hpp"
+#include "rest/rest_tolerance.hpp"
+#include "rest/step_field.hpp"
 #include "rest/stopwatch.hpp"
 
 namespace flying {
 namespace {
 
 
-/// [steps] Shorter parts of a step are not cut again: an island takes what comes out.
-constexpr double k_shortest = 0x1p-10;
-/// Parts that the step of one island is made in, where its impacts have moments of their own, and where they have not;
-/// how often one is cut within another.
-constexpr int k_most_parts = 64;
-constexpr int k_most_parts_of_many = 8;
-constexpr int k_deepest = 64;
-/// Bodies of the largest island whose step is cut at all.
-constexpr int k_most_cut = 64;
+/// Deepest overlap that the step has begun with.  [sizes]
+double overlap_at_start(const RestData& data, const Island& island)
+{
+    double worst = 0.0;
+    for (const ContactPoint& c : island.points) {
+        worst = std::max(worst, -c.gap / std::min(data.bodies.radius[c.a], data.bodies.radius[c.b]));
+    }
+    return worst;
+}
+
+/// When a load that wanes evenly comes to its end: where it is less than a third of what it was over the step before,
+/// that is within this one; 0 where none does.  [s]
+double end_of_load(const RestData& data, const Island& island)
+{
+    double first = data.motion.span;
+    for (const ContactPoint& c : island.points) {
+        const RestPair& pair = data.pairs.pairs()[c.pair];
+        const auto* own = std::find(pair.feature, pair.feature + pair.count, c.feature);
+        const double before = own != pair.feature + pair.count ? pair.normal[own - pair.feature] : 0.0;
+        if (!(3.0 * c.normal < before)) continue;
+
+        // Both are means, and stand for the middles of their steps; of one that has ended before that, less is known
+        const double share = c.normal > 0.0 ? 0.5 + c.normal / (before - c.normal) : 0.25;
+        first = std::min(first, share * data.motion.span);
+    }
+    return first < data.motion.span ? first : 0.0;
+}
+
+/// The step may end as it was found: with little overlap or no more than there was, little turning, and no more energy
+/// than the limiter may take off.
+bool is_fair(const RestData& data, const Island& island, double overlap)
+{
+    if (overlap > rest_tolerance::k_fair_overlap && overlap > overlap_at_start(data, island)) return false;
+    for (const int member : island.members) {
+        if (!(std::abs(data.motion.turn[member]) * data.bodies.turning[member] <=
+              rest_tolerance::k_fair_turn * data.bodies.radius[member]))
+            return false;
+    }
+    const EnergyGain gain = gain_of(data, island);
+    return gain.gained <= rest_tolerance::k_fair_rise * gain.scale;
+}
+
+
+
+/// Ways of an island whose velocities are found.
+void find_places(RestData& data, const Island& island)
+{
+    if (island.has_ways) return;
+
+    // [rest.places.mean]
+    // Places move by the mean of the velocities before and after
+    StepMotion& motion = data.motion;
+    for (const int member : island.members) {
+        const Mover& old = motion.before[member];
+        const Mover& now = motion.now[member];
+        const Vec2 mean(0.5 * (old.v_x + now.v_x), 0.5 * (old.v_y + now.v_y));
+        motion.shift[member] += motion.span * mean;
+        motion.turn[member] += motion.span * (0.5 * (old.spin + now.spin));
+    }
+    // [rest.places.mean]
+}
 
 
 } // namespace
@@ -24,44 +80,42 @@ constexpr int k_most_cut = 64;
 
 void RestEngine::step()
 {
-    // [rest.step.nobody]
-    if (sleepers_ >= 0) {
-        // Nothing is awake, and nothing was since a look found it so
-        counts_.asleep += sleepers_;
+    // [rest.step.asleep]
+    if (none_awake_) {
+        data_.counts.asleep += sleepers_.count();
         ++steps_;
-        ++counts_.steps;
+        ++data_.counts.steps;
         return;
     }
-    // [rest.step.nobody]
-    Stopwatch watch(options_.seconds);
+    // [rest.step.asleep]
+    Stopwatch watch(data_.options.seconds);
     // [rest.step.begin]
-    span_ = options_.step;
-    after_ = 0.0;
+    data_.motion.span = data_.options.step;
+    data_.motion.after = 0.0;
     list_awake();
     measure_reach(awake_);
-    if (pairs_.update(bodies_, shapes_, radius_, reach_)) ++counts_.looks;
+    if (data_.pairs.update(data_.bodies.list, data_.bodies.shapes, data_.bodies.radius, data_.motion.reach))
+        ++data_.counts.looks;
     watch.stop(seconds_.pairs);
     // [rest.step.begin]
 
     // [rest.step.find]
-    do collide();
+    do find_all_contacts();
     while (wake_touched());
     watch.stop(seconds_.collide);
     // [rest.step.find]
 
     // [rest.step.end]
-    gather_groups(awake_);
     parts_made_ = 0;
-    for (Group& group : groups_) solve_group(group, 0);
+    split_and_solve(awake_, 0);
     watch.stop(seconds_.solve);
-
-    finish_groups(0, {});
+    finish_islands(0, {});
     make_parts(0);
     watch.stop(seconds_.move);
     // [rest.step.end]
     ++steps_;
-    ++counts_.steps;
-    if (awake_.empty()) sleepers_ = std::count(asleep_.begin(), asleep_.end(), 1);
+    ++data_.counts.steps;
+    none_awake_ = awake_.empty();
 }
 
 
@@ -69,69 +123,177 @@ void RestEngine::step()
 void RestEngine::list_awake()
 {
     awake_.clear();
-    none_sleeps_ = true;
-    wakes_.assign(bodies_.size(), 0);
-    for (int k = 0; k < static_cast<int>(bodies_.size()); ++k) {
-        if (asleep_[k]) {
-            ++counts_.asleep;
-            none_sleeps_ = false;
-        } else if (!bodies_[k].is_static && bodies_[k].is_active) awake_.push_back(k);
+    wakes_.assign(data_.bodies.list.size(), 0);
+    saved_.resize(data_.bodies.list.size());
+    data_.counts.asleep += sleepers_.count();
+    for (int k = 0; k < data_.bodies.count(); ++k) {
+        const RestBody& body = data_.bodies.list[k];
+        if (sleepers_.is_asleep(k) || body.is_static || !body.is_active) continue;
+        awake_.push_back(k);
+        wakes_[k] = 1;
+        saved_[k] = {body.state, data_.motion.pull[k], data_.motion.turn_pull[k], data_.bodies.in_crowd[k]};
     }
-    saved_.resize(bodies_.size());
-    for (const int k : awake_) wakes_[k] = 1;
-    for (const int k : awake_) saved_[k] = {bodies_[k].state, pull_[k], turn_pull_[k], in_crowd_[k]};
+}
+
+/// Islands that something awake comes near wake.
+bool RestEngine::wake_touched()
+{
+    if (sleepers_.count() == 0) return false;
+    bool any = false;
+    for (const ContactPoint& point : found_) {
+        for (const int body : {point.a, point.b}) any = sleepers_.wake(sleepers_.island_of(body)) || any;
+    }
+    if (any) {
+        list_awake();
+        measure_reach(awake_);
+    }
+    return any;
 }
 
 
 
-void RestEngine::finish_groups(int depth, std::span<const int> pairs)
+/// Begins a step, or a part of one, for some bodies: how far each may get in it, and what is expected to act.
+void RestEngine::measure_reach(std::span<const int> bodies)
 {
-    again_.resize(k_deepest + 1);
+    StepMotion& motion = data_.motion;
+    const double dt = motion.span;
+    for (const int k : bodies) {
+        aim_field(data_, k);
+        const RestBody& body = data_.bodies.list[k];
+        const double radius = data_.bodies.radius[k];
+        const double speed = body.state.velocity.norm() + std::abs(body.state.spin) * radius;
+        motion.reach[k] = dt * (speed + dt * greatest_field(data_, k, dt)) + rest_tolerance::k_watch * radius;
+        // What would carry a body beyond its reach in a part of a step was no load: it was taken from a shorter one
+        const double more = 0.5 * (dt * dt) * (motion.pull[k].norm() + std::abs(motion.turn_pull[k]) * radius);
+        const double room = motion.reach[k] - dt * speed;
+        if (!std::isfinite(more)) expect_flight(data_, k, body.state.position);
+        else if (dt < data_.options.step && more > room) {
+            motion.pull[k] *= room / more;
+            motion.turn_pull[k] *= room / more;
+        }
+        motion.now[k] = mover_of(body);
+        motion.before[k] = motion.now[k];
+        data_.bodies.set_pose(k, pose_of(body.state));
+        motion.shift[k] = Vec2::Zero();
+        motion.turn[k] = 0.0;
+    }
+}
+
+
+
+void RestEngine::find_all_contacts()
+{
+    found_.clear();
+    const std::span<const RestPair> pairs = data_.pairs.pairs();
+    is_near_.assign(pairs.size(), 0);
+    for (int k = 0; k < static_cast<int>(pairs.size()); ++k) {
+        if (wakes_[pairs[k].a] || wakes_[pairs[k].b]) is_near_[k] = find_contacts(data_, k, found_) ? 1 : 0;
+    }
+}
+
+
+
+void RestEngine::split_and_solve(std::span<const int> bodies, int depth)
+{
+    islands_.split(data_, bodies, found_);
+    data_.counts.groups += static_cast<std::int64_t>(islands_.all().size());
+    data_.counts.points += static_cast<std::int64_t>(islands_.point_count());
+    for (Island& island : islands_.all()) solve_island(island, depth);
+}
+
+void RestEngine::solve_island(Island& island, int depth)
+{
+    if (island.points.empty()) {
+        fly(data_, island);
+        return;
+    }
+    // End the part where the first impact comes, or strike now; small islands go on from there with another look
+    island.in_turn = !strikes_at_start(island) && may_be_cut(island, depth);
+    if (island.in_turn) island.cut_at = first_impact(data_, island);
+    if (island.cut_at > 0.0) return;
+    if (impacts_.strike(data_, island, sweeps_) && island.in_turn) {
+        island.cut_at = data_.motion.span;
+        return;
+    }
+
+    // Find the forces of the contacts
+    const bool leans = is_heap(island);
+    const auto hardly_moves = [&] {
+        return top_speed(data_, island) <= rest_tolerance::k_standing * field_speed(data_, island);
+    };
+    if (!is_solved_whole(data_, island) || (leans && !hardly_moves())) {
+        sweeps_.sweep_large(data_, island);
+        return;
+    }
+    set_bounds(data_, island);
+    forces_.find_impulses(data_, island, data_.motion.before, data_.motion.span);
+    if (leans && !island.is_content) {
+        // It would cost more than it brings to look on; sweeps go on from what bore before
+        for (ContactPoint& c : island.points) recall_load(data_, c);
+        sweeps_.sweep_large(data_, island);
+        return;
+    }
+    if (!curves_.follow(data_, island) && island.point_count() <= rest_tolerance::k_most_parted)
+        slip_ends_.part(data_, island, forces_);
+    calm(data_, island);
+}
+
+
+
+void RestEngine::finish_islands(int depth, std::span<const int> pairs)
+{
+    again_.resize(rest_tolerance::k_step_parts + 1);
     Again& again = again_[depth];
     again.parts.clear();
     again.members.clear();
     again.pairs.clear();
-    for (Group& group : groups_) {
-        if (group.cut_at > 0.0) {
-            note_again(group, again);
+    for (Island& island : islands_.all()) {
+        if (island.cut_at == 0.0) island.cut_at = end_early(island, depth);
+        if (island.cut_at > 0.0) {
+            note_again(island, again);
             continue;
         }
-        if (group.is_exact) find_places(group);
-        if (group.in_turn) group.cut_at = missed_impact(group);
-        if (group.in_turn && group.has_ways && group.cut_at == 0.0 && span_ == options_.step) group.cut_at = end_of_load(group);
-        if (group.cut_at > 0.0) {
-            note_again(group, again);
-            continue;
-        }
-        if (group.is_exact && group.point_count > 0) {
-            const double overlap = look_at_end(group);
-            if (may_be_cut(group, depth) && !is_fair(group, overlap)) {
-                group.cut_at = 0.5 * span_;
-                note_again(group, again);
-                continue;
-            }
-            put_apart(group, overlap);
-        }
-        if (group.point_count > 0) limit_energy(group);
-        move_group(group);
+        if (!island.points.empty()) limit_energy(data_, island);
+        move_island(island);
     }
     if (!again.parts.empty()) find_pairs_of(again, pairs);
 }
 
-
-
-bool RestEngine::may_be_cut(const Group& group, int depth) const
+/// The verdict on what was found for an island: the moment at which its step is to end early, or 0 where it stands,
+/// with its overlap taken off.  [s]
+double RestEngine::end_early(Island& island, int depth)
 {
-    const int most = strikes_at_start(group) ? k_most_parts_of_many : k_most_parts;
-    return group.member_count <= k_most_cut && depth < k_deepest && parts_made_ < most && span_ > k_shortest * options_.step;
+    if (!island.is_exact) return 0.0;
+    find_places(data_, island);
+    if (island.in_turn) {
+        const double missed = missed_impact(data_, island);
+        if (missed > 0.0) return missed;
+        if (island.has_ways && data_.motion.span == data_.options.step) {
+            const double end = end_of_load(data_, island);
+            if (end > 0.0) return end;
+        }
+    }
+    if (island.points.empty()) return 0.0;
+    const double overlap = projection_.look_at_end(data_, island);
+    if (may_be_cut(island, depth) && !is_fair(data_, island, overlap)) return 0.5 * data_.motion.span;
+    projection_.put_apart(data_, island, overlap, sweeps_);
+    return 0.0;
 }
 
-void RestEngine::note_again(const Group& group, Again& again)
+
+
+bool RestEngine::may_be_cut(const Island& island, int depth) const
+{
+    const int most = strikes_at_start(island) ? rest_tolerance::k_step_parts_of_many : rest_tolerance::k_step_parts;
+    return island.member_count() <= rest_tolerance::k_most_whole && depth < rest_tolerance::k_step_parts &&
+           parts_made_ < most && data_.motion.span > rest_tolerance::k_shortest_part * data_.options.step;
+}
+
+void RestEngine::note_again(const Island& island, Again& again)
 {
     const int part = static_cast<int>(again.parts.size());
-    again.parts.push_back({static_cast<int>(again.members.size()), group.member_count, 0, 0, group.cut_at});
-    for (int k = 0; k < group.member_count; ++k) {
-        const int member = members_[group.first_member + k];
+    again.parts.push_back({static_cast<int>(again.members.size()), island.member_count(), 0, 0, island.cut_at});
+    for (const int member : island.members) {
         again.members.push_back(member);
         part_of_[member] = part;
     }
@@ -143,15 +305,15 @@ void RestEngine::find_pairs_of(Again& again, std::span<const int> pairs)
     const auto part_of = [&](const RestPair& pair) {
         const int a = part_of_[pair.a];
         const int b = part_of_[pair.b];
-        if (bodies_[pair.a].is_static) return b;
-        if (bodies_[pair.b].is_static) return a;
+        if (data_.bodies.list[pair.a].is_static) return b;
+        if (data_.bodies.list[pair.b].is_static) return a;
         return a == b ? a : -1;
     };
     const auto each = [&](auto&& act) {
-        const int count = static_cast<int>(pairs.empty() ? pairs_.pairs().size() : pairs.size());
+        const int count = static_cast<int>(pairs.empty() ? data_.pairs.pairs().size() : pairs.size());
         for (int k = 0; k < count; ++k) {
             const int pair = pairs.empty() ? k : pairs[k];
-            const int part = part_of(pairs_.pairs()[pair]);
+            const int part = part_of(data_.pairs.pairs()[pair]);
             // The list may hold more, which depends on when it was made
             if (part >= 0 && is_near_[pair]) act(pair, again.parts[part]);
         }
@@ -173,11 +335,12 @@ void RestEngine::find_pairs_of(Again& again, std::span<const int> pairs)
 /// The steps of islands that end early, at a moment each: the part up to there, and what is left.
 void RestEngine::make_parts(int depth)
 {
-    const double whole = span_;
-    const double after_whole = after_;
+    const double whole = data_.motion.span;
+    const double after_whole = data_.motion.after;
     for (std::size_t k = 0; k < again_[depth].parts.size(); ++k) {
         const Again::Part part = again_[depth].parts[k];
-        const std::span<const int> members = std::span(again_[depth].members).subspan(part.first_member, part.member_count);
+        const std::span<const int> members =
+            std::span(again_[depth].members).subspan(part.first_member, part.member_count);
         const std::span<const int> pairs = std::span(again_[depth].pairs).subspan(part.first_pair, part.pair_count);
         if (depth == 0) parts_made_ = 0;
         double before = whole;
@@ -185,23 +348,22 @@ void RestEngine::make_parts(int depth)
         for (const double length : {part.cut_at, whole - part.cut_at}) {
             if (!(length > 0.0)) continue;
             ++parts_made_;
-            span_ = length;
+            data_.motion.span = length;
             left -= length;
-            after_ = after_whole + left;
+            data_.motion.after = after_whole + left;
             scale_loads(pairs, length / before);
             before = length;
             measure_reach(members);
             found_.clear();
-            for (const int pair : pairs) (void)collide_pair(pair);
-            gather_groups(members);
-            for (Group& group : groups_) solve_group(group, depth + 1);
-            finish_groups(depth + 1, pairs);
+            for (const int pair : pairs) (void)find_contacts(data_, pair, found_);
+            split_and_solve(members, depth + 1);
+            finish_islands(depth + 1, pairs);
             make_parts(depth + 1);
         }
-        span_ = whole;
-        after_ = after_whole;
+        data_.motion.span = whole;
+        data_.motion.after = after_whole;
         scale_loads(pairs, whole / before);
-        ++counts_.parts;
+        ++data_.counts.parts;
     }
     again_[depth].parts.clear();
 }
@@ -211,7 +373,7 @@ void RestEngine::scale_loads(std::span<const int> pairs, double factor)
     // Impulses of another length of time
     if (factor == 1.0) return;
     for (const int k : pairs) {
-        RestPair& pair = pairs_.pairs()[k];
+        RestPair& pair = data_.pairs.pairs()[k];
         for (int i = 0; i < pair.count; ++i) {
             pair.normal[i] *= factor;
             pair.tangent[i] *= factor;

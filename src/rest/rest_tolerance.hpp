@@ -20,18 +20,19 @@ inline constexpr double k_stagnant = 16.0;
 /// is below a hundredth of the stack's own; corrections take what it leaves to rounding.
 inline constexpr double k_stiffness = 0x1p32;
 
-/// [speeds that the field gives in a step] Slower is still: what the solve leaves of a group that nothing moves, with
+/// [speeds that the field gives in a step] Slower is still: what the solve leaves of a island that nothing moves, with
 /// room; and a hundredth of what a slope gives that is 1e-9 too steep.
 inline constexpr double k_still = 0x1p-36;
 
 /// [speeds that the field gives in a step] Slip below this has ended.
 inline constexpr double k_slip = 0x1p-34;
 
-/// [pairs per body] A stack on a floor has one, a pyramid nearly two. Up to here one body in sixteen leans on a second one,
-/// and eliminating along the stack fills in few blocks.
+/// [pairs per body] A stack on a floor has one, a pyramid nearly two. Up to here one body in sixteen leans on a second
+/// one, and eliminating along the stack fills in few blocks.
 inline constexpr double k_tall = 17.0 / 16.0;
 
-/// [speeds that the field gives in a step] A slower approach is left to the load, of which it is a thousandth.
+/// [speeds that the field gives in a step] A slower approach is left to the load, of which it is a thousandth; a faster
+/// slip is a slide.
 inline constexpr double k_blow = 0x1p-10;
 
 /// [steps] What closes so soon closes now.
@@ -52,12 +53,220 @@ inline constexpr double k_same_place = 0x1p-5;
 /// [sizes] Reach beyond what motion explains, within which points are watched.
 inline constexpr double k_watch = 0x1p-6;
 
-/// [sizes] Overlap at the end of a step that is taken off; where it is more, the step is made in halves, and where these
-/// don't help, ways are cut short. A fifth of the hundredth that a user is promised.
+/// [sizes] Overlap at the end of a step that is taken off; where it is more, the step is made in halves, and where
+/// these don't help, ways are cut short. A fifth of the hundredth that a user is promised.
 inline constexpr double k_fair_overlap = 0x1p-9;
 
 /// [energies] Rise that rounding explains.
 inline constexpr double k_rounding = 0x1p-46;
+
+// ---- Path of solutions (group_path)
+/// [shifts at the start] Where shifts grow beyond, the path comes from nowhere.
+inline constexpr double k_path_farthest = 0x1p10;
+
+/// [shifts] A path from nothing begins so much before the first point closes.
+inline constexpr double k_path_before = 0x1p-10;
+
+/// [shifts] Points have shifts that differ by up to this much, so that no two close at one place of the path.
+inline constexpr double k_path_apart = 0.25;
+
+// ---- Direct solver (group_solver)
+/// Newton's steps until the pieces must have been found, and corrections of what rounding leaves.
+inline constexpr int k_newton_steps = 8;
+
+/// [worst approach] A point that parts more slowly may still bear.
+inline constexpr double k_may_bear = 0.25;
+
+inline constexpr int k_corrections = 48;
+
+/// Sweeps that lead nearer to where Newton's method works.
+inline constexpr int k_leading_sweeps = 64;
+
+/// [greatest speeds] What parts so fast bears nothing.
+inline constexpr double k_never_bears = 0x1p20;
+
+/// Pieces of a path that begins near its end: one for so many points, and so many at least.
+inline constexpr int k_path_share = 2;
+
+inline constexpr int k_path_fewest = 8;
+
+inline constexpr int k_path_most = 64;
+
+/// Points of the largest island that is solved from nothing: that takes a system for each, and more.
+inline constexpr std::size_t k_most_from_nothing = 256;
+
+/// [points] Pieces of one that begins with nothing; it rarely takes more than three.
+inline constexpr int k_path_pieces = 16;
+
+// ---- Impacts in rounds (impact)
+/// Rounds of impacts at one moment. A blow that runs through a row against the order of its pairs takes one for each of
+/// them; elastic bodies packed between walls would go on for ever.
+inline constexpr int k_impact_rounds = 64;
+
+// ---- Interior point (interior_point)
+/// Steps; each solves one system.
+inline constexpr int k_interior_steps = 64;
+
+/// Steps in a row that don't halve the products: the way on is blocked, as it may be where friction is great.
+inline constexpr int k_interior_patience = 16;
+
+/// [unit energies] Products this small tell their greater number from the smaller.
+inline constexpr double k_interior_small = 0x1p-40;
+
+/// Part of the way to where the first number would vanish.
+inline constexpr double k_interior_inside = 0.99;
+
+/// Steps towards less that are shorter lead off the middle: the products are evened out first.
+inline constexpr double k_interior_short = 0.1;
+
+/// Share of the products that is left at least for the next step.
+inline constexpr double k_interior_least_share = 0x1p-10;
+
+// ---- Points of parts (near_points)
+/// [way out over a side] What reaches over a cut by less than this share of the way out lies on the part beyond the
+/// cut, or beside it in a notch.
+inline constexpr double k_hardly_over_cut = 0.0625;
+
+// ---- Pairs (pair_list)
+/// [radii] and [reaches] Room that the box of a body gets: more room, fewer searches and more pairs.
+inline constexpr double k_room_radii = 0.0625;
+
+inline constexpr double k_room_reaches = 3.0;
+
+// ---- Contacts ahead (find_contacts)
+/// [sizes] Overlap that matters: a pair that has more at the start of a step is put right first, without a look ahead;
+/// parts that had no point are looked at where two come nearer by more; and sweeps may add so much in one step.
+inline constexpr double k_deep = 0x1p-10;
+
+/// Looks at a pair that closes, each at the moment that the last one foresaw.
+inline constexpr int k_looks = 5;
+
+/// [sizes] A gap that turning has opened between two that lean on each other is less than this.
+inline constexpr double k_barely = 0x1p-36;
+
+/// [speeds that the field gives in a step] What bears, and comes nearer no faster than this, goes on to bear.
+inline constexpr double k_bearing_approach = 0x1p-24;
+
+/// [distances, speeds] By which separations, or approaches, that are compared may be off: far more than their rounding.
+inline constexpr double k_doubt = 0x1p-44;
+
+/// [steps] What closes later is left to the next step.
+inline constexpr double k_last_moment = 1.0 - 0x1p-30;
+
+// ---- Curved ways (curved_ways)
+/// Points of the largest island whose lines of push are followed along its ways.
+inline constexpr int k_most_followed = 16;
+
+/// [1, or sizes] A line of push that changes by less within a step is straight.
+inline constexpr double k_straight = 0x1p-36;
+
+/// Rounds, each with lines along the ways that the last has found; and the part of what counts as touching that they
+/// may leave of a gap.
+inline constexpr int k_curve_rounds = 6;
+
+inline constexpr double k_left_of_gap = 0.125;
+
+// ---- Steps of other lengths (rest_engine)
+/// [whole steps] A step this short tells nothing about accelerations.
+inline constexpr double k_telling = 0x1p-20;
+
+// ---- Islands (islands)
+/// [speeds that the field gives in a step] A large island whose bodies are all slower may part.
+inline constexpr double k_slow_island = 0x1p-4;
+
+/// [steps] Two that would not touch within so many, as things go, don't belong to one island by that.
+inline constexpr double k_ahead = 4.0;
+
+// ---- Projection, and the verdict on a step (projection, rest_step)
+/// [rad] Turn within a step that a island with contacts may make.
+inline constexpr double k_fair_turn = 0.25;
+
+/// [radii] Push that may take off overlap.
+inline constexpr double k_most_push = 0.5;
+
+/// [energies] Rise that slowing down may end; where it is more, the step is made in halves.
+inline constexpr double k_fair_rise = 0x1p-8;
+
+/// Rounds of taking off overlap: each leaves about the square of what the last has found.
+inline constexpr int k_projection_rounds = 4;
+
+// ---- Seams (looks)
+/// [speeds] Two that part no faster than this, beside one that passes both, go together.
+inline constexpr double k_together = 0x1p-6;
+
+// ---- Ends of slip (slip_ends)
+/// Parts of one step.
+inline constexpr int k_slip_parts = 4;
+
+/// Bisections until a part of a step slips to its end.
+inline constexpr int k_slip_halvings = 10;
+
+// ---- Contact forces (contact_forces)
+// [rest.solve.limits]
+/// Points of the largest island whose step is parted where slip ends.
+inline constexpr int k_most_parted = 12;
+
+/// Bodies of the largest island that is solved whole however it moves, and whatever it takes, and whose step may be
+/// made in parts; more are a heap.
+inline constexpr int k_most_whole = 64;
+
+/// [residuals] Impulses whose residual is less by this factor are worth a change.
+inline constexpr double k_much_better = 2.0;
+
+/// [speeds that the field gives in a step] Impulses that are further from right let nothing stand.
+inline constexpr double k_slight = 0x1p-6;
+
+/// [speeds that the field gives in a step] A large island that moves no faster stands, or begins to fall; its overlap
+/// is left as it is, since pushes would shake it.
+inline constexpr double k_standing = 4.0;
+// [rest.solve.limits]
+
+// ---- Parts of steps (rest_step)
+/// [steps] Shorter parts of a step are not cut again: an island takes what comes out.
+inline constexpr double k_shortest_part = 0x1p-10;
+
+/// Parts that the step of one island is made in, where its impacts have moments of their own, and where they have not.
+inline constexpr int k_step_parts = 64;
+
+inline constexpr int k_step_parts_of_many = 8;
+
+// ---- Impacts (impacts)
+
+/// Bodies of the largest island whose impacts have moments of their own; in larger ones all that a step brings come at
+/// its start.
+inline constexpr int k_most_in_turn = 12;
+
+
+// ---- Heaps (heap_sweeps)
+/// [speeds that the field gives in a step] An island that was slower and stays so is at rest: what it was about to do is
+/// the price of its sleep. Its bodies would speed up by twice as much of the field's acceleration at most.
+inline constexpr double k_calm = 0x1p-8;
+
+/// [k_calm] Where no point asks for a greater change, impulses stay as they are, to the bit.
+inline constexpr double k_content_enough = 0x1p-2;
+
+/// [greatest speeds] Points that would have to close faster than that wait for the end of the sweeps.
+inline constexpr double k_far = 2.0;
+
+/// [energies of fall] What a sweep's changes are worth when there are enough of them.
+inline constexpr double k_enough = 0x1p-10;
+
+/// [sizes] Overlap that sweeps may add in one step of a heap that is slow.
+inline constexpr double k_slow_approach = 0x1p-13;
+
+/// Sweeps that go on where more is left, and bodies of the largest island that is worth them.
+inline constexpr int k_more_sweeps = 128;
+
+inline constexpr int k_most_swept_on = 1024;
+
+/// [approaches left] Sweeps that leave more don't get on.
+inline constexpr double k_gets_on = 0.25;
+
+/// Share of an overlap that one step takes off.
+inline constexpr double k_push_share = 0.25;
+
+/// Sweeps that end the impacts of a heap, and that push its overlap apart.
+inline constexpr int k_heap_sweeps = 16;
 
 
 } // namespace flying::rest_tolerance

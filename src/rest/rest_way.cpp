@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rest/rest_engine.hpp"
-
 namespace flying {
 namespace {
 
@@ -48,51 +46,14 @@ BodyState along(const std::vector<Leg>& legs, double time)
     }
     if (leg.kind == Leg::Kind::curved && h > 0.0) {
         state.velocity = Vec2(slope(s, leg.shift.x(), h * leg.start.velocity.x(), h * leg.velocity.x()),
-                              slope(s, leg.shift.y(), h * leg.start.velocity.y(), h * leg.velocity.y())) / h;
+                              slope(s, leg.shift.y(), h * leg.start.velocity.y(), h * leg.velocity.y())) /
+                         h;
         state.spin = slope(s, leg.turn, h * leg.start.spin, h * leg.spin) / h;
     } else {
         state.velocity = leg.start.velocity + s * (leg.velocity - leg.start.velocity);
         state.spin = leg.start.spin + s * (leg.spin - leg.start.spin);
     }
     return state;
-}
-
-
-
-/// Write down how a group goes through a step, or a part of one, that has been found but not yet gone.
-void RestEngine::note_legs(const Group& group)
-{
-    if (!legs_) return;
-
-    // Impacts come at its beginning
-    for (const int member : std::span(members_).subspan(group.first_member, group.member_count)) {
-        const Mover& start = before_[member];
-        const Mover& end = movers_[member];
-        Leg leg{span_, bodies_[member].state, shift_[member], turn_[member], Vec2(end.v_x, end.v_y), end.spin,
-                Leg::Kind::bent};
-        leg.start.velocity = Vec2(start.v_x, start.v_y);
-        leg.start.spin = start.spin;
-        if (!group.is_exact) leg.kind = Leg::Kind::even;
-        else if (group.has_ways) leg.kind = Leg::Kind::curved;
-        (*legs_)[order_[member]].push_back(leg);
-    }
-}
-
-
-
-std::vector<std::vector<Leg>> RestEngine::foresee(double length, double end)
-{
-    const Memory before = memory();
-    const RestCounts counts = counts_;
-    const std::int64_t sleepers = sleepers_;
-    std::vector<std::vector<Leg>> legs(bodies_.size());
-    legs_ = &legs;
-    step_by(length, end);
-    legs_ = nullptr;
-    go_on_from(before);
-    counts_ = counts;
-    sleepers_ = sleepers;
-    return legs;
 }
 
 

@@ -10,8 +10,8 @@ namespace flying {
 /// A stretch of a body's way through a step: no impact within it, one at its start perhaps.
 struct Leg
 {
-    double length = 0.0;  ///< [s]
-    BodyState start;      ///< with the velocities after such an impact
+    double length = 0.0; ///< [s]
+    BodyState start;     ///< with the velocities after such an impact
     Vec2 shift = Vec2::Zero();
     double turn = 0.0;
     Vec2 velocity = Vec2::Zero(); ///< with which it ends, like the spin

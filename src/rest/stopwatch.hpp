@@ -3,7 +3,7 @@
 namespace flying {
 
 
-/// Measures the stages of a step, one after another, with a clock that somebody lends; without one it costs nothing.
+/// Measures the stages of a step, one after another, with a clock that is lent; without one it costs nothing.
 class Stopwatch
 {
 public:

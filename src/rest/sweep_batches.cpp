@@ -9,13 +9,18 @@ namespace {
 
 
 /// All four alike. (Handed over by reference: how a function returns four numbers depends on the processor.)
-inline void set_all(Four& four, double x) { four = Four{x, x, x, x}; }
+inline void set_all(Four& four, double x)
+{
+    four = Four{x, x, x, x};
+}
 
 
 
-/// Bodies have a bit for each. A pair that finds none left, on a body that more than so many lean on, gets one of its own.
+/// Bodies have a bit for each. A pair that finds none left, on a body that more than so many lean on, gets one of its
+/// own.
 constexpr int k_colours = 64;
-/// Pairs that are coloured together. The more, the fuller the batches; the fewer, the less is swept out of the list's order.
+/// Pairs that are coloured together. The more, the fuller the batches; the fewer, the less is swept out of the list's
+/// order.
 constexpr std::size_t k_part = 512;
 
 
@@ -72,14 +77,14 @@ void SweepBatches::add_batches(int pairs, int count)
     if (pairs % 8 != 0) clear(batches_[batch_count_ - 1]);
 }
 
-/// Nobody pushes nobody.
+/// A row that pushes nothing.
 void SweepBatches::clear(Batch& batch)
 {
-    const int nobody = static_cast<int>(bodies_.size()) - 1;
+    const int none = static_cast<int>(bodies_.size()) - 1;
     for (Row& row : batch.rows) {
         row = Row{};
-        std::fill(row.a, row.a + 4, nobody);
-        std::fill(row.b, row.b + 4, nobody);
+        std::fill(row.a, row.a + 4, none);
+        std::fill(row.b, row.b + 4, none);
     }
     for (int k = batch.first; k < batch.first + 2 * batch.count; ++k) {
         points_[k] = Points{};
@@ -93,7 +98,7 @@ void SweepBatches::clear(Batch& batch)
 void SweepBatches::lay_out(std::span<const ContactPoint> points, std::span<const int> which,
                            std::span<const Mover> movers, std::span<const int> members)
 {
-    place_.assign(movers.size(), static_cast<int>(members.size())); // nobody's
+    place_.assign(movers.size(), static_cast<int>(members.size())); // of none
     for (std::size_t k = 0; k < members.size(); ++k) place_[members[k]] = static_cast<int>(k);
     bodies_.assign(members.size() + 1, Body{});
     set_velocities(movers, members);
@@ -204,7 +209,8 @@ struct SweepBatches::Motion
     Four inv_mass;
 };
 
-[[gnu::always_inline]] inline void SweepBatches::content(const Row& row, Points& c, Motion& a, Motion& b, Change& change)
+[[gnu::always_inline]] inline void SweepBatches::content(const Row& row, Points& c, Motion& a, Motion& b,
+                                                         Change& change)
 {
     // The plain sweep's sums, in its order
     Four v_x = b.v_x - a.v_x;
@@ -246,7 +252,8 @@ struct SweepBatches::Motion
 // (Without loops, so that what is fetched need not be put down in between.)
 inline void SweepBatches::fetch(const int (&who)[4], Motion& motion) const
 {
-    const Four rows[4] = {bodies_[who[0]].motion, bodies_[who[1]].motion, bodies_[who[2]].motion, bodies_[who[3]].motion};
+    const Four rows[4] = {bodies_[who[0]].motion, bodies_[who[1]].motion, bodies_[who[2]].motion,
+                          bodies_[who[3]].motion};
     turn(rows, motion.v_x, motion.v_y, motion.spin, motion.inv_mass);
 }
 
@@ -285,10 +292,11 @@ void SweepBatches::sweep(bool backwards)
 {
     for (int k = 0; k < batch_count_; ++k) {
         const Batch& batch = batches_[backwards ? batch_count_ - 1 - k : k];
-        sweep_batch(batch, backwards, [&](const Row& row, int point, Motion& a, Motion& b) __attribute__((always_inline)) {
-            Change change;
-            content(row, points_[point], a, b, change);
-        });
+        sweep_batch(
+            batch, backwards, [&](const Row& row, int point, Motion& a, Motion& b) __attribute__((always_inline)) {
+                Change change;
+                content(row, points_[point], a, b, change);
+            });
     }
 }
 
@@ -311,13 +319,16 @@ int SweepBatches::sweep_ahead(const Ahead& ahead)
     for (int sweeps = 1;; ++sweeps) {
         Four sum{};
         for (int k = 0; k < batch_count_; ++k) {
-            sweep_batch(batches_[k], false, [&](const Row& row, int point, Motion& a, Motion& b) __attribute__((always_inline)) {
-                Way& way = way_[point];
-                go_ahead(points_[point], way, share);
-                Change& change = way.last;
-                content(row, points_[point], a, b, change);
-                sum += (change.normal * change.normal + change.tangent * change.tangent) * (a.inv_mass + b.inv_mass);
-            });
+            sweep_batch(
+                batches_[k],
+                false, [&](const Row& row, int point, Motion& a, Motion& b) __attribute__((always_inline)) {
+                    Way& way = way_[point];
+                    go_ahead(points_[point], way, share);
+                    Change& change = way.last;
+                    content(row, points_[point], a, b, change);
+                    sum +=
+                        (change.normal * change.normal + change.tangent * change.tangent) * (a.inv_mass + b.inv_mass);
+                });
         }
         // What a sweep leaves lies in Coulomb's cones; what goes ahead may not
         if (sweeps >= ahead.most || (sweeps >= ahead.least && last <= ahead.enough)) return sweeps;
@@ -358,7 +369,8 @@ void SweepBatches::go_ahead(const Four& share)
 
 void SweepBatches::begin_push(std::span<const ContactPoint> points, double share, double time)
 {
-    for (Batch& batch : std::span(batches_).first(batch_count_)) batch.rows[0].friction = batch.rows[1].friction = Four{};
+    for (Batch& batch : std::span(batches_).first(batch_count_))
+        batch.rows[0].friction = batch.rows[1].friction = Four{};
     for (Points& c : std::span(points_).first(point_count_)) c.normal = c.tangent = Four{};
     for (std::size_t k = 0; k < which_.size(); ++k) {
         const ContactPoint& c = points[which_[k]];

@@ -11,9 +11,9 @@ namespace flying {
 
 
 /// The points of a group that is swept, in batches of pairs that are swept side by side: two rows of four. Pairs that
-/// share a moving body have different colours; all of one colour are swept before any of the next, in any order, as none
-/// of them knows of another. (A long list is coloured in parts, and swept part by part.) The bits are those of the plain
-/// sweep over the points in that order.
+/// share a moving body have different colours; all of one colour are swept before any of the next, in any order, as
+/// none of them knows of another. (A long list is coloured in parts, and swept part by part.) The bits are those of the
+/// plain sweep over the points in that order.
 class SweepBatches
 {
 public:
@@ -34,8 +34,8 @@ public:
         int most = 8;        ///< >= least
         double enough = 0.0; ///< once a sweep's changes are worth less, those beyond the least may end [J]
     };
-    /// Returns how many it made. A sweep's changes are worth what they would move from rest, without its turning: the sum
-    /// of their squares, over the masses of both bodies.
+    /// Returns how many it made. A sweep's changes are worth what they would move from rest, without its turning: the
+    /// sum of their squares, over the masses of both bodies.
     int sweep_ahead(const Ahead& ahead);
 
     /// From here on other impulses, from none, without friction, of the points that were laid out: where one overlaps,
@@ -127,7 +127,7 @@ private:
     std::vector<int> lane_of_; // of each point laid out: 4 times its Points, and the lane
     std::vector<int> which_;
     std::vector<Body> bodies_; // the members, and at the end one that nothing moves
-    std::vector<int> place_;   // of each mover; of those that can't move, nobody's
+    std::vector<int> place_;   // of each mover; of those that can't move, of none
     /// One or two points of a pair, swept one after the other.
     struct Run
     {
@@ -139,8 +139,8 @@ private:
     };
     std::vector<Run> runs_;
     std::vector<std::uint64_t> used_; // of each body: a bit for each colour of its pairs in this part
-    std::vector<int> in_kind_; // of each kind: runs
-    std::vector<int> places_;  // of each kind: 8 times the batch of the next run, and the pair in that
+    std::vector<int> in_kind_;        // of each kind: runs
+    std::vector<int> places_;         // of each kind: 8 times the batch of the next run, and the pair in that
     std::vector<Way> way_;
     std::vector<Drift> drift_;
 };

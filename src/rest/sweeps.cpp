@@ -16,8 +16,7 @@ void content(SweepPoint& c, std::span<Mover> movers)
     // Push as much as ends the approach in all, and never pull
     double v_x = b.v_x - a.v_x;
     double v_y = b.v_y - a.v_y;
-    const double u_n = (c.n_x * v_x + c.n_y * v_y) +
-                       (b.spin * c.normal_arm_b - a.spin * c.normal_arm_a);
+    const double u_n = (c.n_x * v_x + c.n_y * v_y) + (b.spin * c.normal_arm_b - a.spin * c.normal_arm_a);
     const double normal = std::max(0.0, c.normal - c.normal_mass * (u_n - c.bound));
     const double j = normal - c.normal;
     c.normal = normal;
@@ -30,8 +29,7 @@ void content(SweepPoint& c, std::span<Mover> movers)
     const double spin_b = b.spin + b.inv_moment * (j * c.normal_arm_b);
     v_x += j * (w * c.n_x);
     v_y += j * (w * c.n_y);
-    const double u_t = (c.n_x * v_y - c.n_y * v_x) +
-                       (spin_b * c.tangent_arm_b - spin_a * c.tangent_arm_a);
+    const double u_t = (c.n_x * v_y - c.n_y * v_x) + (spin_b * c.tangent_arm_b - spin_a * c.tangent_arm_a);
     const double most = c.friction * normal;
     const double tangent = std::clamp(c.tangent - c.tangent_mass * u_t, -most, most);
     const double q = tangent - c.tangent;
@@ -114,9 +112,8 @@ double worst_complaint(std::span<const ContactPoint> points, std::span<const Mov
 
 bool are_content(std::span<const ContactPoint> points, std::span<const Mover> movers, double tolerance)
 {
-    return std::none_of(points.begin(), points.end(), [&](const ContactPoint& c) {
-        return complaint(c, movers[c.a], movers[c.b]) > tolerance;
-    });
+    return std::none_of(points.begin(), points.end(),
+                        [&](const ContactPoint& c) { return complaint(c, movers[c.a], movers[c.b]) > tolerance; });
 }
 // [rest.complaint]
 

@@ -1,0 +1,92 @@
+#include "rest/contact_forces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "rest/impacts.hpp"
+#include "rest/rest_tolerance.hpp"
+#include "rest/step_field.hpp"
+#include "rest/sweeps.hpp"
+
+namespace flying {
+
+
+/// What bears goes on to bear. What is apart may come as near as to touch when the step ends; where impacts have
+/// moments of their own only what is all but closed is held like that, since the step ends where anything else closes.
+void set_bounds(const RestData& data, const Island& island)
+{
+    for (ContactPoint& c : island.points) {
+        const double u = normal_speed(c, data.motion.before[c.a], data.motion.before[c.b]);
+        const double gap = c.gap > data.bodies.touch_gap(c.a, c.b) ? c.gap : 0.0;
+        c.bound = std::min(0.0, -2.0 * gap / data.motion.span - u);
+        if (island.in_turn && gap > hardly_open(data, c)) c.bound = -std::numeric_limits<double>::infinity();
+    }
+}
+
+
+
+void ContactForces::find_impulses(RestData& data, Island& island, std::span<const Mover> start, double time)
+{
+    set_free(data, island, start, time);
+    const std::span<ContactPoint> points = island.points;
+    // An island that stands from the start, and bears for the first time, is worth a search
+    const bool is_new = stood(data, island) && std::all_of(points.begin(), points.end(),
+                                                           [](const ContactPoint& c) { return c.normal == 0.0; });
+    const Effort effort = is_heap(island) && !is_new ? Effort::brief : Effort::full;
+    island.is_content = data.solver.solve(data.motion.now, island.members, points,
+                                          rest_tolerance::k_content * top_speed(data, island), effort);
+    if (!island.is_content && !is_heap(island) && stood(data, island)) keep_loads(data, island, start, time);
+}
+
+
+
+/// Of an island that stands, and whose impulses no solve makes right: those of the step before remain, unless the new
+/// ones are much better. So they stop changing, and the island falls asleep. Where any were known and little is wrong
+/// they count as right: parts of the step would find none better.
+void ContactForces::keep_loads(RestData& data, Island& island, std::span<const Mover> start, double time)
+{
+    const std::span<ContactPoint> points = island.points;
+    const auto complaint = [&] {
+        set_free(data, island, start, time);
+        warm_start(points, data.motion.now);
+        return worst_complaint(points, data.motion.now);
+    };
+    const double after = complaint();
+    found_.assign(points.begin(), points.end());
+    for (ContactPoint& c : points) recall_load(data, c);
+    const double before = complaint();
+    const bool any = std::any_of(points.begin(), points.end(), [](const ContactPoint& c) { return c.normal > 0.0; });
+    island.is_content = any && std::min(before, after) <= rest_tolerance::k_slight * field_speed(data, island);
+    if (before <= rest_tolerance::k_much_better * after) return;
+    std::copy(found_.begin(), found_.end(), points.begin());
+    (void)complaint();
+}
+
+
+
+void calm(RestData& data, const Island& island)
+{
+    const double rounding = solve_rounding(island);
+    const double still = still_speed(data, island);
+    bool all_still = true;
+    for (const int member : island.members) {
+        const Mover& mover = data.motion.now[member];
+        const double turn = std::abs(mover.spin) * data.bodies.radius[member];
+        const double speed = std::max({std::abs(mover.v_x), std::abs(mover.v_y), turn});
+        all_still = all_still && speed <= still;
+    }
+
+    // What slides on a level floor neither sinks nor turns, where the solve could not tell what it does from nothing
+    for (const int member : island.members) {
+        Mover& mover = data.motion.now[member];
+        const double top = std::max(std::abs(mover.v_x), std::abs(mover.v_y));
+        const double limit = all_still ? still : std::min(rounding, rest_tolerance::k_still * top);
+        if (std::abs(mover.v_x) <= limit) mover.v_x = 0.0;
+        if (std::abs(mover.v_y) <= limit) mover.v_y = 0.0;
+        if (std::abs(mover.spin) * data.bodies.radius[member] <= limit) mover.spin = 0.0;
+    }
+}
+
+
+} // namespace flying

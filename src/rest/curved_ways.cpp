@@ -1,0 +1,335 @@
+#include "rest/curved_ways.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "rest/rest_tolerance.hpp"
+
+namespace flying {
+namespace {
+
+
+/// Lines as the mean of three: at the start of a way, halfway, and at its end.
+void set_mean_lines(ContactPoint& mean, const ContactPoint& start, const ContactPoint& half, const ContactPoint& end,
+                    const Mover& a, const Mover& b)
+{
+
+    // The mean of a line over a way, by the rule for barrels
+    const auto simpson = [&](double ContactPoint::*number) {
+        return ((start.*number + end.*number) + 4.0 * half.*number) / 6.0;
+    };
+
+    mean.n_x = simpson(&ContactPoint::n_x);
+    mean.n_y = simpson(&ContactPoint::n_y);
+    mean.normal_arm_a = simpson(&ContactPoint::normal_arm_a);
+    mean.normal_arm_b = simpson(&ContactPoint::normal_arm_b);
+    mean.tangent_arm_a = simpson(&ContactPoint::tangent_arm_a);
+    mean.tangent_arm_b = simpson(&ContactPoint::tangent_arm_b);
+    const double shift = (a.inv_mass + b.inv_mass) * (mean.n_x * mean.n_x + mean.n_y * mean.n_y);
+    const auto mass = [&](double arm_a, double arm_b) {
+        return 1.0 / (shift + (a.inv_moment * (arm_a * arm_a) + b.inv_moment * (arm_b * arm_b)));
+    };
+    mean.normal_mass = mass(mean.normal_arm_a, mean.normal_arm_b);
+    mean.tangent_mass = mass(mean.tangent_arm_a, mean.tangent_arm_b);
+}
+
+/// How far two points' lines are from each other; arms in units of `size`.
+[[nodiscard]] double bend_of(const ContactPoint& one, const ContactPoint& two, const Mover& a, const Mover& b,
+                             double size)
+{
+    const double normal = std::abs(one.n_x - two.n_x) + std::abs(one.n_y - two.n_y);
+    double of_a = std::abs(one.normal_arm_a - two.normal_arm_a) + std::abs(one.tangent_arm_a - two.tangent_arm_a);
+    double of_b = std::abs(one.normal_arm_b - two.normal_arm_b) + std::abs(one.tangent_arm_b - two.tangent_arm_b);
+    if (a.inv_moment == 0.0) of_a = 0.0; // what never turns has no arms
+    if (b.inv_moment == 0.0) of_b = 0.0;
+    return normal + std::max(of_a, of_b) / size;
+}
+
+/// The gap with which a point that bears is to end the step: none, where it is near to not counting as touching; else
+/// that with which it began, since to lift a body by a rounding costs all of a small motion.  [m]
+[[nodiscard]] double least_gap(const ContactPoint& c, double touch)
+{
+    return c.gap > 0.5 * touch ? 0.0 : c.gap;
+}
+
+
+
+/// The greatest velocity with which the step begins or ends.  [m/s]
+[[nodiscard]] double top_motion(const RestData& data, const Island& island)
+{
+    const std::vector<double>& radius = data.bodies.radius;
+    return std::max(greatest_speed(data.motion.before, radius, island.members),
+                    greatest_speed(data.motion.now, radius, island.members));
+}
+
+[[nodiscard]] bool may_bend(const RestData& data, const Island& island)
+{
+    // A few that move, some of which bear
+    if (island.point_count() > rest_tolerance::k_most_followed || strikes_at_start(island) || !island.is_content)
+        return false;
+    const std::span<const ContactPoint> points = island.points;
+    if (std::none_of(points.begin(), points.end(), [](const ContactPoint& c) { return c.normal > 0.0; })) return false;
+
+    // A slide that ends is parted where it does; below, slip is what the last step's end has left
+    const double slide = rest_tolerance::k_blow * field_speed(data, island);
+    if (any_slip_ended(island, data.motion.before, data.motion.now, slide)) return false;
+    return top_motion(data, island) > still_speed(data, island);
+}
+
+void first_ways(RestData& data, const Island& island)
+{
+    for (const int member : island.members) {
+        const Mover& old = data.motion.before[member];
+        const Mover& now = data.motion.now[member];
+        data.motion.shift[member] = 0.5 * data.motion.span * Vec2(old.v_x + now.v_x, old.v_y + now.v_y);
+        data.motion.turn[member] = 0.5 * data.motion.span * (old.spin + now.spin);
+    }
+}
+
+void forget_ways(RestData& data, const Island& island)
+{
+    for (const int member : island.members) {
+        data.motion.shift[member] = Vec2::Zero();
+        data.motion.turn[member] = 0.0;
+    }
+}
+
+
+
+/// The contact that continues a point further along the ways: the one of its name, or, where names have changed, the
+/// one nearest to its place; null where there is none.
+[[nodiscard]] const Contact* same_contact(const RestData& data, const ContactPoint& c, const Manifold& manifold)
+{
+    const RestPair& pair = data.pairs.pairs()[c.pair];
+    const auto own = std::find(pair.feature, pair.feature + pair.count, c.feature);
+    if (own == pair.feature + pair.count) return nullptr;
+    const Vec2 place = pair.place[own - pair.feature];
+    const int body = data.bodies.list[c.a].is_static ? c.b : c.a;
+    const double near = rest_tolerance::k_same_place * std::min(data.bodies.radius[c.a], data.bodies.radius[c.b]);
+    const Contact* best = nullptr;
+    double least = near * near;
+    for (int i = 0; i < manifold.count; ++i) {
+        const Contact& contact = manifold.contacts[i];
+        if (contact.feature == c.feature) return &contact;
+        const Pose& pose = data.motion.end_poses[body];
+        const Vec2 there = inverse(pose.rotation) * Vec2(contact.point - pose.position);
+        const double square = (there - place).squaredNorm();
+        if (square < least) {
+            best = &contact;
+            least = square;
+        }
+    }
+    return best;
+}
+
+
+} // namespace
+
+
+bool CurvedWays::follow(RestData& data, Island& island)
+{
+    const std::span<ContactPoint> points = island.points;
+    const std::span<const int> members = island.members;
+    if (!may_bend(data, island)) return false;
+    bent_.assign(points.begin(), points.end());
+    first_ways(data, island);
+    if (bend_lines(data, island, false) != Bend::some) {
+        forget_ways(data, island);
+        return false;
+    }
+
+    // Find ways, and the lines along them, until both fit
+    straight_.resize(data.motion.now.size());
+    for (const int member : members) straight_[member] = data.motion.now[member];
+    bool content = true;
+    for (int round = 1; content; ++round) {
+        content = find_mean_velocities(data, island) && see_ends(data, island);
+        if (round == rest_tolerance::k_curve_rounds || (content && all_close(data))) break;
+        content = content && bend_lines(data, island, true) != Bend::lost;
+    }
+    content = content && end_velocities(data, island);
+    if (!content) {
+        for (const int member : members) data.motion.now[member] = straight_[member];
+        forget_ways(data, island);
+        return false;
+    }
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        points[k].normal = bent_[k].normal;
+        points[k].tangent = bent_[k].tangent;
+    }
+    island.has_ways = true;
+    return true;
+}
+
+
+
+/// Where the points are at a part of the ways; those not seen there are not followed.
+void CurvedWays::look_along(RestData& data, const Island& island, double part, std::vector<ContactPoint>& there)
+{
+    const std::span<const ContactPoint> points = island.points;
+    for (const int member : island.members) {
+        const BodyState& s = data.bodies.list[member].state;
+        data.motion.end_poses[member] = {s.position + part * data.motion.shift[member],
+                                         Rotation::of(s.angle + part * data.motion.turn[member])};
+    }
+    Manifold manifold;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        const ContactPoint& c = points[k];
+        if (k == 0 || c.pair != points[k - 1].pair) {
+            const double margin = rest_tolerance::k_watch * std::min(data.bodies.radius[c.a], data.bodies.radius[c.b]);
+            manifold =
+                look(data, data.pairs.pairs()[c.pair], data.motion.end_poses[c.a], data.motion.end_poses[c.b], margin);
+            ++data.counts.manifolds;
+        }
+        const Contact* found = same_contact(data, c, manifold);
+        if (!found) {
+            is_seen_[k] = 0;
+            continue;
+        }
+        there[k].gap = found->separation;
+        data.motion.set_arms(there[k], found->normal, found->point - data.motion.end_poses[c.a].position,
+                             found->point - data.motion.end_poses[c.b].position);
+    }
+}
+
+
+
+CurvedWays::Bend CurvedWays::bend_lines(RestData& data, const Island& island, bool is_corrected)
+{
+    const std::span<const ContactPoint> points = island.points;
+    half_.assign(points.begin(), points.end());
+    end_.assign(points.begin(), points.end());
+    is_seen_.assign(points.size(), 1);
+    look_along(data, island, 0.5, half_);
+    look_along(data, island, 1.0, end_);
+
+    // The mean over the way is what changes the gap; a bend that changes velocities by less than the solve's rounding
+    // is none
+    const double motion = top_motion(data, island);
+    const double rounding = rest_tolerance::k_content * top_speed(data, island);
+    bool any = false;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        const ContactPoint& c = points[k];
+        ContactPoint& bent = bent_[k];
+        if (!is_seen_[k]) {
+            // What bears must be seen; another point that has gone out of sight no longer matters
+            if (c.normal > 0.0) return Bend::lost;
+            bent.bound = -std::numeric_limits<double>::infinity();
+            continue;
+        }
+        set_mean_lines(bent, c, half_[k], end_[k], data.motion.now[c.a], data.motion.now[c.b]);
+        const double size = std::min(data.bodies.radius[c.a], data.bodies.radius[c.b]);
+        const double bend = bend_of(c, end_[k], data.motion.now[c.a], data.motion.now[c.b], size);
+        any = any || (c.normal > 0.0 && bend > rest_tolerance::k_straight && bend * motion > rounding);
+
+        // Ways that lead to a gap or an overlap are to end without it
+        const double touch = data.bodies.touch_gap(c.a, c.b);
+        bent.bound = std::isinf(c.bound) ? c.bound : c.gap > touch ? -c.gap / data.motion.span : 0.0;
+        const double left = end_[k].gap - least_gap(c, touch);
+        if (!is_corrected || std::isinf(c.bound) || std::abs(left) <= rest_tolerance::k_left_of_gap * touch) continue;
+        const auto along_ways = [&](int body) {
+            return Mover{data.motion.shift[body].x(), data.motion.shift[body].y(), data.motion.turn[body], 0.0, 0.0};
+        };
+        bent.bound = (normal_speed(bent, along_ways(c.a), along_ways(c.b)) - left) / data.motion.span;
+    }
+    return any ? Bend::some : Bend::none;
+}
+
+
+
+bool CurvedWays::find_mean_velocities(RestData& data, const Island& island)
+{
+    const std::span<const ContactPoint> points = island.points;
+    const std::span<const int> members = island.members;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        ContactPoint& c = bent_[k];
+        c.normal = 0.5 * points[k].normal;
+        c.tangent = 0.5 * points[k].tangent;
+    }
+    // [rest.curves.half]
+    // Half of the field and half of the impulses lead to the mean of the velocities
+    for (const int member : members) {
+        const Vec2 gain = 0.5 * data.motion.span * data.motion.field[member];
+        const Mover& old = data.motion.before[member];
+        Mover& mean = data.motion.now[member];
+        mean = old;
+        mean.v_x += gain.x();
+        mean.v_y += gain.y();
+    }
+    const double rounding = rest_tolerance::k_content * top_speed(data, island);
+    const bool content = data.solver.solve(data.motion.now, members, bent_, rounding);
+    // [rest.curves.half]
+    for (const int member : members) {
+        const Mover& mean = data.motion.now[member];
+        data.motion.shift[member] = data.motion.span * Vec2(mean.v_x, mean.v_y);
+        data.motion.turn[member] = data.motion.span * mean.spin;
+    }
+    return content;
+}
+
+bool CurvedWays::see_ends(RestData& data, const Island& island)
+{
+    look_along(data, island, 1.0, end_);
+    for (std::size_t k = 0; k < bent_.size(); ++k) {
+        if (!is_seen_[k] && bent_[k].normal > 0.0) return false;
+    }
+    return true;
+}
+
+bool CurvedWays::all_close(const RestData& data) const
+{
+    for (std::size_t k = 0; k < bent_.size(); ++k) {
+        const ContactPoint& c = bent_[k];
+        if (!(c.normal > 0.0)) continue;
+        const double touch = data.bodies.touch_gap(c.a, c.b);
+        const double left = end_[k].gap - least_gap(c, touch);
+        if (std::abs(left) > rest_tolerance::k_left_of_gap * touch) return false;
+    }
+    return true;
+}
+
+
+
+bool CurvedWays::end_velocities(RestData& data, const Island& island)
+{
+    // As far beyond the mean as the start was before it
+    const std::span<const int> members = island.members;
+    for (const int member : members) {
+        const Mover& old = data.motion.before[member];
+        Mover& now = data.motion.now[member];
+        now.v_x = 2.0 * now.v_x - old.v_x;
+        now.v_y = 2.0 * now.v_y - old.v_y;
+        now.spin = 2.0 * now.spin - old.spin;
+    }
+
+    // What bears leaves the step along the surfaces as they lie at its end
+    const auto lasts = [](const ContactPoint& c) { return c.normal > 0.0; };
+    at_end_.clear();
+    for (std::size_t k = 0; k < bent_.size(); ++k) {
+        ContactPoint& c = bent_[k];
+        c.normal *= 2.0;
+        c.tangent *= 2.0;
+        if (!lasts(c)) continue;
+        ContactPoint& end = at_end_.emplace_back(end_[k]);
+        end.bound = 0.0;
+        end.normal = c.normal;
+        end.tangent = c.tangent;
+        push(end, -c.normal, -c.tangent, data.motion.now[c.a], data.motion.now[c.b]);
+    }
+    if (at_end_.empty()) return true;
+    const bool content =
+        data.solver.solve(data.motion.now, members, at_end_, rest_tolerance::k_content * top_speed(data, island));
+    auto end = at_end_.begin();
+    for (std::size_t k = 0; k < bent_.size(); ++k) {
+        ContactPoint& c = bent_[k];
+        if (!lasts(c)) continue;
+        c.normal = end->normal;
+        c.tangent = end->tangent;
+        ++end;
+    }
+    return content;
+}
+
+
+} // namespace flying

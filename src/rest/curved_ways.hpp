@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include "rest/island.hpp"
+
+namespace flying {
+
+
+/// Small islands whose lines of push turn within a step are solved along the ways that they go: to the second order of
+/// the step, with no gap or overlap at its end.
+class CurvedWays
+{
+public:
+    /// Finds ways, velocities and impulses along curves from those of straight lines, where lines bend; else leaves all
+    /// as it is. True where it found them.
+    bool follow(RestData& data, Island& island);
+
+private:
+    /// Of the lines of the points that bear, while bodies go their ways.
+    enum class Bend : char
+    {
+        none,
+        some,
+        lost
+    };
+    [[nodiscard]] Bend bend_lines(RestData& data, const Island& island, bool is_corrected);
+    void look_along(RestData& data, const Island& island, double part, std::vector<ContactPoint>& there);
+    [[nodiscard]] bool find_mean_velocities(RestData& data, const Island& island);
+    [[nodiscard]] bool see_ends(RestData& data, const Island& island);
+    [[nodiscard]] bool all_close(const RestData& data) const;
+    [[nodiscard]] bool end_velocities(RestData& data, const Island& island);
+
+    std::vector<ContactPoint> bent_;   // points with the mean of their lines over the step,
+    std::vector<ContactPoint> half_;   // those halfway,
+    std::vector<ContactPoint> end_;    // and those at its end
+    std::vector<char> is_seen_;        // halfway and at the end
+    std::vector<ContactPoint> at_end_; // of those at the end, the ones that bear
+    std::vector<Mover> straight_;      // bodies as straight lines leave them
+};
+
+
+} // namespace flying

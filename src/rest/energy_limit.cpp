@@ -1,0 +1,153 @@
+#include "rest/energy_limit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "rest/rest_tolerance.hpp"
+#include "rest/step_field.hpp"
+
+namespace flying {
+
+
+EnergyGain gain_of(const RestData& data, const Island& island)
+{
+    EnergyGain gain;
+    for (const int member : island.members) {
+        const Mover& old = data.motion.before[member];
+        const Mover& now = data.motion.now[member];
+        const double before =
+            0.5 * ((old.v_x * old.v_x + old.v_y * old.v_y) / old.inv_mass + old.spin * old.spin / old.inv_moment);
+        const double after =
+            0.5 * ((now.v_x * now.v_x + now.v_y * now.v_y) / now.inv_mass + now.spin * now.spin / now.inv_moment);
+        const double work = work_of_field(data, member) / now.inv_mass;
+        gain.gained += (after - before) - work;
+        const Vec2& field = data.motion.field[member];
+        const double through_field = field.cwiseProduct(data.motion.shift[member]).cwiseAbs().sum();
+        const double in_a_step =
+            (data.motion.span * field).squaredNorm(); // the solve's rounding is in proportion to it
+        gain.scale += after + before + (through_field + in_a_step) / now.inv_mass;
+    }
+    return gain;
+}
+
+
+namespace {
+
+
+/// A motion of an island as one rigid body.
+struct RigidMotion
+{
+    Vec2 centre = Vec2::Zero();   ///< [m]
+    Vec2 velocity = Vec2::Zero(); ///< of the centre [m/s]
+    double spin = 0.0;            ///< [rad/s]
+};
+
+
+
+/// The motion of an island as one rigid body that no contact with something static resists: all of it where there is
+/// none, what goes along a wall where the normals of all lead the same way, and none otherwise. Slowing an island down
+/// relative to that changes no momentum that is its own.
+[[nodiscard]] RigidMotion free_motion(const RestData& data, const Island& island)
+{
+    RigidMotion rigid;
+    double mass = 0.0;
+    for (const int member : island.members) {
+        const Mover& now = data.motion.now[member];
+        mass += 1.0 / now.inv_mass;
+        rigid.centre += data.bodies.list[member].state.position / now.inv_mass;
+        rigid.velocity += Vec2(now.v_x, now.v_y) / now.inv_mass;
+    }
+    rigid.centre /= mass;
+    rigid.velocity /= mass;
+
+    // Where it leans on something static
+    Vec2 normal = Vec2::Zero();
+    for (const ContactPoint& c : island.points) {
+        if (!(c.normal > 0.0) || (data.motion.is_moved(c.a) && data.motion.is_moved(c.b))) continue;
+        const Vec2 n(c.n_x, c.n_y);
+        if (normal.isZero(0.0)) normal = n;
+        else if (std::abs(cross(normal, n)) > rest_tolerance::k_same_normal) return {};
+    }
+    if (!normal.isZero(0.0)) {
+        rigid.velocity -= normal.dot(rigid.velocity) * normal;
+        return rigid;
+    }
+    double moment = 0.0;
+    double turning = 0.0;
+    for (const int member : island.members) {
+        const Mover& now = data.motion.now[member];
+        const Vec2 r = data.bodies.list[member].state.position - rigid.centre;
+        turning += cross(r, Vec2(Vec2(now.v_x, now.v_y) - rigid.velocity)) / now.inv_mass + now.spin / now.inv_moment;
+        moment += r.squaredNorm() / now.inv_mass + 1.0 / now.inv_moment;
+    }
+    rigid.spin = turning / moment;
+    return rigid;
+}
+
+
+
+/// Takes energy out of an island's motion relative to a rigid one, as much as there is. What remains to be taken.  [J]
+[[nodiscard]] double slow_down(RestData& data, const Island& island, const RigidMotion& rigid, double by)
+{
+    const std::span<const int> members = island.members;
+    const auto velocity_of = [&](int member) {
+        return Vec2(rigid.velocity + cross(rigid.spin, Vec2(data.bodies.list[member].state.position - rigid.centre)));
+    };
+    double energy = 0.0;
+    double mixed = 0.0; // what changes with the relative motion beside its own energy [J]
+    for (const int member : members) {
+        const Mover& now = data.motion.now[member];
+        const Vec2 common = velocity_of(member);
+        const Vec2 own = Vec2(now.v_x, now.v_y) - common;
+        const double spin = now.spin - rigid.spin;
+        energy += 0.5 * (own.squaredNorm() / now.inv_mass + spin * spin / now.inv_moment);
+        mixed += common.dot(own) / now.inv_mass + rigid.spin * spin / now.inv_moment;
+    }
+
+    // With a share s of the relative motion its energy is  energy s^2 + mixed s
+    const double left = energy + mixed - by;
+    const double root = mixed * mixed + 4.0 * energy * left;
+    const double share =
+        energy > 0.0 && root > 0.0 ? std::clamp((std::sqrt(root) - mixed) / (2.0 * energy), 0.0, 1.0) : 0.0;
+
+    for (const int member : members) {
+        Mover& now = data.motion.now[member];
+        const Vec2 common = velocity_of(member);
+        now.v_x = common.x() + share * (now.v_x - common.x());
+        now.v_y = common.y() + share * (now.v_y - common.y());
+        now.spin = rigid.spin + share * (now.spin - rigid.spin);
+    }
+    return by - ((energy + mixed) - (energy * share + mixed) * share);
+}
+
+
+} // namespace
+
+
+/// The one limit of energy: what a step has gained beyond the field's work is taken from the motion of bodies relative
+/// to each other; where that isn't enough from all motion, and then from the way that they rise. Counted, since it
+/// changes the motion.
+void limit_energy(RestData& data, const Island& island)
+{
+    const EnergyGain gain = gain_of(data, island);
+    const double rounding = rest_tolerance::k_rounding * gain.scale;
+    if (gain.gained <= rounding) return;
+    ++data.counts.limited;
+    data.counts.energy_limited += gain.gained;
+    if (slow_down(data, island, free_motion(data, island), gain.gained) <= rounding) return;
+    if (slow_down(data, island, {}, gain_of(data, island).gained) <= rounding) return;
+
+    // What has nothing left to pay with rises no further than the motion before would have carried it
+    const EnergyGain rest = gain_of(data, island);
+    double lift = 0.0;
+    const std::span<const int> members = island.members;
+    for (const int member : members) lift -= work_of_field(data, member) / data.motion.now[member].inv_mass;
+    const double part = rest.gained < lift && !stood(data, island) ? 1.0 - rest.gained / lift : 0.0;
+    for (const int member : members) {
+        data.motion.shift[member] *= part;
+        data.motion.turn[member] *= part;
+    }
+}
+
+
+} // namespace flying

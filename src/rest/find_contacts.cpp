@@ -1,0 +1,254 @@
+#include "rest/find_contacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "rest/rest_tolerance.hpp"
+
+namespace flying {
+namespace {
+
+
+/// Time until a gap closes that changes at speed u and acceleration a; more than `within` where it doesn't by then. [s]
+[[nodiscard]] double time_to_close(double gap, double u, double a, double within)
+{
+    if (gap + within * (u + 0.5 * a * within) > 0.0) return 2.0 * within;
+    const double square = u * u - 2.0 * a * gap;
+    const double root = std::sqrt(std::max(square, 0.0));
+    return root > u ? 2.0 * gap / (root - u) : 2.0 * within;
+}
+
+
+
+/// The point of the last look that a point continues: the nearest at the same place, whatever the names of the
+/// features, which change with rounding where corners lie on corners; or else that of the same features. -1 where there
+/// is none.
+[[nodiscard]] int known_point(const PairLoads& pair, std::uint32_t feature, const Vec2& place, double near)
+{
+    int best = -1;
+    bool best_near = false;
+    for (int i = 0; i < pair.count; ++i) {
+        const bool is_near = (pair.place[i] - place).squaredNorm() < near * near;
+        if (pair.feature[i] == feature && is_near) return i;
+        if ((pair.feature[i] == feature && !best_near) || is_near) {
+            best = i;
+            best_near = is_near;
+        }
+    }
+    return best;
+}
+
+/// A point that bore a load when the step before ended.
+[[nodiscard]] bool bore(const RestPair& pair, std::uint32_t feature)
+{
+    for (int i = 0; i < pair.count; ++i) {
+        if (pair.feature[i] == feature) return pair.normal[i] > 0.0;
+    }
+    return false;
+}
+
+
+
+/// The points of a pair that were open when the step began, and below which gap they count as closed.
+struct Closing
+{
+    std::uint32_t open[2];
+    int count;
+    double closed; // [m]
+    double speed;  ///< with which the first one closes [m/s]
+};
+
+
+
+/// Where a body's centre will be at a moment of the step, if it goes on as it did.
+Vec2 place_at(const RestData& data, int body, double moment)
+{
+    if (moment == 0.0) return data.bodies.poses[body].position;
+    const BodyState& s = data.bodies.list[body].state;
+    if (data.bodies.list[body].is_static) return s.position;
+    return s.position + moment * (s.velocity + (0.5 * moment) * data.motion.pull[body]);
+}
+
+/// Where a body will be at a moment of the step, if it goes on as it did.
+Pose pose_at(const RestData& data, int body, double moment)
+{
+    if (data.bodies.list[body].is_static) return data.bodies.poses[body];
+    const BodyState& s = data.bodies.list[body].state;
+    return {place_at(data, body, moment),
+            Rotation::of(s.angle + moment * (s.spin + (0.5 * moment) * data.motion.turn_pull[body]))};
+}
+
+/// Where the step ends there is a gap still, though it would close by how fast it opens and that changes now: round
+/// ones that go round each other turn out of each other's way.
+bool stays_open(const RestData& data, const RestPair& pair, double touch)
+{
+    return look(data, pair, pose_at(data, pair.a, data.motion.span), pose_at(data, pair.b, data.motion.span), touch)
+               .count == 0;
+}
+
+/// Normal acceleration of B relative to A at a contact, if they go on as they did.
+double fall_at(const RestData& data, const RestPair& pair, const Contact& contact, double moment)
+{
+    const auto pull = [&](int index) {
+        const Vec2 r = contact.point - place_at(data, index, moment);
+        return Vec2(data.motion.pull[index] + cross(data.motion.turn_pull[index], r));
+    };
+    return (pull(pair.b) - pull(pair.a)).dot(contact.normal);
+}
+
+/// Time from a moment until the first gap closes; 0 where one that was open has closed by then, infinite where none
+/// does.
+double next_closing(const RestData& data, const RestPair& pair, const Manifold& manifold, double moment,
+                    Closing& closing)
+{
+    const double left = data.motion.span - moment;
+    // What bore a load goes on to bear, whatever gap turning or rounding or, in a crowd, a push out of an overlap has
+    // left; but what would be thrown back is thrown back
+    const bool in_crowd = data.bodies.in_crowd[pair.a] || data.bodies.in_crowd[pair.b];
+    const double near = rest_tolerance::k_barely * std::min(data.bodies.radius[pair.a], data.bodies.radius[pair.b]);
+    double wait = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < manifold.count; ++k) {
+        const Contact& contact = manifold.contacts[k];
+        const bool was_open =
+            std::find(closing.open, closing.open + closing.count, contact.feature) != closing.open + closing.count;
+        if (contact.separation <= closing.closed && !was_open) continue;
+        const double field =
+            data.motion.span * std::max(data.motion.field_size[pair.a], data.motion.field_size[pair.b]);
+        const auto velocity = [&](int index) {
+            const BodyState& s = data.bodies.list[index].state;
+            const Vec2 r = contact.point - place_at(data, index, moment);
+            return Vec2(s.velocity + moment * data.motion.pull[index] +
+                        cross(s.spin + moment * data.motion.turn_pull[index], r));
+        };
+        const double u = (velocity(pair.b) - velocity(pair.a)).dot(contact.normal);
+        if (contact.separation <= closing.closed) {
+            closing.speed = std::max(closing.speed, -u);
+            return 0.0;
+        }
+        const double slow =
+            in_crowd ? field : 2.0 * contact.separation / left + rest_tolerance::k_bearing_approach * field;
+        const bool is_near = contact.separation <= near && -2.0 * pair.restitution * u <= field;
+        if ((in_crowd || is_near) && -u <= slow && bore(pair, contact.feature)) continue;
+        if (moment == 0.0) closing.open[closing.count++] = contact.feature;
+        const double fall = fall_at(data, pair, contact, moment);
+        const double time = time_to_close(contact.separation, u, fall, left);
+        if (time > left || (u > 0.0 && moment == 0.0 && stays_open(data, pair, closing.closed))) continue;
+        wait = std::min(wait, time);
+    }
+    return wait;
+}
+
+
+
+/// Where a body is when a step or a part of one begins: what the last such look has found may answer.
+Manifold look_again(RestData& data, RestPair& pair, double margin)
+{
+    NearMemory& memory = pair.memory;
+    const double shift = data.bodies.travel[pair.a].shift + data.bodies.travel[pair.b].shift;
+    const double turn = data.bodies.travel[pair.a].turn + data.bodies.travel[pair.b].turn;
+    if (memory.knows_separation) {
+        // No separation along an edge can have changed by more
+        const double arm = (data.bodies.poses[pair.b].position - data.bodies.poses[pair.a].position).cwiseAbs().sum() +
+                           (shift - pair.shift) + (data.bodies.radius[pair.a] + data.bodies.radius[pair.b]);
+        const double change = (shift - pair.shift) + (turn - pair.turn) * arm + rest_tolerance::k_doubt * (arm + shift);
+        if (memory.separation - change > margin) return {};
+        memory.edges.lead -= 2.0 * change;
+        memory.knows_edges = memory.edges.lead > 0.0;
+    }
+    pair.shift = shift;
+    pair.turn = turn;
+    ++data.counts.manifolds;
+    return data.looks.look_with_memory(data.bodies, data.pairs, pair, margin);
+}
+
+
+
+void add_points(RestData& data, int index, const Manifold& manifold, double closes_at, double closing_speed,
+                std::vector<ContactPoint>& found)
+{
+    RestPair& pair = data.pairs.pairs()[index];
+    const int own = data.motion.is_moved(pair.a) ? pair.a : pair.b;
+    const double size = std::min(data.bodies.radius[pair.a], data.bodies.radius[pair.b]);
+    const Rotation own_from_world = inverse(data.bodies.poses[own].rotation);
+    PairLoads now;
+    now.count = manifold.count;
+    for (int k = 0; k < manifold.count; ++k) {
+        const Contact& contact = manifold.contacts[k];
+        const Vec2 r_a = contact.point - data.bodies.poses[pair.a].position;
+        const Vec2 r_b = contact.point - data.bodies.poses[pair.b].position;
+        const Vec2 place = own_from_world * (own == pair.a ? r_a : r_b);
+        const int known = known_point(pair, contact.feature, place, rest_tolerance::k_same_place * size);
+        now.feature[k] = contact.feature;
+        now.place[k] = place;
+        now.normal[k] = known >= 0 ? pair.normal[known] : 0.0;
+        now.tangent[k] = known >= 0 ? pair.tangent[known] : 0.0;
+        found.push_back({.a = pair.a,
+                         .b = pair.b,
+                         .pair = index,
+                         .feature = contact.feature,
+                         .friction = pair.friction,
+                         .restitution = pair.restitution,
+                         .gap = contact.separation,
+                         .normal = now.normal[k],
+                         .tangent = now.tangent[k],
+                         .closes_at = closes_at,
+                         .closing_speed = closing_speed});
+        data.motion.set_arms(found.back(), contact.normal, r_a, r_b);
+        data.max_overlap = std::max(data.max_overlap, -contact.separation);
+    }
+    static_cast<PairLoads&>(pair) = now;
+}
+
+
+
+} // namespace
+
+
+bool find_contacts(RestData& data, int index, std::vector<ContactPoint>& found)
+{
+    RestPair& pair = data.pairs.pairs()[index];
+
+    // Leave out those too far from each other for this step
+    const ConvexPart& part_a = data.bodies.shapes[pair.a].parts[pair.part_a];
+    const ConvexPart& part_b = data.bodies.shapes[pair.b].parts[pair.part_b];
+    const double size = std::min(data.bodies.radius[pair.a], data.bodies.radius[pair.b]);
+    const double margin = data.motion.reach[pair.a] + data.motion.reach[pair.b] + rest_tolerance::k_watch * size;
+    const Pose& pose_a = data.bodies.poses[pair.a];
+    const Pose& pose_b = data.bodies.poses[pair.b];
+    const double clear = part_a.radius + part_b.radius + margin;
+    const Vec2 way =
+        (pose_b.position - pose_a.position) + (pose_b.rotation * part_b.centre - pose_a.rotation * part_a.centre);
+    if (way.squaredNorm() > clear * clear) {
+        pair.count = 0;
+        return false;
+    }
+    Manifold manifold = look_again(data, pair, margin);
+    if (manifold.count == 0) {
+        pair.count = 0;
+        return true;
+    }
+
+    // A gap that would close within the step is looked at when it does; bodies turn, so that one look may not do
+    Closing closing{{0, 0}, 0, data.bodies.touch_gap(pair.a, pose_a.position, pair.b, pose_b.position), 0.0};
+    Manifold ahead = manifold;
+    double moment = 0.0;
+    double closes_at = std::numeric_limits<double>::infinity();
+    bool overlaps = false;
+    for (int k = 0; k < manifold.count; ++k)
+        overlaps = overlaps || manifold.contacts[k].separation < -rest_tolerance::k_deep * size;
+    for (int k = 0; k <= rest_tolerance::k_looks && !overlaps; ++k) {
+        const double wait = next_closing(data, pair, ahead, moment, closing);
+        if (wait == 0.0) closes_at = moment;
+        if (wait == 0.0 || !(moment + wait <= rest_tolerance::k_last_moment * data.motion.span)) break;
+        moment += wait;
+        ++data.counts.manifolds;
+        ahead = look(data, pair, pose_at(data, pair.a, moment), pose_at(data, pair.b, moment), margin);
+        closing.closed = rest_tolerance::k_closed * size;
+    }
+    add_points(data, index, manifold, closes_at, closing.speed, found);
+    return true;
+}
+
+
+} // namespace flying

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "rest/island.hpp"
+
+namespace flying {
+
+
+/// Islands that are too large to be solved whole: each step goes on with the sweeps of the last.
+class HeapSweeps
+{
+public:
+    /// The step of such an island: impulses, velocities, and the ways that it leads.
+    void sweep_large(RestData& data, Island& island);
+    /// Sweeps over what the direct solve rarely finds where a heap moves, for all its factorisations.
+    ///
+    /// velocities  of all bodies, to be changed
+    /// tolerance   where no point asks for a greater change, impulses stay as they are; below 0 they never do [m/s]
+    void sweep_heap(RestData& data, const Island& island, std::span<Mover> velocities, std::span<ContactPoint> points,
+                    double tolerance = -1.0);
+
+private:
+    void bound_swept(const RestData& data, const Island& island, bool is_calm) const;
+    [[nodiscard]] double approaches_left(const RestData& data, std::span<const ContactPoint> points) const;
+    void end_approaches_whole(RestData& data, const Island& island, GroupSolver::SweepPlan plan, double most);
+    void bear_less(RestData& data, const Island& island);
+    void move_as_swept(RestData& data, const Island& island);
+    [[nodiscard]] Vec2 push_of(const RestData& data, int member) const;
+
+    std::vector<Mover> pushed_; // velocities by which places move
+    std::vector<Mover> work_;
+};
+
+
+} // namespace flying

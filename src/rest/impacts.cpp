@@ -1,0 +1,124 @@
+#include "rest/impacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "rest/impact.hpp"
+#include "rest/rest_tolerance.hpp"
+#include "rest/step_field.hpp"
+
+namespace flying {
+namespace {
+
+
+/// An approach that the field alone would bring about in a small part of the step is left to the load, but where
+/// nothing may be lost.  [m/s]
+[[nodiscard]] double slowest_blow(const RestData& data, const Island& island)
+{
+    const std::span<const ContactPoint> points = island.points;
+    const bool is_elastic =
+        std::any_of(points.begin(), points.end(), [](const ContactPoint& c) { return c.restitution == 1.0; });
+    const double by_field = is_elastic ? 0.0 : rest_tolerance::k_blow * field_speed(data, island);
+    return by_field + solve_rounding(island) +
+           rest_tolerance::k_stagnant * rest_tolerance::k_content * top_speed(data, island);
+}
+
+/// A rebound that would come back within the rest of the step doesn't happen, but for one that loses nothing: the
+/// slowest approach that brings a rebound.  [m/s]
+[[nodiscard]] double slowest_rebound(const RestData& data, const ContactPoint& c)
+{
+    if (c.restitution == 1.0) return 0.0;
+    if (c.restitution == 0.0) return std::numeric_limits<double>::infinity();
+    const double by_load = c.normal / c.normal_mass;
+    const double by_fall =
+        -std::min(data.motion.fall_of(c), data.motion.weight_of(c)) * (data.motion.span + data.motion.after);
+    return std::max({by_load, by_fall, 0.0}) / (2.0 * c.restitution);
+}
+
+
+} // namespace
+
+
+/// A gap this small isn't worth a moment of its own, unless it closes fast.  [m]
+double hardly_open(const RestData& data, const ContactPoint& c)
+{
+    return rest_tolerance::k_closed * std::min(data.bodies.radius[c.a], data.bodies.radius[c.b]);
+}
+
+/// The moment of the first impact after the beginning; 0 where there is none.  [s]
+double first_impact(const RestData& data, const Island& island)
+{
+    const double slowest = slowest_blow(data, island);
+    double first = data.motion.span;
+    for (const ContactPoint& c : island.points) {
+        if (c.closes_at > rest_tolerance::k_at_once * data.motion.span && c.closing_speed > slowest)
+            first = std::min(first, c.closes_at);
+    }
+    return first < data.motion.span ? first : 0.0;
+}
+
+/// When an impact comes that was not foreseen, since bodies sped up otherwise than they did before: the first moment at
+/// which a gap closes on the ways that were found; 0 where none does.  [s]
+double missed_impact(const RestData& data, const Island& island)
+{
+    double first = data.motion.span;
+    for (const ContactPoint& c : island.points) {
+        if (!std::isinf(c.bound)) continue;
+        const double way = c.n_x * (data.motion.shift[c.b].x() - data.motion.shift[c.a].x()) +
+                           c.n_y * (data.motion.shift[c.b].y() - data.motion.shift[c.a].y()) +
+                           (data.motion.turn[c.b] * c.normal_arm_b - data.motion.turn[c.a] * c.normal_arm_a);
+        if (c.gap + way < -hardly_open(data, c)) first = std::min(first, data.motion.span * (c.gap / -way));
+    }
+    return first < data.motion.span ? std::max(first, rest_tolerance::k_at_once * data.motion.span) : 0.0;
+}
+
+
+
+/// Impacts of an island, at the moment at which the step, or the part of one, begins: first those that throw back, then
+/// the rest of the approaches, all at once and without rebound. True where there were any; `before` is what they
+/// leave. Where impacts have no moments of their own, all that closes within the step counts as closed.
+bool Impacts::strike(RestData& data, const Island& island, HeapSweeps& sweeps)
+{
+    // Find what is closed, or closes
+    const double slowest = slowest_blow(data, island);
+    struck_.clear();
+    slowest_.clear();
+    bool any = false;
+    const double within = island.in_turn ? rest_tolerance::k_at_once * data.motion.span : data.motion.span;
+    for (const ContactPoint& c : island.points) {
+        const double u = normal_speed(c, data.motion.before[c.a], data.motion.before[c.b]);
+        if (c.gap > data.bodies.touch_gap(c.a, c.b) && c.gap + within * u > 0.0) continue;
+        any = any || u < -slowest;
+        struck_.push_back(c);
+        slowest_.push_back(std::max(slowest, slowest_rebound(data, c)));
+        struck_.back().bound = struck_.back().normal = struck_.back().tangent = 0.0;
+    }
+    if (!any) return false;
+
+    data.counts.impacts += throw_back(data.motion.before, struck_, slowest_);
+    const auto approaches = [&](const ContactPoint& c) {
+        return normal_speed(c, data.motion.before[c.a], data.motion.before[c.b]) < -slowest;
+    };
+    if (std::any_of(struck_.begin(), struck_.end(), approaches)) end_approaches(data, island, sweeps);
+    if (!island.in_turn) return true;
+    for (const int member : island.members) {
+        const Mover& now = data.motion.before[member];
+        BodyState& state = data.bodies.list[member].state;
+        if (state.velocity == Vec2(now.v_x, now.v_y) && state.spin == now.spin) continue;
+        state.velocity = Vec2(now.v_x, now.v_y);
+        state.spin = now.spin;
+        expect_flight(data, member, state.position); // what it bore before tells nothing any more
+    }
+    return true;
+}
+
+void Impacts::end_approaches(RestData& data, const Island& island, HeapSweeps& sweeps)
+{
+    const std::span<const int> members = island.members;
+    if (is_heap(island)) sweeps.sweep_heap(data, island, data.motion.before, struck_);
+    else data.solver.solve(data.motion.before, members, struck_, rest_tolerance::k_content * top_speed(data, island));
+}
+
+
+} // namespace flying

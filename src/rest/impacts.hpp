@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vector>
+
+#include "rest/heap_sweeps.hpp"
+#include "rest/island.hpp"
+
+namespace flying {
+
+
+/// A gap this small isn't worth a moment of its own, unless it closes fast.  [m]
+[[nodiscard]] double hardly_open(const RestData& data, const ContactPoint& c);
+/// The moment of an island's first impact after the beginning, as its contacts foresee it; 0 where there is none.  [s]
+[[nodiscard]] double first_impact(const RestData& data, const Island& island);
+/// When an impact comes that was not foreseen, since bodies sped up otherwise than they did before: the first moment at
+/// which a gap closes on the ways that were found; 0 where none does.  [s]
+[[nodiscard]] double missed_impact(const RestData& data, const Island& island);
+
+
+
+/// Ends the approaches of an island with which the step, or the part of one, begins.
+class Impacts
+{
+public:
+    /// First what is thrown back, then the rest of the approaches, all at once and without rebound;
+    /// `data.motion.before` is what they leave. Where impacts have no moments of their own, all that closes within the
+    /// step counts as closed. True where there were any.
+    bool strike(RestData& data, const Island& island, HeapSweeps& sweeps);
+
+private:
+    void end_approaches(RestData& data, const Island& island, HeapSweeps& sweeps);
+
+    std::vector<ContactPoint> struck_; // what is closed, or closes
+    std::vector<double> slowest_;      // of each of them: the slowest approach that brings a rebound [m/s]
+};
+
+
+} // namespace flying

@@ -1,0 +1,111 @@
+#include "rest/island.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "rest/rest_tolerance.hpp"
+
+namespace flying {
+
+
+bool is_heap(const Island& island)
+{
+    return island.member_count() > rest_tolerance::k_most_whole;
+}
+
+bool strikes_at_start(const Island& island)
+{
+    return island.member_count() > rest_tolerance::k_most_in_turn;
+}
+
+bool is_solved_whole(const RestData& data, const Island& island)
+{
+    if (island.member_count() <= data.options.most_solved) return true;
+    int pairs = 0;
+    int last = -1;
+    for (const ContactPoint& c : island.points) {
+        if (c.pair != last) ++pairs;
+        last = c.pair;
+    }
+    const bool is_tall = pairs <= rest_tolerance::k_tall * island.member_count();
+    return is_tall && top_speed(data, island) <= rest_tolerance::k_standing * field_speed(data, island);
+}
+
+
+
+double greatest_speed(std::span<const Mover> movers, std::span<const double> radius, std::span<const int> members)
+{
+    double top = 0.0;
+    for (const int member : members) {
+        const Mover& mover = movers[member];
+        top = std::max({top, std::abs(mover.v_x), std::abs(mover.v_y), std::abs(mover.spin) * radius[member]});
+    }
+    return top;
+}
+
+double field_speed(const RestData& data, const Island& island)
+{
+    double top = 0.0;
+    for (const int member : island.members) {
+        const Vec2& g = data.motion.field[member];
+        top = std::max({top, std::abs(g.x()), std::abs(g.y())});
+    }
+    return data.motion.span * top;
+}
+
+double top_speed(const RestData& data, const Island& island)
+{
+    return std::max(field_speed(data, island), greatest_speed(data.motion.before, data.bodies.radius, island.members));
+}
+
+double solve_rounding(const Island& island)
+{
+    return rest_tolerance::k_stagnant * rounding_of(island.points, island.members.size());
+}
+
+double still_speed(const RestData& data, const Island& island)
+{
+
+    return rest_tolerance::k_still * field_speed(data, island) + solve_rounding(island);
+
+}
+
+bool stood(const RestData& data, const Island& island)
+{
+    return greatest_speed(data.motion.before, data.bodies.radius, island.members) == 0.0;
+}
+
+bool any_slip_ended(const Island& island, std::span<const Mover> before, std::span<const Mover> after, double still)
+{
+    for (const ContactPoint& c : island.points) {
+        if (!(c.normal > 0.0) || c.friction == 0.0) continue;
+        const double slip = tangent_speed(c, before[c.a], before[c.b]);
+        const double slips_on = tangent_speed(c, after[c.a], after[c.b]);
+        if (std::abs(slip) > still && (slip > 0.0 ? slips_on <= still : slips_on >= -still)) return true;
+    }
+    return false;
+}
+
+
+
+void scale_impulses(const Island& island, double factor)
+{
+    for (ContactPoint& c : island.points) {
+        c.normal *= factor;
+        c.tangent *= factor;
+    }
+}
+
+void recall_load(const RestData& data, ContactPoint& c)
+{
+    const RestPair& pair = data.pairs.pairs()[c.pair];
+    c.normal = c.tangent = 0.0;
+    for (int i = 0; i < pair.count; ++i) {
+        if (pair.feature[i] != c.feature) continue;
+        c.normal = pair.normal[i];
+        c.tangent = pair.tangent[i];
+    }
+}
+
+
+} // namespace flying

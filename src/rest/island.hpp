@@ -1,0 +1,62 @@
+#pragma once
+
+#include <span>
+
+#include "rest/rest_data.hpp"
+
+namespace flying {
+
+
+/// Bodies that lean on each other, by whatever chain of bodies that move, and the points between them.
+struct Island
+{
+    std::span<const int> members;   ///< ascending
+    std::span<ContactPoint> points; ///< those of a pair in a row
+    bool is_exact = true;           ///< solved to rounding, all at once; else swept
+    bool has_ways = false;          ///< places are found already, along curves
+    bool is_content = true;         ///< the impulses that were found are right to rounding
+    bool in_turn = false;           ///< its impacts have moments of their own
+    double cut_at = 0.0;            ///< where its step is to end early, and to go on from; 0 if nowhere [s]
+
+    [[nodiscard]] int member_count() const { return static_cast<int>(members.size()); }
+    [[nodiscard]] int point_count() const { return static_cast<int>(points.size()); }
+};
+
+
+
+/// Too large to be solved whole however it moves, and whatever it takes.
+[[nodiscard]] bool is_heap(const Island& island);
+/// So large that all impacts which a step brings come at its start.
+[[nodiscard]] bool strikes_at_start(const Island& island);
+/// All its impulses are found at once, to rounding: small islands; and tall ones in which each body leans on hardly
+/// more than one other, whose equations stay sparse, as long as they stand or begin to fall.
+[[nodiscard]] bool is_solved_whole(const RestData& data, const Island& island);
+
+
+
+/// The greatest velocity of any of these bodies, its rim's included.  [m/s]
+[[nodiscard]] double greatest_speed(std::span<const Mover> movers, std::span<const double> radius,
+                                    std::span<const int> members);
+/// What the field gives in a step.  [m/s]
+[[nodiscard]] double field_speed(const RestData& data, const Island& island);
+/// The greater of that and the velocities with which the step begins.  [m/s]
+[[nodiscard]] double top_speed(const RestData& data, const Island& island);
+/// Speeds that the rounding of impulses explains.  [m/s]
+[[nodiscard]] double solve_rounding(const Island& island);
+/// Below what the field gives in a step by many orders, motion is the solve's rounding.  [m/s]
+[[nodiscard]] double still_speed(const RestData& data, const Island& island);
+/// None of it moved when the step began.
+[[nodiscard]] bool stood(const RestData& data, const Island& island);
+/// A slip has ended, or turned round, between two sets of velocities.
+/// still  slip below this has ended [m/s]
+[[nodiscard]] bool any_slip_ended(const Island& island, std::span<const Mover> before, std::span<const Mover> after,
+                                  double still);
+
+
+
+void scale_impulses(const Island& island, double factor);
+/// What a point bore at the end of the step before.
+void recall_load(const RestData& data, ContactPoint& c);
+
+
+} // namespace flying

@@ -1,0 +1,130 @@
+#include "rest/islands.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "rest/rest_tolerance.hpp"
+
+namespace flying {
+
+
+int Islands::root_of(int body)
+{
+    while (parent_[body] != body) body = parent_[body] = parent_[parent_[body]];
+    return body;
+}
+
+/// True where the two were of different islands. An island's root is its lowest body.
+bool Islands::join(const ContactPoint& point)
+{
+    const int one = root_of(point.a);
+    const int two = root_of(point.b);
+    parent_[std::max(one, two)] = std::min(one, two);
+    return one != two;
+}
+
+
+
+void Islands::split(const RestData& data, std::span<const int> bodies, std::vector<ContactPoint>& found)
+{
+    const StepMotion& motion = data.motion;
+    parent_.resize(data.bodies.list.size());
+    slot_.resize(data.bodies.list.size());
+    is_inside_.resize(data.bodies.list.size());
+    for (const int k : bodies) parent_[k] = k;
+    int last = -1;
+    for (const ContactPoint& point : found) {
+        if (point.pair == last) continue;
+        last = point.pair;
+        if (motion.is_moved(point.a) && motion.is_moved(point.b)) join(point);
+    }
+    part_slow(data, bodies, found);
+
+    // Count members and points
+    islands_.clear();
+    first_member_.assign(1, 0);
+    for (const int k : bodies) {
+        const int root = root_of(k);
+        if (root == k) {
+            slot_[k] = static_cast<int>(islands_.size());
+            islands_.emplace_back();
+            first_member_.push_back(0);
+        }
+        ++first_member_[slot_[root] + 1];
+    }
+    first_point_.assign(first_member_.size(), 0);
+    slots_.clear();
+    last = -1;
+    int slot = 0;
+    for (const ContactPoint& point : found) {
+        if (point.pair != last) slot = slot_[root_of(motion.is_moved(point.a) ? point.a : point.b)];
+        last = point.pair;
+        slots_.push_back(slot);
+        ++first_point_[slot + 1];
+    }
+    std::partial_sum(first_member_.begin(), first_member_.end(), first_member_.begin());
+    std::partial_sum(first_point_.begin(), first_point_.end(), first_point_.begin());
+
+    // Lay them out
+    members_.resize(bodies.size());
+    if (islands_.size() == 1 ||
+        (!found.empty() && first_point_[slots_[0] + 1] - first_point_[slots_[0]] == found.size())) {
+        points_.swap(found); // all of one island, in order
+    } else {
+        points_.resize(found.size());
+        for (std::size_t k = 0; k < found.size(); ++k) points_[first_point_[slots_[k]]++] = found[k];
+        for (std::size_t k = first_point_.size() - 1; k > 0; --k) first_point_[k] = first_point_[k - 1];
+        first_point_[0] = 0;
+    }
+    for (const int k : bodies) members_[first_member_[slot_[root_of(k)]]++] = k;
+    for (std::size_t k = first_member_.size() - 1; k > 0; --k) first_member_[k] = first_member_[k - 1];
+    first_member_[0] = 0;
+    for (std::size_t k = 0; k < islands_.size(); ++k) {
+        islands_[k].members = std::span(members_).subspan(first_member_[k], first_member_[k + 1] - first_member_[k]);
+        islands_[k].points = std::span(points_).subspan(first_point_[k], first_point_[k + 1] - first_point_[k]);
+    }
+}
+
+
+
+/// A large island that hardly moves is made of bodies that bear on each other, or come to: one that rolls beside the
+/// others, and touches none, would keep all of them awake.
+void Islands::part_slow(const RestData& data, std::span<const int> bodies, std::vector<ContactPoint>& found)
+{
+    const StepMotion& motion = data.motion;
+    if (static_cast<int>(bodies.size()) <= data.options.most_solved) return;
+    for (const int k : bodies) slot_[k] = 0;
+    for (const int k : bodies) ++slot_[root_of(k)];
+    double field = 0.0; // [m/s]
+    parts_.clear();
+    for (const int k : bodies) {
+        if (slot_[root_of(k)] <= data.options.most_solved) continue;
+        parts_.push_back(k);
+        field = std::max(field, motion.span * motion.field_size[k]);
+    }
+    if (parts_.empty()) return;
+    if (greatest_speed(motion.before, data.bodies.radius, parts_) > rest_tolerance::k_slow_island * field) return;
+
+    const auto holds = [&](const ContactPoint& c) {
+        if (c.normal > 0.0 || c.closes_at < motion.span) return true;
+        const double time = rest_tolerance::k_ahead * motion.span;
+        const double u = normal_speed(c, motion.before[c.a], motion.before[c.b]);
+        const double way = time * (std::min(u, 0.0) + 0.5 * time * std::min(motion.fall_of(c), 0.0));
+        return c.gap + way <= data.bodies.touch_gap(c.a, c.b);
+    };
+    const auto wholes = std::count_if(parts_.begin(), parts_.end(), [&](int k) { return parent_[k] == k; });
+    for (const int k : parts_) is_inside_[k] = 1;
+    for (const int k : parts_) parent_[k] = k;
+    const auto is_between = [&](const ContactPoint& c) { return is_inside_[c.a] != 0 && is_inside_[c.b] != 0; };
+    auto parts = static_cast<std::ptrdiff_t>(parts_.size());
+    for (const ContactPoint& point : found) {
+        if (is_between(point) && holds(point) && join(point)) --parts;
+    }
+    if (parts > wholes) {
+        std::erase_if(found, [&](const ContactPoint& c) { return is_between(c) && root_of(c.a) != root_of(c.b); });
+    }
+    for (const int k : parts_) is_inside_[k] = 0;
+}
+
+
+} // namespace flying

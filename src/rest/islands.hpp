@@ -1,0 +1,41 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "rest/island.hpp"
+
+namespace flying {
+
+
+/// Splits bodies and the points between them into islands, each in the order of its bodies and pairs.
+class Islands
+{
+public:
+    /// bodies  those that are awake, ascending
+    /// found   their points in the order of the pairs; used up
+    void split(const RestData& data, std::span<const int> bodies, std::vector<ContactPoint>& found);
+
+    /// What the last split has found, until the next.
+    [[nodiscard]] std::span<Island> all() { return islands_; }
+    [[nodiscard]] std::size_t point_count() const { return points_.size(); }
+
+private:
+    [[nodiscard]] int root_of(int body);
+    bool join(const ContactPoint& point);
+    void part_slow(const RestData& data, std::span<const int> bodies, std::vector<ContactPoint>& found);
+
+    std::vector<Island> islands_;
+    std::vector<int> members_;         // by islands
+    std::vector<ContactPoint> points_; // by islands
+    std::vector<int> parent_;          // of each body, towards the lowest of its island
+    std::vector<int> slot_;            // of each such lowest body, the number of its island
+    std::vector<int> slots_;           // of each point that was found, the same
+    std::vector<std::size_t> first_member_;
+    std::vector<std::size_t> first_point_;
+    std::vector<int> parts_; // bodies of islands that may part
+    std::vector<char> is_inside_;
+};
+
+
+} // namespace flying

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <vector>
+
+#include "collide/manifold.hpp"
+#include "collide/seams.hpp"
+#include "rest/pair_list.hpp"
+#include "rest/rest_bodies.hpp"
+
+namespace flying {
+
+
+/// Where pairs touch, as the surfaces of their bodies really are: without cuts (rest/near_points.hpp), and with
+/// neighbours that lie flush taken as one surface (collide/seams.hpp).
+class Looks
+{
+public:
+    explicit Looks(const RestBodies& bodies);
+
+    /// The points at which a pair touches or might soon touch, with the two bodies at these poses.
+    /// pairs   all that may touch; those beside the pair tell what lies flush with it and moves with it
+    /// margin  points further apart than this make no contact [m]
+    [[nodiscard]] Manifold look(const RestBodies& bodies, const PairList& pairs, const RestPair& pair,
+                                const Pose& pose_a, const Pose& pose_b, double margin) const;
+    /// The same from where the bodies are; what the last such look has found may answer.
+    [[nodiscard]] Manifold look_with_memory(const RestBodies& bodies, const PairList& pairs, RestPair& pair,
+                                            double margin) const;
+
+private:
+    void mend(const RestBodies& bodies, const PairList& pairs, const RestPair& pair, const Pose& pose_a,
+              const Pose& pose_b, double margin, Manifold& manifold) const;
+
+    std::vector<std::vector<std::vector<Seam>>> seams_; // of each body and part, with what never moves against it
+};
+
+
+} // namespace flying

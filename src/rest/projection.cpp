@@ -1,0 +1,192 @@
+#include "rest/projection.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "collide/separating_axis.hpp"
+#include "rest/rest_tolerance.hpp"
+
+namespace flying {
+namespace {
+
+
+/// How far its turn may bring any point of a body.  [m]
+[[nodiscard]] double arc_of(const RestData& data, int body)
+{
+    return std::abs(data.motion.turn[body]) * data.bodies.turning[body];
+}
+
+[[nodiscard]] bool may_overlap(const RestData& data, const ContactPoint& c)
+{
+    // A gap along a fixed normal is never more than the distance; turning may bring anything along it by its whole arc
+    const double way = c.n_x * (data.motion.shift[c.b].x() - data.motion.shift[c.a].x()) +
+                       c.n_y * (data.motion.shift[c.b].y() - data.motion.shift[c.a].y());
+    return c.gap + way - (arc_of(data, c.a) + arc_of(data, c.b)) < -data.bodies.touch_gap(c.a, c.b);
+}
+
+/// Two that come nearer to each other by so much may come to overlap where they had no point.
+[[nodiscard]] bool comes_nearer(const RestData& data, int a, int b)
+{
+    const double nearer = (data.motion.shift[b] - data.motion.shift[a]).norm() + arc_of(data, a) + arc_of(data, b);
+    return nearer > rest_tolerance::k_deep * std::min(data.bodies.radius[a], data.bodies.radius[b]);
+}
+
+
+
+/// How two polygons part by the shortest way where they overlap as the step ends; separation 0 where they don't.
+[[nodiscard]] Contact overlap_at_end(const RestData& data, const RestPair& pair)
+{
+    Contact contact;
+    const ConvexPart& part_a = data.bodies.shapes[pair.a].parts[pair.part_a];
+    const ConvexPart& part_b = data.bodies.shapes[pair.b].parts[pair.part_b];
+    const auto* a = std::get_if<Polygon>(&part_a.shape);
+    const auto* b = std::get_if<Polygon>(&part_b.shape);
+    if (!a || !b) return contact;
+    const Pose& pose_a = data.motion.end_poses[pair.a];
+    const Pose& pose_b = data.motion.end_poses[pair.b];
+    const Pose a_from_b = relative_pose(pose_a, pose_b);
+    const double clear = part_a.radius + part_b.radius;
+    if ((a_from_b * part_b.centre - part_a.centre).squaredNorm() > clear * clear) return contact;
+    const Axis axis = greatest_separation(*a, *b, a_from_b);
+    if (!(axis.separation < -data.bodies.touch_gap(pair.a, pair.b))) return contact;
+    const bool of_a = axis.owner == Owner::a;
+    contact.separation = axis.separation;
+    contact.normal = of_a ? Vec2(pose_a.rotation * a->edges()[axis.edge].normal)
+                          : Vec2(-(pose_b.rotation * b->edges()[axis.edge].normal));
+    contact.point = of_a ? pose_b * b->vertices()[axis.vertex] : pose_a * a->vertices()[axis.vertex];
+    return contact;
+}
+
+
+} // namespace
+
+
+double Projection::look_at_end(RestData& data, const Island& island)
+{
+    points_.clear();
+    const std::span<const ContactPoint> points = island.points;
+    const bool any_nearer =
+        std::any_of(points.begin(), points.end(), [&](const ContactPoint& c) { return comes_nearer(data, c.a, c.b); });
+    const bool may_any =
+        std::any_of(points.begin(), points.end(), [&](const ContactPoint& c) { return may_overlap(data, c); });
+    if (!may_any && !any_nearer) return 0.0;
+    for (const int member : island.members) {
+        const BodyState& s = data.bodies.list[member].state;
+        data.motion.end_poses[member] = {s.position + data.motion.shift[member],
+                                         Rotation::of(s.angle + data.motion.turn[member])};
+    }
+    list_pairs_of(data, points);
+    const auto is_overlap = [&](int index) {
+        const RestPair& pair = data.pairs.pairs()[index];
+        return comes_nearer(data, pair.a, pair.b) && overlap_at_end(data, pair).separation < 0.0;
+    };
+    if (!may_any && std::none_of(looked_at_.begin(), looked_at_.end(), is_overlap)) return 0.0;
+    double worst = 0.0;
+    for (const int pair : looked_at_) worst = std::max(worst, look_at_pair(data, pair));
+    return worst;
+}
+
+/// The pairs that points belong to, and where the two come nearer to each other those of all their parts.
+void Projection::list_pairs_of(const RestData& data, std::span<const ContactPoint> points)
+{
+    looked_at_.clear();
+    const std::span<const RestPair> pairs = data.pairs.pairs();
+    for (const ContactPoint& c : points) {
+        if (!looked_at_.empty() && looked_at_.back() == c.pair) continue;
+        const bool has_parts = data.bodies.shapes[c.a].parts.size() + data.bodies.shapes[c.b].parts.size() > 2;
+        const bool all = has_parts && comes_nearer(data, c.a, c.b);
+        // The pairs of all parts of the two stand together
+        const auto is_theirs = [&](int pair) { return pairs[pair].a == c.a && pairs[pair].b == c.b; };
+        int first = c.pair;
+        int end = c.pair + 1;
+        while (all && first > 0 && is_theirs(first - 1)) --first;
+        while (all && end < static_cast<int>(pairs.size()) && is_theirs(end)) ++end;
+        for (int pair = first; pair < end; ++pair) looked_at_.push_back(pair);
+    }
+    std::sort(looked_at_.begin(), looked_at_.end());
+    looked_at_.erase(std::unique(looked_at_.begin(), looked_at_.end()), looked_at_.end());
+}
+
+/// The points of a pair as the step ends, and how much it overlaps.  [sizes]
+double Projection::look_at_pair(RestData& data, int index)
+{
+    const RestPair& pair = data.pairs.pairs()[index];
+    const double size = std::min(data.bodies.radius[pair.a], data.bodies.radius[pair.b]);
+    const Manifold manifold =
+        look(data, pair, data.motion.end_poses[pair.a], data.motion.end_poses[pair.b], rest_tolerance::k_watch * size);
+    ++data.counts.manifolds;
+    double worst = 0.0;
+    const auto add = [&](const Contact& contact) {
+        ContactPoint& c = points_.emplace_back();
+        c.a = pair.a;
+        c.b = pair.b;
+        c.pair = index;
+        c.feature = contact.feature;
+        data.motion.set_arms(c, contact.normal, contact.point - data.motion.end_poses[pair.a].position,
+                             contact.point - data.motion.end_poses[pair.b].position);
+        c.bound = -contact.separation;
+        const double depth = -contact.separation - data.bodies.touch_gap(pair.a, pair.b);
+        worst = std::max(worst, depth / size);
+    };
+    for (int k = 0; k < manifold.count; ++k) add(manifold.contacts[k]);
+    if (worst > 0.0 || !comes_nearer(data, pair.a, pair.b)) return worst;
+
+    // What sticks out beyond the ends of the edge that it lies deepest under is clipped there
+    const Contact clipped = overlap_at_end(data, pair);
+    if (clipped.separation < 0.0) add(clipped);
+    return worst;
+}
+
+
+
+/// Moves bodies out of what they overlap: the same conditions for places as for velocities, least by the masses,
+/// without friction. It adds no velocity.
+void Projection::put_apart(RestData& data, const Island& island, double overlap, HeapSweeps& sweeps)
+{
+    if (overlap <= 0.0) return;
+    ++data.counts.projected;
+    pushes_.resize(data.motion.now.size());
+    shift_before_.resize(data.motion.now.size());
+    turn_before_.resize(data.motion.now.size());
+    const std::span<const int> members = island.members;
+    for (int round = 0; round < rest_tolerance::k_projection_rounds && overlap > 0.0; ++round) {
+        double touch = data.bodies.touch_gap(points_[0].a, points_[0].b);
+        for (const ContactPoint& c : points_) touch = std::min(touch, data.bodies.touch_gap(c.a, c.b));
+        for (const int member : members) {
+            pushes_[member] = data.motion.now[member];
+            pushes_[member].v_x = pushes_[member].v_y = pushes_[member].spin = 0.0;
+            shift_before_[member] = data.motion.shift[member];
+            turn_before_[member] = data.motion.turn[member];
+        }
+        find_pushes(data, island, 0.125 * touch, sweeps);
+        bool too_far = false;
+        for (const int member : members) {
+            const Mover& mover = pushes_[member];
+            const double push =
+                std::abs(mover.v_x) + std::abs(mover.v_y) + std::abs(mover.spin) * data.bodies.radius[member];
+            too_far = too_far || !(push <= rest_tolerance::k_most_push * data.bodies.radius[member]);
+            data.motion.shift[member] += Vec2(mover.v_x, mover.v_y);
+            data.motion.turn[member] += mover.spin;
+        }
+        const double after = too_far ? overlap : look_at_end(data, island);
+        if (!(after < overlap)) {
+            for (const int member : members) {
+                data.motion.shift[member] = shift_before_[member];
+                data.motion.turn[member] = turn_before_[member];
+            }
+            return;
+        }
+        overlap = after;
+    }
+}
+
+/// Pushes that take off overlap.
+void Projection::find_pushes(RestData& data, const Island& island, double tolerance, HeapSweeps& sweeps)
+{
+    const std::span<const int> members = island.members;
+    if (is_heap(island)) sweeps.sweep_heap(data, island, pushes_, points_, tolerance);
+    else data.solver.solve(pushes_, members, points_, tolerance);
+}
+
+
+} // namespace flying

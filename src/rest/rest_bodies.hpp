@@ -1,0 +1,48 @@
+#pragma once
+
+#include <vector>
+
+#include "collide/separation.hpp"
+#include "rest/rest_body.hpp"
+
+namespace flying {
+
+
+/// The bodies of an engine, as arrays in the order in which they lie in memory (rest/body_order.hpp).
+struct RestBodies
+{
+    /// order  for each place in memory, the number by which the body there is known outside
+    /// time   of all states [s]
+    RestBodies(std::vector<RestBody> bodies, std::vector<int> order, double time);
+
+    [[nodiscard]] int count() const { return static_cast<int>(list.size()); }
+    /// Where a body is from now on.
+    void set_pose(int body, const Pose& pose);
+    /// Velocity of a body's point.  [m/s]
+    [[nodiscard]] Vec2 velocity_of(int body, const Vec2& point) const;
+    /// A gap below which two bodies touch, for all that rounding tells.  [m]
+    [[nodiscard]] double touch_gap(int a, int b) const;
+    /// The same at other places.
+    [[nodiscard]] double touch_gap(int a, const Vec2& place_a, int b, const Vec2& place_b) const;
+
+    std::vector<RestBody> list;
+    std::vector<int> order; ///< of each of them, the number by which it is known outside
+    std::vector<int> place; ///< of each such number, its place
+    std::vector<CollisionShape> shapes;
+    std::vector<std::vector<std::vector<char>>> real_edges; ///< of each body and part, as NearSide has it
+    std::vector<double> radius;                             ///< bounding radii [m]
+    std::vector<double> turning; ///< how far a turn may bring any point of each: the radius, 0 for discs [m]
+    std::vector<Pose> poses;     ///< as the step, or a part of one, begins
+
+    /// How far each has moved, and turned any point at distance 1, at most, in all.
+    struct Travel
+    {
+        double shift = 0.0; ///< [m]
+        double turn = 0.0;
+    };
+    std::vector<Travel> travel;
+    std::vector<char> in_crowd; ///< the body's island was a large one in the last step
+};
+
+
+} // namespace flying

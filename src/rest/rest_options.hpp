@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "motion/field.hpp"
+
+namespace flying {
+
+
+struct RestOptions
+{
+    double step = 1.0 / 60.0; ///< > 0 [s]
+    bool warm_starts = true;  ///< impulses are sought from those of the step before
+    bool sleeps = true;       ///< islands that a step leaves as they are, to the bit, are left out of the next
+    int most_solved = 400;    ///< bodies in the largest island that is solved to rounding; more are swept
+    int sweeps = 8;           ///< over larger islands
+    int most_sweeps = 64;     ///< over those that have more to change, as where a pile lands
+    int push_sweeps = 4;      ///< over larger islands, that push overlap apart
+    std::optional<CentralField> centre = {}; ///< round which all are pulled that move, in place of their accelerations
+    double (*seconds)() = nullptr;           ///< a clock, lent to measure the stages; null to measure nothing [s]
+};
+
+
+
+/// Work done so far.
+struct RestCounts
+{
+    std::int64_t steps = 0;
+    std::int64_t looks = 0;      ///< searches for pairs
+    std::int64_t manifolds = 0;  ///< pairs whose points were sought
+    std::int64_t points = 0;     ///< points solved for
+    std::int64_t groups = 0;     ///< islands solved for
+    std::int64_t impacts = 0;    ///< points at which an approach was ended
+    std::int64_t asleep = 0;     ///< bodies left out, over all steps
+    std::int64_t parts = 0;      ///< steps, or parts of steps, of islands that ended early
+    std::int64_t projected = 0;  ///< islands whose overlap was taken off
+    std::int64_t limited = 0;    ///< islands slowed down, so that they have no more energy than before
+    double energy_limited = 0.0; ///< the energy that this took [J]
+};
+
+
+
+/// Seconds spent, where a clock was lent.
+struct RestSeconds
+{
+    double pairs = 0.0;
+    double collide = 0.0;
+    double solve = 0.0;
+    double move = 0.0;
+};
+
+
+} // namespace flying

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <vector>
+
+#include "math/rotation.hpp"
+#include "rest/contact_point.hpp"
+#include "rest/rest_bodies.hpp"
+
+namespace flying {
+
+
+/// A body as the solver sees it.
+[[nodiscard]] Mover mover_of(const RestBody& body);
+
+
+
+/// How all bodies go through a step, or a part of one: where it begins, what acts, and where it leads.
+struct StepMotion
+{
+    explicit StepMotion(const RestBodies& bodies, double length);
+
+    double span = 0.0;  ///< length of the step, or of the part of one, that is being made [s]
+    double after = 0.0; ///< from its end to that of the whole step [s]
+
+    std::vector<Mover> before;   ///< velocities as it begins, those after impacts at that moment
+    std::vector<Mover> now;      ///< velocities as it ends
+    std::vector<Vec2> shift;     ///< ways that it leads [m]
+    std::vector<double> turn;    ///< turns that it makes [rad]
+    std::vector<Pose> end_poses; ///< where a look ahead takes bodies to be
+    std::vector<double> reach;   ///< how far each may get [m]
+
+    std::vector<Vec2> field;        ///< accelerations that the field gives [m/s^2]
+    std::vector<double> field_size; ///< their sizes
+    std::vector<Vec2> pull;         ///< accelerations that are expected: of the last step, or the field's [m/s^2]
+    std::vector<double> turn_pull;  ///< the same of spins [rad/s^2]
+
+    /// Whether anything moves a body.
+    [[nodiscard]] bool is_moved(int body) const { return now[body].inv_mass > 0.0 || now[body].inv_moment > 0.0; }
+
+    /// Normal acceleration of B relative to A at a point, if they go on as they did.  [m/s^2]
+    [[nodiscard]] double fall_of(const ContactPoint& c) const
+    {
+        const Vec2 more = pull[c.b] - pull[c.a];
+        return (c.n_x * more.x() + c.n_y * more.y()) +
+               (turn_pull[c.b] * c.normal_arm_b - turn_pull[c.a] * c.normal_arm_a);
+    }
+
+    /// The same if nothing but the field acts on them.
+    [[nodiscard]] double weight_of(const ContactPoint& c) const
+    {
+        const Vec2 more = field[c.b] - field[c.a];
+        return c.n_x * more.x() + c.n_y * more.y();
+    }
+
+    /// Normal, arms and effective masses of a point.
+    /// r_a, r_b  from the centres of the two bodies to it [m]
+    void set_arms(ContactPoint& c, const Vec2& normal, const Vec2& r_a, const Vec2& r_b) const;
+};
+
+
+} // namespace flying
