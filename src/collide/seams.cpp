@@ -22,6 +22,9 @@ constexpr double k_crack = 0x1p-26;
 /// [sine] Faces whose normals differ by less lie on each other. The joint surface is the longer one of the two: what
 /// stands on it stands along its normal.
 constexpr double k_parallel = 0x1p-16;
+/// [near] What has sunk deeper into a polygon than that share of what counts as near may lie anyhow in a notch, and leaves
+/// it by the shortest way.
+constexpr double k_sunk = 0x1p-5;
 
 
 
@@ -191,6 +194,8 @@ void mend_at_seams(const Polygon& part, const Pose& world_from_part, std::span<c
         for (const Seam& seam : seams) {
             const Vec2& corner = part.vertices()[seam.corner];
             const double square = (here - corner).squaredNorm();
+            const bool is_inside = seam.bend == Seam::Bend::hollow || seam.bend == Seam::Bend::buried;
+            if (is_inside && contact.separation < -k_sunk * near) continue;
             if (seam.bend == Seam::Bend::buried) {
                 if (square <= near * near) return false;
                 continue;
