@@ -22,6 +22,11 @@ if(FLYING_WASM)
     return()
 endif()
 
+# Reports and runs to go on with, as text
+find_package(nlohmann_json REQUIRED)
+flying_module(json scene)
+target_link_libraries(flying_json PRIVATE nlohmann_json::nlohmann_json)
+
 # Cairo's pictures
 pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo)
 flying_module(draw world)
@@ -48,10 +53,10 @@ endif()
 
 # The program
 find_package(CLI11 REQUIRED)
-find_package(nlohmann_json REQUIRED)
+find_package(fmt REQUIRED)
 file(GLOB app_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/app/*.cpp)
 add_executable(flying ${app_sources})
-target_link_libraries(flying PRIVATE flying_draw flying_scene flying_files fmt::fmt nlohmann_json::nlohmann_json CLI11::CLI11)
+target_link_libraries(flying PRIVATE flying_draw flying_json flying_files fmt::fmt CLI11::CLI11)
 target_compile_definitions(flying PRIVATE FLYING_VERSION="${PROJECT_VERSION}"
     FLYING_SCENES="${PROJECT_SOURCE_DIR}/chapters/scenes")
 if(TARGET flying_window)
@@ -68,3 +73,5 @@ target_link_libraries(flying_weave PUBLIC flying_flags fmt::fmt PRIVATE nlohmann
 target_include_directories(flying_weave PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
 add_executable(weave weave/main.cpp)
 target_link_libraries(weave PRIVATE flying_weave CLI11::CLI11)
+
+include(${CMAKE_CURRENT_SOURCE_DIR}/install.cmake)

@@ -3,7 +3,7 @@
 
 #include "falling.hpp"
 
-// [made.demo]
+
 int main()
 {
     const double g = 9.81;
@@ -16,4 +16,4 @@ int main()
     }
     std::printf("\nshare lost in 10 steps = %.3f\n", 1.0 - flying::fall_by_steps(g, t, 10) / exact);
 }
-// [made.demo]
+

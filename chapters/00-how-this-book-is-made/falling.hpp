@@ -2,7 +2,7 @@
 
 namespace flying {
 
-// [made.fall_distance]
+
 /// How far a body falls from rest in time t: g t^2 / 2.   [m]
 /// g  acceleration of free fall  [m/s^2]
 /// t  since it was let go        [s]
@@ -10,9 +10,9 @@ namespace flying {
 {
     return 0.5 * g * t * t;
 }
-// [made.fall_distance]
 
-// [made.fall_by_steps]
+
+
 /// The same by equal steps: in each, the body moves at the speed of the step's start.   [m]
 /// steps  1 or more
 [[nodiscard]] inline double fall_by_steps(double g, double t, int steps)
@@ -27,6 +27,6 @@ namespace flying {
     }
     return s;
 }
-// [made.fall_by_steps]
+
 
 } // namespace flying

@@ -8,7 +8,7 @@
 /// Motion round a body so heavy that it stays where it is: at the origin.
 namespace flying::steps {
 
-// [central.pull]
+
 /// Newton's pull of a centre at the origin.
 struct CentralPull
 {
@@ -21,17 +21,17 @@ struct CentralPull
         return (-mu / (r * r * r)) * x;
     }
 };
-// [central.pull]
 
-// [central.energy]
+
+
 /// Energy for each kilogram: negative where the body can't get away.   [J/kg]
 [[nodiscard]] inline double energy(const Moving& b, double mu)
 {
     return 0.5 * b.v.squaredNorm() - mu / b.x.norm();
 }
-// [central.energy]
 
-// [central.constants]
+
+
 /// Angular momentum for each kilogram.   [m^2/s]
 [[nodiscard]] inline double angular_momentum(const Moving& b)
 {
@@ -44,6 +44,6 @@ struct CentralPull
     const double l = angular_momentum(b);
     return -(l / mu) * perp(b.v) - b.x / b.x.norm();
 }
-// [central.constants]
+
 
 } // namespace flying::steps

@@ -10,7 +10,7 @@ namespace {
 using namespace flying;
 using namespace flying::steps;
 
-// [flying.demo.throw]
+
 void throw_a_ball()
 {
     // Set up
@@ -27,9 +27,9 @@ void throw_a_ball()
     }
     // End: nothing to clean up, the values go as they came
 }
-// [flying.demo.throw]
 
-// [flying.demo.miss]
+
+
 /// How far the stepper ends from the closed form: n steps from the nearest point on, for
 /// three quarters of a period.
 template <typename Step>
@@ -40,11 +40,11 @@ double miss(const Step& step, const Orbit& orbit, long n)
     const Moving found = run(step, on_ellipse(orbit, 0.0), CentralPull{orbit.mu}, h, n);
     return (found.x - on_ellipse(orbit, t).x).norm() / orbit.a;
 }
-// [flying.demo.miss]
+
 
 void compare(const Orbit& orbit)
 {
-    // [flying.demo.compare]
+
     std::printf("\n   steps      Euler  symplectic     Verlet     (miss, in half axes)\n");
     for (long n = 1000; n <= 1000000; n *= 10)
         std::printf("%8ld %10.1e  %10.1e %10.1e\n", n, miss(k_euler, orbit, n),
@@ -56,7 +56,7 @@ void compare(const Orbit& orbit)
     std::printf("\norder of Euler = %.2f\n", order(k_euler));
     std::printf("order of symplectic Euler = %.2f\n", order(k_symplectic));
     std::printf("order of Verlet = %.2f\n", order(k_verlet));
-    // [flying.demo.compare]
+
 }
 
 /// What is left of the energy, and where the closed form ends.

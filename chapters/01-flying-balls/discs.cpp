@@ -7,7 +7,7 @@
 
 namespace {
 
-// [discs.disc]
+
 struct Disc
 {
     double x, y;   // place [m]
@@ -18,9 +18,9 @@ struct Disc
 
 constexpr double k_never = std::numeric_limits<double>::infinity();
 constexpr double k_width = 10.0; // of a square room, from 0 on [m]
-// [discs.disc]
 
-// [discs.when]
+
+
 /// When two discs touch.
 double when_meet(const Disc& a, const Disc& b)
 {
@@ -40,9 +40,9 @@ double when_wall(double x, double v, double r)
     if (v > 0.0) return (k_width - r - x) / v;
     return v < 0.0 ? (r - x) / v : k_never;
 }
-// [discs.when]
 
-// [discs.strike]
+
+
 /// Exchange the impulse that parts the two as fast as they met.
 void strike(Disc& a, Disc& b)
 {
@@ -53,7 +53,7 @@ void strike(Disc& a, Disc& b)
     a.vx -= j / a.m * nx, a.vy -= j / a.m * ny;
     b.vx += j / b.m * nx, b.vy += j / b.m * ny;
 }
-// [discs.strike]
+
 
 double energy(const std::vector<Disc>& discs)
 {
@@ -62,7 +62,7 @@ double energy(const std::vector<Disc>& discs)
     return sum;
 }
 
-// [discs.run]
+
 /// From impact to impact, until `end`. Returns how many there were.
 int run(std::vector<Disc>& discs, double end)
 {
@@ -90,11 +90,11 @@ int run(std::vector<Disc>& discs, double end)
         end -= first;
     }
 }
-// [discs.run]
+
 
 } // namespace
 
-// [discs.main]
+
 int main()
 {
     // Nine discs on a lattice, small and large, each with a velocity of its own
@@ -112,4 +112,4 @@ int main()
         std::printf("%4d s %9d %25.0e\n", t, impacts, energy(discs) / before - 1.0);
     }
 }
-// [discs.main]
+

@@ -7,7 +7,7 @@
 /// Bodies that pull one another, moved by steps.
 namespace flying::steps {
 
-// [many.pull]
+
 struct Puller
 {
     Moving motion;
@@ -26,9 +26,9 @@ struct Puller
     }
     return a;
 }
-// [many.pull]
 
-// [many.wrong]
+
+
 /// WRONG: a body later in the list is pulled by bodies that have moved already.
 inline void step_in_place(std::vector<Puller>& bodies, double h)
 {
@@ -38,9 +38,9 @@ inline void step_in_place(std::vector<Puller>& bodies, double h)
         b.x += h * b.v;
     }
 }
-// [many.wrong]
 
-// [many.right]
+
+
 /// First ask all, then move all.
 inline void step_together(std::vector<Puller>& bodies, double h)
 {
@@ -52,6 +52,6 @@ inline void step_together(std::vector<Puller>& bodies, double h)
         b.x += h * b.v;
     }
 }
-// [many.right]
+
 
 } // namespace flying::steps

@@ -8,7 +8,7 @@
 
 namespace flying::steps {
 
-// [orbits.orbit]
+
 /// An orbit round the origin, counter-clockwise. Its nearest point lies on the positive x
 /// axis, and is passed at time 0.
 struct Orbit
@@ -21,9 +21,9 @@ struct Orbit
     [[nodiscard]] double mean_motion() const { return std::sqrt(mu / a) / a; }
     [[nodiscard]] double period() const { return 2.0 * std::numbers::pi / mean_motion(); }
 };
-// [orbits.orbit]
 
-// [orbits.anomaly]
+
+
 /// The E of Kepler's equation E - ecc sin E = M, for 0 <= M <= pi and 0 <= ecc < 1.   [rad]
 [[nodiscard]] inline double eccentric_anomaly(double M, double ecc)
 {
@@ -36,9 +36,9 @@ struct Orbit
         E = next;
     }
 }
-// [orbits.anomaly]
 
-// [orbits.ellipse]
+
+
 /// The body on its ellipse at any time t.
 [[nodiscard]] inline Moving on_ellipse(const Orbit& o, double t)
 {
@@ -54,9 +54,9 @@ struct Orbit
     return {o.a * Vec2(sc.cosine - o.ecc, flat * sc.sine),
             (o.a * E_rate) * Vec2(-sc.sine, flat * sc.cosine)};
 }
-// [orbits.ellipse]
 
-// [orbits.hyperbola]
+
+
 /// The H of ecc sinh H - H = M, for M >= 0 and ecc > 1.   [1]
 [[nodiscard]] inline double hyperbolic_anomaly(double M, double ecc)
 {
@@ -79,9 +79,9 @@ struct Orbit
     return {o.a * Vec2(o.ecc - std::cosh(H), steep * std::sinh(H)),
             (o.a * H_rate) * Vec2(-std::sinh(H), steep * std::cosh(H))};
 }
-// [orbits.hyperbola]
 
-// [orbits.fall]
+
+
 /// How long a body let go at distance r0 falls straight in until it is at distance r.   [s]
 [[nodiscard]] inline double fall_time(double mu, double r0, double r)
 {
@@ -89,6 +89,6 @@ struct Orbit
     return std::sqrt(r0 / (2.0 * mu)) * r0 *
            (std::acos(std::sqrt(q)) + std::sqrt(q * (1.0 - q)));
 }
-// [orbits.fall]
+
 
 } // namespace flying::steps

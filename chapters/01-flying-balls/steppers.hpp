@@ -6,16 +6,16 @@
 /// place.
 namespace flying::steps {
 
-// [steps.moving]
+
 /// What a step starts from and what it leaves.
 struct Moving
 {
     Vec2 x; ///< place [m]
     Vec2 v; ///< velocity [m/s]
 };
-// [steps.moving]
 
-// [steps.euler]
+
+
 /// Explicit Euler: place and velocity go on as they were when the step began.
 /// h  length of the step [s]
 template <typename Acceleration>
@@ -23,9 +23,9 @@ template <typename Acceleration>
 {
     return {b.x + h * b.v, b.v + h * a(b.x)};
 }
-// [steps.euler]
 
-// [steps.symplectic]
+
+
 /// Symplectic Euler: the velocity goes first, and the place goes on at the new one.
 template <typename Acceleration>
 [[nodiscard]] Moving symplectic_euler(const Moving& b, const Acceleration& a, double h)
@@ -33,9 +33,9 @@ template <typename Acceleration>
     const Vec2 v = b.v + h * a(b.x);
     return {b.x + h * v, v};
 }
-// [steps.symplectic]
 
-// [steps.verlet]
+
+
 /// Velocity Verlet: half of the push, the whole way, the other half of the push.
 template <typename Acceleration>
 [[nodiscard]] Moving verlet(const Moving& b, const Acceleration& a, double h)
@@ -44,9 +44,9 @@ template <typename Acceleration>
     const Vec2 x = b.x + h * v_middle;
     return {x, v_middle + (0.5 * h) * a(x)};
 }
-// [steps.verlet]
 
-// [steps.run]
+
+
 /// n steps of length h, one after the other.
 template <typename Step, typename Acceleration>
 [[nodiscard]] Moving run(const Step& step, Moving b, const Acceleration& a, double h,
@@ -55,7 +55,7 @@ template <typename Step, typename Acceleration>
     for (long k = 0; k < n; ++k) b = step(b, a, h);
     return b;
 }
-// [steps.run]
+
 
 /// The steppers as things that can be handed over.
 inline constexpr auto k_euler = [](const Moving& b, const auto& a, double h) {

@@ -194,7 +194,7 @@ TEST_CASE("a body let go falls into the centre in the time that its energy says"
                  fall_time(1.32712440018e20, 1.495978707e11, 0.0) / 86400.0);
 }
 
-// [flying.tests.order]
+
 TEST_CASE("Euler and symplectic Euler are of first order, Verlet is of second")
 {
     const Orbit orbit{1.0, 1.0, 0.5};
@@ -205,9 +205,9 @@ TEST_CASE("Euler and symplectic Euler are of first order, Verlet is of second")
     CHECK(std::abs(order(k_symplectic) - 1.0) < 0.01);
     CHECK(std::abs(order(k_verlet) - 2.0) < 0.01);
 }
-// [flying.tests.order]
 
-// [flying.tests.gain]
+
+
 TEST_CASE("one step of explicit Euler across the pull gains energy")
 {
     Random random(48);
@@ -236,7 +236,7 @@ TEST_CASE("one step of explicit Euler across the pull gains energy")
     CHECK(once.v == Vec2(-0.5, 1.0));
     RECORD_VALUE("steps.gain.by-hand", energy(once, 1.0));
 }
-// [flying.tests.gain]
+
 
 // [flying.tests.back]
 TEST_CASE("Verlet flown back in time returns to its start, explicit Euler does not")

@@ -74,7 +74,7 @@ TEST_CASE("flight follows the closed form, and energy does not change on the way
         const double t = random.uniform(0.0, 100.0);
         const BodyState after = flight(ball, Vec2(0.0, g), t);
 
-        // [flying.tests.flight]
+
         // Compare with 64 bits; the engine's value passes five roundings of terms below the
         // scale
         const long double y_0 = ball.position.y();
@@ -98,7 +98,7 @@ TEST_CASE("flight follows the closed form, and energy does not change on the way
                               4.0 * k_ulp, {"v_0", v_0}, {"y_0", y_0}, {"g", g});
         CHECK_TWIN_SCALED("flight.energy", energy(after), energy(ball) - g * y, most,
                           4.0 * k_ulp);
-        // [flying.tests.flight]
+
     }
 }
 
@@ -165,7 +165,7 @@ TEST_CASE("a reflection turns the part along the normal round and leaves the spe
     }
 }
 
-// [flying.tests.fold]
+
 TEST_CASE("a disc between two walls is where a straight line is that is folded at them")
 {
     // The centre runs between 0 and L, and so does the straight flight once it is folded
@@ -189,7 +189,7 @@ TEST_CASE("a disc between two walls is where a straight line is that is folded a
     }
     RECORD_VALUE("walls.fold.worst", worst);
 }
-// [flying.tests.fold]
+
 
 TEST_CASE("a ball that is let go is back at its height after a thousand bounces")
 {
@@ -224,7 +224,7 @@ TEST_CASE("in a uniform field Euler stays behind, symplectic Euler runs ahead, a
         const Moving start{Vec2(0.0, 0.0), Vec2(0.0, v_0)};
         const double exact = v_0 * t + 0.5 * g * t * t;
 
-        // [flying.tests.uniform]
+
         const auto gap = [&](const auto& step) {
             return run(step, start, pull, h, n).x.y() - exact;
         };
@@ -238,6 +238,6 @@ TEST_CASE("in a uniform field Euler stays behind, symplectic Euler runs ahead, a
                               {"g", g}, {"t", t}, {"h", h});
         CHECK_TWIN_SCALED("steps.ahead", gap(k_symplectic), -g * t * h / 2, size, bound);
         CHECK(std::abs(gap(k_verlet)) <= 2.0 * n * k_ulp * (10.0 * t + 5.0 * t * t));
-        // [flying.tests.uniform]
+
     }
 }

@@ -10,7 +10,7 @@
 /// One disc in a box: flight until the next wall, reflection, flight again.
 namespace flying::walls {
 
-// [walls.wall]
+
 /// A straight wall as the disc's centre meets it: `normal` points into the room, and the
 /// centre x turns round where normal . x = offset.
 struct Wall
@@ -29,9 +29,9 @@ using Walls = std::array<Wall, 4>;
              {Vec2(0.0, 1.0), min.y() + R},
              {Vec2(0.0, -1.0), R - max.y()}}};
 }
-// [walls.wall]
 
-// [walls.time]
+
+
 /// How long until a way d is covered, at first at speed u, with acceleration c, all three
 /// towards the wall. Infinity where the wall is never reached.   [s]
 [[nodiscard]] inline double time_to_cover(double d, double u, double c)
@@ -42,17 +42,17 @@ using Walls = std::array<Wall, 4>;
     if (u > 0.0) return 2.0 * d / (u + std::sqrt(square));
     return c > 0.0 ? (std::sqrt(square) - u) / c : k_never;
 }
-// [walls.time]
 
-// [walls.reflect]
+
+
 /// The velocity after a wall with normal n: its part along n turns round, nothing is lost.
 [[nodiscard]] inline Vec2 reflected(const Vec2& v, const Vec2& n)
 {
     return v - 2.0 * v.dot(n) * n;
 }
-// [walls.reflect]
 
-// [walls.next]
+
+
 /// A wall that is going to be met.
 struct Meeting
 {
@@ -72,9 +72,9 @@ struct Meeting
     }
     return next;
 }
-// [walls.next]
 
-// [walls.fly]
+
+
 /// The disc at a later time, after as many walls as come in its way. Not for one that lies
 /// still.
 [[nodiscard]] inline BodyState fly_between(BodyState disc, const Walls& walls,
@@ -89,6 +89,6 @@ struct Meeting
         disc.velocity = reflected(disc.velocity, next.normal);
     }
 }
-// [walls.fly]
+
 
 } // namespace flying::walls

@@ -7,7 +7,7 @@
 /// WRONG on purpose: see "Where it breaks".
 namespace flying::wrong {
 
-// [wrong.degrees]
+
 enum class Kind
 {
     ball,   ///< its angle is in radians
@@ -21,6 +21,6 @@ enum class Kind
     const double angle = kind == Kind::polygon ? body.angle * degree : body.angle;
     return body.position + Rotation::of(angle) * r_local;
 }
-// [wrong.degrees]
+
 
 } // namespace flying::wrong

@@ -3,7 +3,7 @@
 
 #include "wrong_triangle.hpp"
 
-// [rectangle.breaks]
+
 int main()
 {
     std::printf("   leg [m]   right [kg m^2]   wrong [kg m^4]      wrong / right\n");
@@ -13,4 +13,4 @@ int main()
         std::printf("%10g %16.6g %16.6g %18.6g\n", leg, right, wrong, wrong / right);
     }
 }
-// [rectangle.breaks]
+

@@ -10,7 +10,7 @@ using namespace flying;
 
 namespace {
 
-// [rectangle.demo.pieces]
+
 /// A plate of 2 m by 1 m, cut into ever more pieces that are taken for points.
 void cut_plate()
 {
@@ -23,9 +23,9 @@ void cut_plate()
         std::printf("%8d %12.7f %10.1e\n", n * n, sum, 1.0 - sum / whole);
     }
 }
-// [rectangle.demo.pieces]
 
-// [rectangle.demo.door]
+
+
 /// A door of 20 kg, 1 m wide and 4 cm thick, pushed here and there.
 void push_door()
 {
@@ -46,14 +46,14 @@ void push_door()
     std::printf("\nfelt at the handle = %.2f kg\n", mass_felt(hinged, width));
     std::printf("felt near the hinge = %.0f kg\n", mass_felt(hinged, 0.1));
 }
-// [rectangle.demo.door]
+
 
 } // namespace
 
-// [rectangle.demo.main]
+
 int main()
 {
     cut_plate();
     push_door();
 }
-// [rectangle.demo.main]
+

@@ -2,7 +2,7 @@
 
 namespace flying {
 
-// [rectangle.pieces]
+
 /// Moment of inertia of a plate about its centre, each of n x n equal pieces
 /// taken for a point.   [kg m^2]
 [[nodiscard]] inline double inertia_by_pieces(double mass, double width, double height,
@@ -19,6 +19,6 @@ namespace flying {
     }
     return sum;
 }
-// [rectangle.pieces]
+
 
 } // namespace flying

@@ -74,7 +74,7 @@ TEST_CASE("h cubed for h squared is right at one height alone")
 }
 // [rectangle.tests.cubed]
 
-// [rectangle.tests.pieces]
+
 TEST_CASE("n by n points fall short by one part in n squared")
 {
     for (int n = 1; n <= 100; ++n) {
@@ -88,7 +88,7 @@ TEST_CASE("n by n points fall short by one part in n squared")
         CHECK_TWIN_SCALED("rectangle.lost", lost, whole / (n * n + 1), whole, bound);
     }
 }
-// [rectangle.tests.pieces]
+
 
 TEST_CASE("a rod as thin as a hair has a twelfth about its middle and a third about its end")
 {
@@ -113,14 +113,14 @@ TEST_CASE("a rod as thin as a hair has a twelfth about its middle and a third ab
 
 namespace {
 
-// [rectangle.tests.corner]
+
 /// A plate of density 1 about its own corner: a quarter of four such plates.
 double about_corner(double width, double height)
 {
     const MassProperties four = rectangle_mass(2 * width, 2 * height, 1.0);
     return four.moment_of_inertia / 4;
 }
-// [rectangle.tests.corner]
+
 
 } // namespace
 
@@ -147,7 +147,7 @@ TEST_CASE("an axis moved aside adds the mass times the distance squared")
 }
 // [rectangle.tests.parallel]
 
-// [rectangle.tests.work]
+
 TEST_CASE("what the finger's work gives is the motion of the mass that it feels")
 {
     Random random(204);
@@ -171,7 +171,7 @@ TEST_CASE("what the finger's work gives is the motion of the mass that it feels"
         CHECK_TWIN("rectangle.turned", turned, force * d * time * time / inertia, 2e-15);
     }
 }
-// [rectangle.tests.work]
+
 
 TEST_CASE("discs and rings have half of their mass times the squares of their radii")
 {
@@ -220,7 +220,7 @@ TEST_CASE("the squares of two near radii lose what their product keeps")
 }
 // [rectangle.tests.thin]
 
-// [rectangle.tests.half]
+
 TEST_CASE("two triangles make their square")
 {
     Random random(206);
@@ -244,7 +244,7 @@ TEST_CASE("two triangles make their square")
         CHECK_TWIN("rectangle.ratio", ratio, L / 2, 2e-15);
     }
 }
-// [rectangle.tests.half]
+
 
 // [rectangle.tests.units]
 TEST_CASE("twice the lengths make sixteen times the moment of inertia")

@@ -4,7 +4,7 @@
 #include "by_side.hpp"
 #include "mass/regular_polygon.hpp"
 
-// [regular.breaks]
+
 int main()
 {
     std::printf("      sides   mass, sines   mass, law of cosines\n");
@@ -17,4 +17,4 @@ int main()
         else std::printf(" %22s\n", "not a number");
     }
 }
-// [regular.breaks]
+

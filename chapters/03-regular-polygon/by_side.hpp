@@ -8,7 +8,7 @@
 
 namespace flying {
 
-// [regular.by-side]
+
 /// Mass and moment of inertia of n triangles on sides of length l.
 [[nodiscard]] inline MassProperties polygon_by_side(int sides, double l, double cot,
                                                     double density)
@@ -16,9 +16,9 @@ namespace flying {
     const double m = density * sides * (l * l) * cot / 4.0;
     return {m, m * (l * l) / 24.0 * (1.0 + 3.0 * cot * cot)};
 }
-// [regular.by-side]
 
-// [regular.cotangent]
+
+
 /// A regular polygon through the length of its side and the cotangent.
 [[nodiscard]] inline MassProperties polygon_by_cotangent(int sides, double radius,
                                                          double density)
@@ -27,9 +27,9 @@ namespace flying {
     const double l = 2.0 * radius * half.sine;
     return polygon_by_side(sides, l, half.cosine / half.sine, density);
 }
-// [regular.cotangent]
 
-// [regular.wrong]
+
+
 /// WRONG for many sides, and it looks right: the side by the law of cosines,
 /// the height of the triangle by Pythagoras.
 [[nodiscard]] inline MassProperties wrong_polygon_mass(int sides, double radius,
@@ -40,6 +40,6 @@ namespace flying {
     const double h = std::sqrt(radius * radius - l * l / 4.0);
     return polygon_by_side(sides, l, 2.0 * h / l, density);
 }
-// [regular.wrong]
+
 
 } // namespace flying

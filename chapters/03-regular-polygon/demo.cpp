@@ -7,7 +7,7 @@ using namespace flying;
 
 namespace {
 
-// [regular.demo.table]
+
 /// How far regular polygons are from discs, of the same radius and the same area.
 void compare_with_discs()
 {
@@ -18,9 +18,9 @@ void compare_with_discs()
         std::printf("%7d %13.3e %13.3e\n", n, -radius, area);
     }
 }
-// [regular.demo.table]
 
-// [regular.demo.count]
+
+
 /// The fewest sides that come within a share of a disc.
 template <typename Ratio>
 int sides_within(double share, Ratio beside_disc)
@@ -39,7 +39,7 @@ void count_sides()
         std::printf("%8.0e %11d %11d\n", share, by_radius, by_area);
     }
 }
-// [regular.demo.count]
+
 
 } // namespace
 

@@ -12,7 +12,7 @@ using namespace flying::outlines;
 
 namespace {
 
-// [polygon.demo.row]
+
 /// One line of the table. The outer ring comes first, holes turn the other way.
 void print_row(const char* name, const std::vector<Ring>& rings)
 {
@@ -23,9 +23,9 @@ void print_row(const char* name, const std::vector<Ring>& rings)
                 moments.centroid.x(), moments.centroid.y(), mean.x(), mean.y(),
                 moments.second_moment);
 }
-// [polygon.demo.row]
 
-// [polygon.demo.far]
+
+
 /// The house, further and further from the origin.
 void move_house()
 {
@@ -36,7 +36,7 @@ void move_house()
                     moments_about_origin(ring).second_moment);
     }
 }
-// [polygon.demo.far]
+
 
 } // namespace
 

@@ -10,13 +10,13 @@ namespace flying::outlines {
 
 using Ring = std::vector<Vec2>;
 
-// [outlines.dumbbell]
+
 inline Ring dumbbell()
 {
     return {{40, 20},   {-40, 20}, {-40, 40}, {-80, 40}, {-80, -40}, {-40, -40},
             {-40, -20}, {40, -20}, {40, -40}, {80, -40}, {80, 40},   {40, 40}};
 }
-// [outlines.dumbbell]
+
 
 inline Ring house()
 {
@@ -50,7 +50,7 @@ inline Ring square(const Vec2& centre, double side)
     return {centre + Vec2(-r, -r), centre + Vec2(r, -r), centre + Vec2(r, r), centre + Vec2(-r, r)};
 }
 
-// [outlines.split]
+
 /// The same outline with `more` corners on the edge that starts at corner k, where no
 /// corner is needed.
 inline Ring with_corners(const Ring& ring, std::size_t k, int more)
@@ -64,7 +64,7 @@ inline Ring with_corners(const Ring& ring, std::size_t k, int more)
     }
     return result;
 }
-// [outlines.split]
+
 
 inline Ring moved(Ring ring, const Vec2& offset)
 {

@@ -6,7 +6,7 @@
 
 namespace flying {
 
-// [polygon.triangle]
+
 /// Moment of inertia of a triangle about one of its corners [kg m^2]
 /// m     its mass [kg]
 /// a, b  from that corner to the other two [m]
@@ -15,9 +15,9 @@ inline double triangle_inertia(double m, const Vec2& a, const Vec2& b)
     const Vec2 d = b - a;
     return 0.5 * m * (d.dot(d) / 3.0 + a.dot(d) + a.dot(a));
 }
-// [polygon.triangle]
 
-// [polygon.plain]
+
+
 /// Moments of a ring by signed triangles about any point, in plain doubles.
 /// o  the common corner of the triangles [m]
 inline AreaMoments plain_moments(std::span<const Vec2> ring, const Vec2& o)
@@ -38,6 +38,6 @@ inline AreaMoments plain_moments(std::span<const Vec2> ring, const Vec2& o)
     second -= area * centroid.squaredNorm();
     return {area, o + centroid, second};
 }
-// [polygon.plain]
+
 
 } // namespace flying

@@ -6,7 +6,7 @@
 
 namespace flying {
 
-// [polygon.wrong.mean]
+
 /// WRONG, and it looks right: the corners weigh nothing.
 inline Vec2 vertex_mean(std::span<const Vec2> ring)
 {
@@ -14,9 +14,9 @@ inline Vec2 vertex_mean(std::span<const Vec2> ring)
     for (const Vec2& vertex : ring) sum += vertex;
     return sum / static_cast<double>(ring.size());
 }
-// [polygon.wrong.mean]
 
-// [polygon.wrong.sign]
+
+
 /// WRONG, and it looks right: an area is positive, so why not say so?
 inline AreaMoments moments_without_sign(std::span<const Vec2> ring)
 {
@@ -32,14 +32,14 @@ inline AreaMoments moments_without_sign(std::span<const Vec2> ring)
     }
     return {area, centre, second};
 }
-// [polygon.wrong.sign]
 
-// [polygon.wrong.far]
+
+
 /// WRONG, and on paper it is right: any point may be the common corner.
 inline AreaMoments moments_about_origin(std::span<const Vec2> ring)
 {
     return plain_moments(ring, Vec2::Zero());
 }
-// [polygon.wrong.far]
+
 
 } // namespace flying

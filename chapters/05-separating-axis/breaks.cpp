@@ -42,10 +42,10 @@ void meet_head_on()
 
 } // namespace
 
-// [separating-axis.breaks]
+
 int main()
 {
     cross_bars();
     meet_head_on();
 }
-// [separating-axis.breaks]
+

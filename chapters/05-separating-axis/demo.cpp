@@ -12,7 +12,7 @@ namespace {
 
 constexpr double k_degree = std::numbers::pi / 180.0;
 
-// [separating-axis.demo.push]
+
 /// A square of side 1, and another turned by 30 degrees that comes from the right.
 void bring_together()
 {
@@ -27,9 +27,9 @@ void bring_together()
                     axis.owner == Owner::a ? "A" : "B", axis.edge, manifold.count);
     }
 }
-// [separating-axis.demo.push]
 
-// [separating-axis.demo.tried]
+
+
 /// How many edges were tried before this one was found.
 int tried(const Axis& found, const std::optional<Axis>& guess, int edges_of_a)
 {
@@ -37,9 +37,9 @@ int tried(const Axis& found, const std::optional<Axis>& guess, int edges_of_a)
     if (!guess) return in_order;
     return found.owner == guess->owner && found.edge == guess->edge ? 1 : 1 + in_order;
 }
-// [separating-axis.demo.tried]
 
-// [separating-axis.demo.cache]
+
+
 /// A hexagon flies past an octagon and turns: a thousand looks, with and without memory.
 void fly_past()
 {
@@ -60,14 +60,14 @@ void fly_past()
     std::printf("\nedges tried from the start = %d\n", without);
     std::printf("edges tried with a memory = %d\n", with);
 }
-// [separating-axis.demo.cache]
+
 
 } // namespace
 
-// [separating-axis.demo]
+
 int main()
 {
     bring_together();
     fly_past();
 }
-// [separating-axis.demo]
+

@@ -21,7 +21,7 @@ struct HeadOn
     Vec2 v_a = Vec2(1.0, 0.0); ///< [m/s]
     Vec2 v_b = Vec2(-1.0, 0.0);
 
-    // [separating-axis.head_on]
+
     /// Fly for a moment; where the squares overlap and approach, exchange their speeds
     /// along the normal.
     void step(Rule rule, double dt)
@@ -42,7 +42,7 @@ struct HeadOn
         v_a += approach * n;
         v_b -= approach * n;
     }
-    // [separating-axis.head_on]
+
 };
 
 } // namespace flying

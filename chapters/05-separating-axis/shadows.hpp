@@ -9,7 +9,7 @@
 
 namespace flying {
 
-// [separating-axis.box]
+
 /// A rectangle about its centre. Edges: 0 below, 1 right, 2 above, 3 left.
 /// width, height  [m]
 inline Polygon box_of(double width, double height)
@@ -24,9 +24,9 @@ inline Pose placed(double x, double y, double angle = 0.0)
 {
     return {Vec2(x, y), Rotation::of(angle)};
 }
-// [separating-axis.box]
 
-// [separating-axis.ring]
+
+
 /// A regular polygon about its centre, its first vertex to the right.
 /// sides  three or more
 /// radius of its corners [m]
@@ -39,9 +39,9 @@ inline Polygon regular(int sides, double radius)
     }
     return Polygon({ring});
 }
-// [separating-axis.ring]
 
-// [separating-axis.gap]
+
+
 /// Gap between the shadows on one direction: the least of B less the greatest of A.  [m]
 inline double gap(const Polygon& a, const Pose& pose_a, const Polygon& b,
                   const Pose& pose_b, const Vec2& n)
@@ -53,6 +53,6 @@ inline double gap(const Polygon& a, const Pose& pose_a, const Polygon& b,
     for (const Vec2& q : b.vertices()) start_b = std::min(start_b, n.dot(pose_b * q));
     return start_b - reach_a;
 }
-// [separating-axis.gap]
+
 
 } // namespace flying

@@ -52,7 +52,7 @@ TEST_CASE("a turned box reaches as far along an axis as the shadows of its sides
     }
 }
 
-// [separating-axis.tests.push]
+
 TEST_CASE("a push along an axis widens its gap by the length of the push")
 {
     Random random(512);
@@ -74,7 +74,7 @@ TEST_CASE("a push along an axis widens its gap by the length of the push")
         CHECK_TWIN_SCALED("axis.push", after, s - p, 8.0, k_bound);
     }
 }
-// [separating-axis.tests.push]
+
 
 TEST_CASE("where polygons overlap, no direction has a greater gap than the best edge; "
           "where any has a gap, an edge has")
@@ -131,7 +131,7 @@ TEST_CASE("the shortest push parts two polygons, and a push shorter by a thousan
     CHECK(tried > 300);
 }
 
-// [separating-axis.tests.cut]
+
 TEST_CASE("a crate that hangs over the end of a shelf is cut off at the end")
 {
     Random random(515);
@@ -165,7 +165,7 @@ TEST_CASE("a crate that hangs over the end of a shelf is cut off at the end")
         CHECK_TWIN_SCALED("axis.cut", s, s_0 + (L - u_0) / L * (s_1 - s_0), 8.0, k_bound);
     }
 }
-// [separating-axis.tests.cut]
+
 
 TEST_CASE("two bodies a million kilometres from the origin see each other to the bit as "
           "they do near it")

@@ -12,7 +12,7 @@ inline bool holds(const Aabb& box, const Vec2& p)
     return box.min.x() <= p.x() && p.x() <= box.max.x() && box.min.y() <= p.y() && p.y() <= box.max.y();
 }
 
-// [separating-axis.wrong.corners]
+
 /// Wrong: boxes overlap where one has a corner in the other.
 inline bool wrong_overlap(const Aabb& a, const Aabb& b)
 {
@@ -26,6 +26,6 @@ inline bool wrong_overlap(const Aabb& a, const Aabb& b)
     };
     return has_corner_in(a, b) || has_corner_in(b, a);
 }
-// [separating-axis.wrong.corners]
+
 
 } // namespace flying

@@ -8,7 +8,7 @@
 
 namespace flying {
 
-// [separating-axis.wrong.edge]
+
 /// Wrong: the normal of that edge of A which a corner of B lies nearest to, in the world.
 inline Vec2 wrong_normal(const Polygon& a, const Pose& pose_a, const Polygon& b,
                          const Pose& pose_b)
@@ -29,6 +29,6 @@ inline Vec2 wrong_normal(const Polygon& a, const Pose& pose_a, const Polygon& b,
     }
     return normal;
 }
-// [separating-axis.wrong.edge]
+
 
 } // namespace flying

@@ -19,7 +19,7 @@ void truncate()
     }
 }
 
-// [corner.breaks.normal]
+
 /// A crate falls straight onto a floor 20 m long, at 3 m/s, here and there.
 void lean()
 {
@@ -35,7 +35,7 @@ void lean()
                     right.y(), wrong.x(), wrong.y());
     }
 }
-// [corner.breaks.normal]
+
 
 } // namespace
 

@@ -27,7 +27,7 @@ void set(const char* what, const Shape& a, const Shape& b, const Pose& world_fro
     }
 }
 
-// [corner.demo.touches]
+
 void set_all()
 {
     const double root = std::sqrt(0.5); // half the diagonal of a square of side 1
@@ -43,7 +43,7 @@ void set_all()
     set("ball on a corner", box(2, 2), Disc{1.0}, at(1.6, 1.8));
     set("table on a floor", floor, table(), at(0.0, 0.5));
 }
-// [corner.demo.touches]
+
 
 /// Cuts a few shapes into convex parts, and counts them.
 void cut_all()
@@ -71,7 +71,7 @@ void lay(const char* what, const Polygon& a, const Polygon& b, const Pose& world
     }
 }
 
-// [corner.demo.pairs]
+
 void lay_all()
 {
     const Polygon floor = box(10, 1);
@@ -85,7 +85,7 @@ void lay_all()
     lay("floor in a table", table(), box(20, 1), at(0.0, -0.4));
     lay("diamond in a frame", frame(), diamond(), at(0.0, 0.0));
 }
-// [corner.demo.pairs]
+
 
 /// A square of 64 by 64 neighbouring doubles beside one line, judged twice.
 void judge_grid()

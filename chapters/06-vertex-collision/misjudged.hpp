@@ -11,7 +11,7 @@
 
 namespace flying::corner {
 
-// [corner.misjudged]
+
 /// Of `pairs` random pairs of squares with the side `side`, how many the wrong
 /// turn takes for apart although their edges cross, or the other way round.
 inline int misjudged_pairs(double side, int pairs)
@@ -34,6 +34,6 @@ inline int misjudged_pairs(double side, int pairs)
     }
     return misjudged;
 }
-// [corner.misjudged]
+
 
 } // namespace flying::corner

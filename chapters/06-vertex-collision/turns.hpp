@@ -6,7 +6,7 @@
 
 namespace flying::corner {
 
-// [corner.rounded]
+
 /// The turn a -> b -> c as twice a signed area, rounded at every step. [m^2]
 inline double rounded_turn(const Vec2& a, const Vec2& b, const Vec2& c)
 {
@@ -14,18 +14,18 @@ inline double rounded_turn(const Vec2& a, const Vec2& b, const Vec2& c)
     const double right = (a.y() - c.y()) * (b.x() - c.x());
     return left - right;
 }
-// [corner.rounded]
 
-// [corner.wrong.turn]
+
+
 /// WRONG, and it looks right: only the sign is wanted, and a sign is an int.
 inline int wrong_turn(const Vec2& a, const Vec2& b, const Vec2& c)
 {
     const int turn = static_cast<int>(rounded_turn(a, b, c));
     return (turn > 0 ? 1 : 0) - (turn < 0 ? 1 : 0);
 }
-// [corner.wrong.turn]
 
-// [corner.cross-by]
+
+
 /// Some edge of one ring crosses some edge of the other, by the turns that are
 /// handed in.
 template <typename Turn>
@@ -43,6 +43,6 @@ bool rings_cross(std::span<const Vec2> a, std::span<const Vec2> b, Turn turn)
     }
     return false;
 }
-// [corner.cross-by]
+
 
 } // namespace flying::corner

@@ -4,20 +4,20 @@
 
 namespace flying::corner {
 
-// [corner.wrong.normal]
+
 /// WRONG, and it looks right: B lies over there, so it is pushed there.
 inline Vec2 wrong_normal(const Vec2& centre_a, const Vec2& centre_b)
 {
     return (centre_b - centre_a).normalized();
 }
-// [corner.wrong.normal]
 
-// [corner.bounced]
+
+
 /// A velocity thrown back along a normal, as smooth bodies without loss do.
 inline Vec2 bounced(const Vec2& velocity, const Vec2& normal)
 {
     return velocity - 2.0 * normal.dot(velocity) * normal;
 }
-// [corner.bounced]
+
 
 } // namespace flying::corner

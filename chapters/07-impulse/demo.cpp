@@ -8,7 +8,7 @@ using namespace flying;
 
 namespace {
 
-// [impulse.demo.rod]
+
 /// A ball and a rod, each of 1 kg: struck in the middle, and ever further out.
 void strike_rods()
 {
@@ -25,7 +25,7 @@ void strike_rods()
                     1.0 - ball, ball, rod, after.spin_b, energy);
     }
 }
-// [impulse.demo.rod]
+
 
 /// A disc on a rough floor, faster and faster along it.
 void strike_floors()
@@ -64,11 +64,11 @@ void strike_rows()
 
 } // namespace
 
-// [impulse.demo.main]
+
 int main()
 {
     strike_rods();
     strike_floors();
     strike_rows();
 }
-// [impulse.demo.main]
+

@@ -6,7 +6,7 @@
 
 namespace flying {
 
-// [impulse.rod]
+
 /// A ball that flies up at 1 m/s strikes a resting rod of 1 m and 1 kg.
 /// ball_mass  [kg]; d  from the rod's middle, to the right [m]; e  restitution
 inline ImpactResult strike_rod(double ball_mass, double d, double e)
@@ -18,9 +18,9 @@ inline ImpactResult strike_rod(double ball_mass, double d, double e)
     const ImpactPoint point{{0.0, radius}, {d, 0.0}, {0.0, 1.0}};
     return resolve_impact(ball, rod, {&point, 1}, {e, 0.0});
 }
-// [impulse.rod]
 
-// [impulse.floor]
+
+
 /// A disc of 1 m and 1 kg that strikes the floor at 1 m/s, sliding to the right, no spin.
 /// slip  [m/s]
 inline ImpactResult strike_floor(double slip, const Material& material)
@@ -30,12 +30,12 @@ inline ImpactResult strike_floor(double slip, const Material& material)
     const ImpactPoint point{{0.0, 0.0}, {0.0, -1.0}, {0.0, 1.0}};
     return resolve_impact(floor, disc, {&point, 1}, material);
 }
-// [impulse.floor]
+
 
 /// Velocities of five equal balls in a row.
 using Row = std::array<double, 5>;
 
-// [impulse.row.in_turn]
+
 /// Each pair by itself, from the left to the right, until none approaches.
 inline Row struck_in_turn(Row v, double e)
 {
@@ -53,9 +53,9 @@ inline Row struck_in_turn(Row v, double e)
     }
     return v;
 }
-// [impulse.row.in_turn]
 
-// [impulse.row.at_once]
+
+
 /// All pairs together: (1 + e) times what brings the whole row to one velocity.
 inline Row struck_at_once(Row v, double e)
 {
@@ -64,6 +64,6 @@ inline Row struck_at_once(Row v, double e)
     for (double& each : v) each += (1.0 + e) * (common - each);
     return v;
 }
-// [impulse.row.at_once]
+
 
 } // namespace flying

@@ -8,7 +8,7 @@
 #include "response/several_points.hpp"
 #include "strikes.hpp"
 #include "support/receipts.hpp"
-#include "tests_impacts.hpp"
+#include "support/impacts.hpp"
 #include "wrong_impulse.hpp"
 
 using namespace impacts;
@@ -46,7 +46,7 @@ Meeting random_meeting(flying::Random& random)
 
 } // namespace
 
-// [impulse.tests.speed]
+
 TEST_CASE("the normal speed is that of one point seen from the other")
 {
     flying::Random random(722);
@@ -66,7 +66,7 @@ TEST_CASE("the normal speed is that of one point seen from the other")
         CHECK_TWIN_SCALED("impulse.speed", engine, direct + m.motion.velocity_a.dot(m.point.normal), 8.0, 1e-15);
     }
 }
-// [impulse.tests.speed]
+
 
 TEST_CASE("a push of one newton-second changes the normal speed by the inverse mass")
 {
@@ -179,7 +179,7 @@ TEST_CASE("a disc on the floor loses the slip that the cone can take")
 }
 // [impulse.tests.disc]
 
-// [impulse.tests.slip]
+
 TEST_CASE("where the slip outlasts the impact, the impulse has one rate")
 {
     flying::Random random(726);
@@ -224,9 +224,9 @@ TEST_CASE("where the slip outlasts the impact, the impulse has one rate")
     }
     CHECK(slipping > 500);
 }
-// [impulse.tests.slip]
 
-// [impulse.tests.stronge]
+
+
 TEST_CASE("where the slip ends during compression, e squared of the work comes back")
 {
     flying::Random random(727);
@@ -260,9 +260,9 @@ TEST_CASE("where the slip ends during compression, e squared of the work comes b
     }
     CHECK(cases > 500);
 }
-// [impulse.tests.stronge]
 
-// [impulse.tests.row]
+
+
 TEST_CASE("five balls in a row: both laws keep the momentum, and at e = 1 the energy")
 {
     const flying::Row start{1.0, 0.0, 0.0, 0.0, 0.0};
@@ -284,9 +284,9 @@ TEST_CASE("five balls in a row: both laws keep the momentum, and at e = 1 the en
         }
     }
 }
-// [impulse.tests.row]
 
-// [impulse.tests.rocking]
+
+
 TEST_CASE("a block that rocks from one corner to the other keeps what the angle of its diagonal leaves")
 {
     for (int i = 1; i <= 50; ++i) {
@@ -303,7 +303,7 @@ TEST_CASE("a block that rocks from one corner to the other keeps what the angle 
         CHECK_TWIN("impulse.rocking", after.spin_b / spin, 1 - 2 * w * w, 32.0 * k_epsilon);
     }
 }
-// [impulse.tests.rocking]
+
 
 // [impulse.tests.wrong_two_e]
 TEST_CASE("2 e in place of 1 + e is right at e = 1 alone; at e = 0 the ball goes through "

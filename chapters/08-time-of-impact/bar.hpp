@@ -16,7 +16,7 @@ inline constexpr double k_half_thickness = 0.01;
 /// The floor: all that lies at y <= 0.
 inline const HalfPlane k_floor{{0.0, 1.0}, 0.0};
 
-// [toi.bar]
+
 /// From the bar's middle to its corner [m], and how far below the bar's axis that one lies [rad].
 inline const double k_arm = std::hypot(k_half_length, k_half_thickness);
 inline const double k_lean = std::atan2(k_half_thickness, k_half_length);
@@ -27,7 +27,7 @@ inline double bar_strikes(double y, double spin)
 {
     return (std::asin(y / k_arm) - k_lean) / spin;
 }
-// [toi.bar]
+
 
 /// The bar as a polygon.
 inline Polygon bar()
@@ -47,14 +47,14 @@ inline Flyer turning_bar(double y, double spin)
     return flyer;
 }
 
-// [toi.bar.corner]
+
 /// Height of the bar's lower right corner over the floor, and how fast it changes.
 inline EdgeReading read_corner(double y, double spin, double time)
 {
     const Vec2 arm = Rotation::of(-spin * time) * Vec2(k_half_length, -k_half_thickness);
     return {y + arm.y(), -spin * arm.x(), 0.0, 0.0};
 }
-// [toi.bar.corner]
+
 
 /// What bounds the search. looseness  by how much the bound is larger than need be
 inline MarchBounds bar_bounds(double y, double spin, double looseness)

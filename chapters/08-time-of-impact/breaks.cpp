@@ -10,7 +10,7 @@ using namespace flying;
 
 namespace {
 
-// [toi.breaks.walls]
+
 /// A disc of 10 cm and a wall of 2 cm: when they meet, by sixty looks a second and by the engine.
 void throw_discs()
 {
@@ -26,9 +26,9 @@ void throw_discs()
         std::printf(" %17.9g s\n", found);
     }
 }
-// [toi.breaks.walls]
 
-// [toi.breaks.meet]
+
+
 /// Two discs of 1 m on paths half a metre apart, from farther and farther away.
 void meet_from_afar()
 {
@@ -44,9 +44,9 @@ void meet_from_afar()
         std::printf(" %13.1e s\n", std::abs(engine - expected));
     }
 }
-// [toi.breaks.meet]
 
-// [toi.breaks.step]
+
+
 /// A point comes down at 1 m/s with next to no bend: the root is one second away for each metre.
 void step_to_roots()
 {
@@ -56,15 +56,15 @@ void step_to_roots()
         std::printf("%9.0e m %16.9e s %14.9e s\n", f, school_step(f, -1.0, bend), safe_step(f, -1.0, bend));
     }
 }
-// [toi.breaks.step]
+
 
 } // namespace
 
-// [toi.breaks.main]
+
 int main()
 {
     throw_discs();
     meet_from_afar();
     step_to_roots();
 }
-// [toi.breaks.main]
+

@@ -10,7 +10,7 @@ using namespace flying;
 
 namespace {
 
-// [toi.demo.march]
+
 /// A bar turns in place and strikes the floor: every reading of the march.
 void march_of_bar(double y, double spin, double looseness)
 {
@@ -28,9 +28,9 @@ void march_of_bar(double y, double spin, double looseness)
     const MarchEnd end = march(read(0.0), read, bounds, 0.0, k_never);
     std::printf("found   %18.15f s, closed form %18.15f s\n", end.time, expected);
 }
-// [toi.demo.march]
 
-// [toi.demo.turns]
+
+
 /// The same bar comes down from higher and higher: how often is its corner read?
 void count_readings(double spin, double looseness)
 {
@@ -49,9 +49,9 @@ void count_readings(double spin, double looseness)
         std::printf("%5.1f m %7.2f %10d %18.1e m\n", y, spin * end.time / 6.2831853, readings, read(end.time).gap);
     }
 }
-// [toi.demo.turns]
 
-// [toi.demo.far]
+
+
 /// A turning bar meets one that stands, here and far from the world's origin. The places are such that doubles can't
 /// hold them, and hold them worse the further out they are.
 void move_away(double spin)
@@ -76,11 +76,11 @@ void move_away(double spin)
         std::printf("%11.0f m %18.15f %10.1e s %12.1e m %12.1e m\n", moved, answer.time, off, gap, noise);
     }
 }
-// [toi.demo.far]
+
 
 } // namespace
 
-// [toi.demo.main]
+
 /// demo [HEIGHT [SPIN [LOOSENESS]]]
 int main(int argc, char** argv)
 {
@@ -92,4 +92,4 @@ int main(int argc, char** argv)
     count_readings(spin, looseness);
     move_away(spin);
 }
-// [toi.demo.main]
+

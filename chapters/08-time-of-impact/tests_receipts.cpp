@@ -16,7 +16,7 @@
 
 using namespace flying;
 
-// [toi.tests.discs]
+
 TEST_CASE("two discs meet at the smaller root of their quadratic")
 {
     Random random(801);
@@ -32,9 +32,9 @@ TEST_CASE("two discs meet at the smaller root of their quadratic")
         CHECK_TWIN("toi.discs", t, c / (b - std::sqrt(D)), 4e-15);
     }
 }
-// [toi.tests.discs]
 
-// [toi.tests.fall]
+
+
 TEST_CASE("a disc falls on a wall when its parabola does")
 {
     Random random(802);
@@ -47,7 +47,7 @@ TEST_CASE("a disc falls on a wall when its parabola does")
         CHECK_TWIN("toi.fall", t, 2 * h / (std::sqrt(u * u - a * h) - u), 2e-15);
     }
 }
-// [toi.tests.fall]
+
 
 // [toi.tests.bar]
 TEST_CASE("a turning bar strikes the floor at the arc sine of its height")
@@ -72,7 +72,7 @@ TEST_CASE("a turning bar strikes the floor at the arc sine of its height")
 }
 // [toi.tests.bar]
 
-// [toi.tests.rate]
+
 TEST_CASE("a gap changes as fast as the vertex moves along the normal, seen from the edge")
 {
     Random random(804);
@@ -90,9 +90,9 @@ TEST_CASE("a gap changes as fast as the vertex moves along the normal, seen from
         if (std::abs(twin - closed) > 1e-6) CHECK_TWIN_SCALED("toi.rate", rate, twin, 10.0, 1e-9);
     }
 }
-// [toi.tests.rate]
 
-// [toi.tests.bend]
+
+
 TEST_CASE("no gap bends more than its bound, and the worst of all flights bends just as much")
 {
     Random random(805);
@@ -127,9 +127,9 @@ TEST_CASE("no gap bends more than its bound, and the worst of all flights bends 
         CHECK(std::abs(two.bend_by_differences(0.0)) <= two.bend_bound() * (1.0 + 1e-6));
     }
 }
-// [toi.tests.bend]
 
-// [toi.tests.step]
+
+
 TEST_CASE("a safe step is the first root of the parabola below")
 {
     Random random(806);
@@ -147,9 +147,9 @@ TEST_CASE("a safe step is the first root of the parabola below")
         CHECK_TWIN("toi.step", step, static_cast<double>(2.0L * f / (std::sqrt(wide * wide + M * f) - wide)), 1e-14);
     }
 }
-// [toi.tests.step]
 
-// [toi.tests.noise]
+
+
 TEST_CASE("the noise of a gap counts the roundings of its coordinates and of its time")
 {
     Random random(811);
@@ -199,9 +199,9 @@ TEST_CASE("no gap of a turning vertex over a wall is farther off than the bound 
     RECORD_VALUE("toi.noise.worst", 100.0 * worst);
     RECORD_VALUE("toi.noise.cases", k_cases);
 }
-// [toi.tests.noise]
 
-// [toi.tests.graze]
+
+
 TEST_CASE("where a vertex touches without approach, the march goes on by a step in which the gap hardly changes")
 {
     Random random(807);
@@ -234,9 +234,9 @@ TEST_CASE("a wave that dips below zero strikes and one that stays above does not
         if (depth == 0.0) CHECK(std::abs(wave(end.time).gap_rate) <= std::sqrt(2.0 * noise) * 1.01);
     }
 }
-// [toi.tests.graze]
 
-// [toi.tests.outlook]
+
+
 TEST_CASE("round a centre, the pull of the near future is that of half the distance, or of the nearest point")
 {
     Random random(808);
@@ -277,9 +277,9 @@ TEST_CASE("round a centre, the pull of the near future is that of half the dista
     CHECK(by_half > 100);
     CHECK(by_orbit > 100);
 }
-// [toi.tests.outlook]
 
-// [toi.tests.late]
+
+
 TEST_CASE("the same meeting a million seconds later is found a million seconds later")
 {
     Random random(812);
@@ -318,9 +318,9 @@ TEST_CASE("the same meeting a million seconds later is found a million seconds l
     CHECK(worst <= 2.0 * gap_tolerance(1.0, 1.0, 8.0, 4.0, k_later).noise);
     RECORD_VALUE("toi.late.off", worst);
 }
-// [toi.tests.late]
 
-// [toi.tests.radial]
+
+
 TEST_CASE("a disc that falls straight in strikes the disc at the centre at the time of the closed form")
 {
     // sqrt(r^3 / 2 mu) (acos sqrt q + sqrt(q (1 - q))), where q = 1/4 is the share of the way that is left
@@ -335,7 +335,7 @@ TEST_CASE("a disc that falls straight in strikes the disc at the centre at the t
     const double expected = 4.0 * (std::numbers::pi / 3 + std::sqrt(3.0) / 4);
     CHECK(std::abs(answer.time - expected) <= 1e-14 * expected);
 }
-// [toi.tests.radial]
+
 
 // [toi.tests.wrong_steps]
 TEST_CASE("a disc that is looked at step by step passes a thin wall "
@@ -364,7 +364,7 @@ TEST_CASE("a disc that is looked at step by step passes a thin wall "
 }
 // [toi.tests.wrong_steps]
 
-// [toi.tests.wrong_meet]
+
 TEST_CASE("the quadratic of school loses digits with the distance, and far away it loses the meeting")
 {
     Random random(809);
@@ -380,7 +380,7 @@ TEST_CASE("the quadratic of school loses digits with the distance, and far away 
     CHECK(missed > 100);
     RECORD_VALUE("toi.wrong.missed", 0.1 * missed);
 }
-// [toi.tests.wrong_meet]
+
 
 // [toi.tests.wrong_step]
 TEST_CASE("the safe step as school has it passes roots, or does not move at all")

@@ -8,7 +8,7 @@
 
 namespace flying {
 
-// [toi.two]
+
 /// A vertex of a body P that flies and turns, and an edge of a body Q that does: the gap between them.
 struct TwoFlyers
 {
@@ -27,7 +27,7 @@ struct TwoFlyers
         const Vec2 at_edge = q_then.position + 0.5 * n;
         return n.dot(at_vertex - at_edge);
     }
-    // [toi.two]
+
 
     struct AtEdge
     {

@@ -9,7 +9,7 @@
 
 namespace flying {
 
-// [toi.wrong.meet]
+
 /// WRONG, and it looks right: the quadratic as school has it.
 inline double school_meet(const Vec2& x, const Vec2& v, double s)
 {
@@ -19,7 +19,7 @@ inline double school_meet(const Vec2& x, const Vec2& v, double s)
     if (b <= 0.0 || D < 0.0) return k_never;
     return (b - std::sqrt(D)) / v.dot(v);
 }
-// [toi.wrong.meet]
+
 
 /// Two discs far apart, on paths that lie aslant.
 struct FarPair
@@ -49,12 +49,12 @@ inline double exactly(const FarPair& pair, double s)
     return static_cast<double>(c / (b + sqrt(D)));
 }
 
-// [toi.wrong.step]
+
 /// WRONG, and it looks right: the safe step as school has it.
 inline double school_step(double f, double f_rate, double bend)
 {
     return (f_rate + std::sqrt(f_rate * f_rate + 2.0 * bend * f)) / bend;
 }
-// [toi.wrong.step]
+
 
 } // namespace flying

@@ -26,7 +26,7 @@ inline Flyer thrown(double x, double speed)
     return flyer;
 }
 
-// [toi.wrong.steps]
+
 /// WRONG, and it looks right: moves the disc step by step, and looks after each whether it
 /// is in the wall. When it first is, or never.  flyer  the disc; step, until  [s]
 inline double first_overlap(const Flyer& flyer, double step, double until)
@@ -39,6 +39,6 @@ inline double first_overlap(const Flyer& flyer, double step, double until)
     }
     return k_never;
 }
-// [toi.wrong.steps]
+
 
 } // namespace flying

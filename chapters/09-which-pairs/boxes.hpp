@@ -15,7 +15,7 @@ namespace flying {
 
 using Pairs = std::vector<std::pair<int, int>>;
 
-// [which-pairs.boxes]
+
 /// Discs of radius R at random places of a room, by their boxes.
 inline std::vector<BoxedBody> discs_in_room(int n, double R, double W, double H,
                                             Random& random)
@@ -27,18 +27,18 @@ inline std::vector<BoxedBody> discs_in_room(int n, double R, double W, double H,
     }
     return bodies;
 }
-// [which-pairs.boxes]
 
-// [which-pairs.oracle]
+
+
 inline Pairs pairs_of_all(std::span<const BoxedBody> bodies)
 {
     Pairs pairs;
     for_each_pair_of_all(bodies, [&](int a, int b) { pairs.emplace_back(a, b); });
     return pairs;
 }
-// [which-pairs.oracle]
 
-// [which-pairs.by_sweep]
+
+
 inline Pairs pairs_of_sweep(const Sweep& sweep)
 {
     Pairs pairs;
@@ -49,9 +49,9 @@ inline Pairs pairs_of_sweep(const Sweep& sweep)
     std::sort(pairs.begin(), pairs.end());
     return pairs;
 }
-// [which-pairs.by_sweep]
 
-// [which-pairs.by_grid]
+
+
 /// Middle of a box.
 inline Vec2 middle(const Aabb& box)
 {
@@ -85,9 +85,9 @@ inline GridLook pairs_of_grid(const Grid& grid, std::span<const BoxedBody> bodie
     std::sort(look.pairs.begin(), look.pairs.end());
     return look;
 }
-// [which-pairs.by_grid]
 
-// [which-pairs.fill]
+
+
 /// The grid that the engine would make for these bodies, with all of them in it. `radius`
 /// is that of the largest bounding circle of those that move.
 inline Grid filled_grid(std::span<const BoxedBody> bodies, double radius)
@@ -108,6 +108,6 @@ inline Grid filled_grid(std::span<const BoxedBody> bodies, double radius)
     }
     return grid;
 }
-// [which-pairs.fill]
+
 
 } // namespace flying

@@ -6,7 +6,7 @@ using namespace flying;
 
 namespace {
 
-// [which-pairs.breaks.count]
+
 /// A thousand discs, many of them overlapping: how many of the overlaps does each index
 /// find?
 void look_once()
@@ -17,9 +17,9 @@ void look_once()
     std::printf("overlaps found by position = %zu\n", by_position);
     std::printf("overlaps found by velocity = %zu\n", by_velocity);
 }
-// [which-pairs.breaks.count]
 
-// [which-pairs.breaks.run]
+
+
 /// Both rooms for ten seconds: what one may look at, and what tells.
 void run_both()
 {
@@ -34,14 +34,14 @@ void run_both()
                     crowd.energy(), overlapping);
     }
 }
-// [which-pairs.breaks.run]
+
 
 } // namespace
 
-// [which-pairs.breaks]
+
 int main()
 {
     look_once();
     run_both();
 }
-// [which-pairs.breaks]
+

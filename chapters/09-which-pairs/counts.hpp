@@ -5,7 +5,7 @@
 /// How many boxes each way compares in one look.
 namespace flying {
 
-// [which-pairs.counts]
+
 struct Counts
 {
     long overlapping = 0;
@@ -13,9 +13,9 @@ struct Counts
     long sweep = 0;
     long grid = 0;
 };
-// [which-pairs.counts]
 
-// [which-pairs.count]
+
+
 inline Counts count(std::span<const BoxedBody> bodies, double radius)
 {
     Counts counts;
@@ -33,6 +33,6 @@ inline Counts count(std::span<const BoxedBody> bodies, double radius)
     counts.grid = pairs_of_grid(filled_grid(bodies, radius), bodies).compared;
     return counts;
 }
-// [which-pairs.count]
+
 
 } // namespace flying

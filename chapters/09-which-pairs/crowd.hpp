@@ -9,7 +9,7 @@
 /// overlap.
 namespace flying {
 
-// [which-pairs.crowd.index]
+
 /// What the bodies are filed under.
 enum class Index
 {
@@ -33,7 +33,7 @@ struct Crowd
             grid.insert(k,
                         grid.cell_at(index == Index::position ? position[k] : velocity[k]));
         }
-        // [which-pairs.crowd.compare]
+
         Pairs pairs;
         for (int k = 0; k < n; ++k) {
             grid.for_each_near(grid.cell_of(k), [&](int other) {
@@ -42,15 +42,15 @@ struct Crowd
             });
         }
         return pairs;
-        // [which-pairs.crowd.compare]
+
     }
 
     void step(Index index, double dt);
     [[nodiscard]] double energy() const;
 };
-// [which-pairs.crowd.index]
 
-// [which-pairs.crowd.step]
+
+
 inline void Crowd::step(Index index, double dt)
 {
     for (std::size_t k = 0; k < position.size(); ++k) {
@@ -69,9 +69,9 @@ inline void Crowd::step(Index index, double dt)
         velocity[b] -= v_n * n;
     }
 }
-// [which-pairs.crowd.step]
 
-// [which-pairs.crowd.energy]
+
+
 /// Energy of motion, for masses of 1 kg.  [J]
 inline double Crowd::energy() const
 {
@@ -79,9 +79,9 @@ inline double Crowd::energy() const
     for (const Vec2& v : velocity) sum += 0.5 * v.squaredNorm();
     return sum;
 }
-// [which-pairs.crowd.energy]
 
-// [which-pairs.crowd.make]
+
+
 /// n discs in random places of a square room; velocities up to `speed` in either direction.
 inline Crowd make_crowd(int n, double side, double speed, std::uint64_t seed)
 {
@@ -96,6 +96,6 @@ inline Crowd make_crowd(int n, double side, double speed, std::uint64_t seed)
     }
     return crowd;
 }
-// [which-pairs.crowd.make]
+
 
 } // namespace flying

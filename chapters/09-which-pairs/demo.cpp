@@ -8,7 +8,7 @@ using namespace flying;
 
 namespace {
 
-// [which-pairs.demo.room]
+
 /// Discs of radius 0.5 m in a square room that grows with their number: a disc on every 4
 /// m².
 void one_look()
@@ -22,9 +22,9 @@ void one_look()
                     c.grid);
     }
 }
-// [which-pairs.demo.room]
 
-// [which-pairs.demo.again]
+
+
 /// A thousand discs fly for a hundred looks; between two looks none gets further than 0.1
 /// m.
 void look_again()
@@ -46,9 +46,9 @@ void look_again()
     std::printf("\nplaces moved for each body and look = %.2f\n",
                 1e-5 * static_cast<double>(sweep.shifts()));
 }
-// [which-pairs.demo.again]
 
-// [which-pairs.demo.few]
+
+
 /// The event engine, a thousand impacts of n discs: work in comparisons.
 void few_bodies()
 {
@@ -64,15 +64,15 @@ void few_bodies()
     }
     std::printf("\nfewest bodies for which the grid wins here = %d\n", fewest);
 }
-// [which-pairs.demo.few]
+
 
 } // namespace
 
-// [which-pairs.demo]
+
 int main()
 {
     one_look();
     look_again();
     few_bodies();
 }
-// [which-pairs.demo]
+

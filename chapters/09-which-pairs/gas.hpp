@@ -9,7 +9,7 @@
 /// A gas of discs in a box, run by the event engine that the next chapter explains.
 namespace flying {
 
-// [which-pairs.gas]
+
 /// n discs of radius 0.5 m, covering a tenth of a square box, with velocities up to 5 m/s.
 inline std::vector<EventBody> gas(int n)
 {
@@ -34,9 +34,9 @@ inline std::vector<EventBody> gas(int n)
     wall({0.0, -1.0}, -side);
     return bodies;
 }
-// [which-pairs.gas]
 
-// [which-pairs.gas.run]
+
+
 /// What a run of a thousand impacts counts.
 inline EventCounts count_work(int n, PairFinder finder)
 {
@@ -48,9 +48,9 @@ inline EventCounts count_work(int n, PairFinder finder)
     }
     return engine.counts();
 }
-// [which-pairs.gas.run]
 
-// [which-pairs.gas.work]
+
+
 /// Work in comparisons. To find a body's next border and to enter it into another cell took
 /// as many instructions as six comparisons of two discs, when we counted them.
 inline double work(const EventCounts& counts)
@@ -59,6 +59,6 @@ inline double work(const EventCounts& counts)
     return static_cast<double>(counts.predictions) +
            k_cell_change * static_cast<double>(counts.cells);
 }
-// [which-pairs.gas.work]
+
 
 } // namespace flying

@@ -64,7 +64,7 @@ TEST_CASE("sweep and grid find the pairs of the oracle, among boxes of every kin
 }
 // [which-pairs.tests.same]
 
-// [which-pairs.tests.moving]
+
 TEST_CASE("a sweep that remembers finds the pairs of the oracle at every step of a motion, "
           "in the order of a fresh one")
 {
@@ -104,9 +104,9 @@ TEST_CASE("a sweep that remembers finds the pairs of the oracle at every step of
         CHECK(sweep.shifts() > 0);
     }
 }
-// [which-pairs.tests.moving]
 
-// [which-pairs.tests.scenes]
+
+
 TEST_CASE("on every scene of the course, at any time, sweep and grid find the pairs of the "
           "oracle")
 {
@@ -140,9 +140,9 @@ TEST_CASE("on every scene of the course, at any time, sweep and grid find the pa
     }
     CHECK(scenes >= 11);
 }
-// [which-pairs.tests.scenes]
 
-// [which-pairs.tests.infinite]
+
+
 TEST_CASE("a static box without end overlaps all, and a sweep ends when it is told to")
 {
     Random random(903);
@@ -161,9 +161,9 @@ TEST_CASE("a static box without end overlaps all, and a sweep ends when it is to
     sweep.for_each_pair([&](int, int) { return ++visits < 7; });
     CHECK(visits == 7);
 }
-// [which-pairs.tests.infinite]
 
-// [which-pairs.tests.scale]
+
+
 TEST_CASE("lengths by powers of two leave the order of the sweep and the cells of the grid "
           "as they are")
 {
@@ -181,4 +181,4 @@ TEST_CASE("lengths by powers of two leave the order of the sweep and the cells o
     CHECK(large_grid.cell_size() == 0x1p90 * grid.cell_size());
     for (int k = 0; k < 200; ++k) CHECK(large_grid.cell_of(k) == grid.cell_of(k));
 }
-// [which-pairs.tests.scale]
+

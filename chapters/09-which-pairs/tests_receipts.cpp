@@ -35,7 +35,7 @@ Means mean_of_rooms(int rooms, int n, double R, double W, double H, Random& rand
 
 } // namespace
 
-// [which-pairs.tests.all]
+
 TEST_CASE("all pairs of n bodies are n (n - 1) / 2")
 {
     const Aabb box{Vec2(0.0, 0.0), Vec2(1.0, 1.0)};
@@ -50,9 +50,9 @@ TEST_CASE("all pairs of n bodies are n (n - 1) / 2")
         CHECK_TWIN("pairs.all", found, 0.5 * n * (n + 1), 0.0);
     }
 }
-// [which-pairs.tests.all]
 
-// [which-pairs.tests.side]
+
+
 TEST_CASE(
     "in a room of random discs as many are side by side, and as many overlap, as areas say")
 {
@@ -79,9 +79,9 @@ TEST_CASE(
         CHECK_TWIN("pairs.overlapping", means.overlapping, all * p_x * p_x, k_chance);
     }
 }
-// [which-pairs.tests.side]
 
-// [which-pairs.tests.nine]
+
+
 TEST_CASE("nine cells hold nine cells' share of the bodies")
 {
     constexpr double k_chance = 0.02;
@@ -112,9 +112,9 @@ TEST_CASE("nine cells hold nine cells' share of the bodies")
         CHECK_TWIN("grid.compared", found / looks, 8.0 * rho * s * s, k_chance);
     }
 }
-// [which-pairs.tests.nine]
 
-// [which-pairs.tests.crossings]
+
+
 TEST_CASE("a body that flies straight crosses 4 v / (pi s) borders a second, on average "
           "over directions")
 {
@@ -142,9 +142,9 @@ TEST_CASE("a body that flies straight crosses 4 v / (pi s) borders a second, on 
         CHECK_TWIN("grid.crossings", found, 2.0 * v / (std::numbers::pi * s), 1e-3);
     }
 }
-// [which-pairs.tests.crossings]
 
-// [which-pairs.tests.best]
+
+
 TEST_CASE("the engine's cells are those that are best where a change of cells costs one and a "
           "half comparisons")
 {
@@ -160,7 +160,7 @@ TEST_CASE("the engine's cells are those that are best where a change of cells co
         CHECK_TWIN("grid.best", s, std::sqrt(1.5 / (9.0 * rho)), 1e-15);
     }
 }
-// [which-pairs.tests.best]
+
 
 // [which-pairs.tests.wrong]
 TEST_CASE("an index over velocities finds the overlaps of those whose velocities are near, "
@@ -185,7 +185,7 @@ TEST_CASE("an index over velocities finds the overlaps of those whose velocities
 }
 // [which-pairs.tests.wrong]
 
-// [which-pairs.tests.energy]
+
 TEST_CASE("whichever index finds the pairs, energy stays: it can't tell a wrong index from "
           "a right one")
 {
@@ -201,9 +201,9 @@ TEST_CASE("whichever index finds the pairs, energy stays: it can't tell a wrong 
         if (index == Index::velocity) CHECK(overlapping > 1000);
     }
 }
-// [which-pairs.tests.energy]
 
-// [which-pairs.tests.few]
+
+
 TEST_CASE("few bodies are compared with all others for less than it takes to keep cells; "
           "many are not")
 {
@@ -214,4 +214,4 @@ TEST_CASE("few bodies are compared with all others for less than it takes to kee
     CHECK(count_work(32, PairFinder::all_pairs).impacts ==
           count_work(32, PairFinder::grid).impacts);
 }
-// [which-pairs.tests.few]
+

@@ -10,7 +10,7 @@
 
 namespace flying {
 
-// [events.billiard]
+
 /// Galperin's billiard: a wall on the left, a light ball of 1 kg at rest, a heavy one
 /// that comes in at 1 m/s.  ratio  of the two masses
 inline EventEngine billiard(double ratio)
@@ -21,9 +21,9 @@ inline EventEngine billiard(double ratio)
     bodies.push_back(wall({1.0, 0.0}, 0.0));
     return EventEngine(std::move(bodies), {PairFinder::all_pairs});
 }
-// [events.billiard]
 
-// [events.billiard.angle]
+
+
 /// Half of the angle by which two impacts turn the point.  [rad]
 inline double billiard_angle(double ratio)
 {
@@ -35,9 +35,9 @@ inline long whole_steps_below_pi(double theta)
 {
     return static_cast<long>(std::ceil(std::numbers::pi / theta)) - 1;
 }
-// [events.billiard.angle]
 
-// [events.billiard.after]
+
+
 /// Velocities in the end, by the circle. Both balls then go to the right.
 struct BilliardSpeeds
 {
@@ -52,7 +52,7 @@ inline BilliardSpeeds billiard_speeds_after(double ratio)
     const double turned = static_cast<double>(n % 2 == 0 ? n : n + 1) * theta;
     return {std::sqrt(ratio) * std::abs(std::sin(turned)), -std::cos(turned)};
 }
-// [events.billiard.after]
+
 
 /// Where the centres of the two balls are.  [m]
 struct BilliardPlaces
@@ -61,7 +61,7 @@ struct BilliardPlaces
     double heavy = 0.0;
 };
 
-// [events.billiard.wedge]
+
 /// The billiard's closed form at any moment: one straight line, folded into the
 /// wedge.
 inline BilliardPlaces billiard_places(double ratio, double time)
@@ -78,6 +78,6 @@ inline BilliardPlaces billiard_places(double ratio, double time)
     const SineCosine at = sine_cosine(turn <= theta ? turn : 2.0 * theta - turn);
     return {radius * at.sine + 0.25, radius * at.cosine / root + 1.0};
 }
-// [events.billiard.wedge]
+
 
 } // namespace flying

@@ -6,7 +6,7 @@ using namespace flying;
 
 namespace {
 
-// [events.breaks.stale]
+
 /// Twenty-five discs, with and without a look at what has been overtaken.
 void believe_everything()
 {
@@ -26,7 +26,7 @@ void believe_everything()
     print("overtaken left out", right);
     print("all that was foreseen", wrong);
 }
-// [events.breaks.stale]
+
 
 } // namespace
 

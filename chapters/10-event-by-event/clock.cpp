@@ -10,7 +10,7 @@ using namespace flying;
 
 namespace {
 
-// [events.clock.hops]
+
 /// A ball at e = 1/2, whose first hop lasts a second.
 void hop_for_ever()
 {
@@ -20,9 +20,9 @@ void hop_for_ever()
         std::printf("%9ld %6.3f s %10.0e m/s\n", hops.count, hops.time, hops.speed);
     }
 }
-// [events.clock.hops]
 
-// [events.clock.world]
+
+
 /// The same ball in the simulator, let fall for a second first: with the events
 /// alone, and left to itself.
 void fall_and_hop()
@@ -56,9 +56,9 @@ void fall_and_hop()
                     world.value().state(0).position.y());
     }
 }
-// [events.clock.world]
 
-// [events.clock.three]
+
+
 /// Three balls in a row: how often they meet, and what the angle says.
 void meet_in_a_row()
 {
@@ -78,7 +78,7 @@ void meet_in_a_row()
                     gap(1));
     }
 }
-// [events.clock.three]
+
 
 } // namespace
 

@@ -10,7 +10,7 @@ using namespace flying;
 
 namespace {
 
-// [events.demo.billiard]
+
 /// Two balls and a wall, each time with a hundred times the mass.
 void count_digits(int digits)
 {
@@ -26,9 +26,9 @@ void count_digits(int digits)
                     billiard_speeds_after(ratio).light);
     }
 }
-// [events.demo.billiard]
 
-// [events.demo.room]
+
+
 /// A ball in a rectangular room, compared with the straight way of the unfolded one.
 void bounce_about()
 {
@@ -47,9 +47,9 @@ void bounce_about()
         std::printf("%7ld %11.0f s %16.0e m\n", engine.counts().impacts, time, off);
     }
 }
-// [events.demo.room]
 
-// [events.demo.cells]
+
+
 /// The same gas with cells and without.
 void look_around()
 {
@@ -69,9 +69,9 @@ void look_around()
                     all.log_hash() == near.log_hash() ? "yes" : "no");
     }
 }
-// [events.demo.cells]
 
-// [events.demo.gas]
+
+
 /// Four hundred discs, and what is known of the whole of them.
 void fill_a_room()
 {
@@ -92,11 +92,11 @@ void fill_a_room()
                 m.from_walls.error);
     std::printf("  by the series = %.3f\n", z);
 }
-// [events.demo.gas]
+
 
 } // namespace
 
-// [events.demo.main]
+
 /// digits  how many of pi to count: 6 if none are given; 8 take some seconds
 int main(int argc, char** argv)
 {
@@ -105,4 +105,4 @@ int main(int argc, char** argv)
     look_around();
     fill_a_room();
 }
-// [events.demo.main]
+

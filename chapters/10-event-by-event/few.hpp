@@ -9,7 +9,7 @@
 
 namespace flying {
 
-// [events.few.disc]
+
 /// A disc of diameter 1, as it was at a moment of its own.
 struct FewDisc
 {
@@ -20,7 +20,7 @@ struct FewDisc
 
     [[nodiscard]] Vec2 place(double t) const { return x + (t - time) * v; }
 };
-// [events.few.disc]
+
 
 /// A few equal elastic discs without walls, and what is foreseen of them.
 struct Few
@@ -30,7 +30,7 @@ struct Few
     std::vector<Event> handled;
     double widest_gap = 0.0; ///< between two discs that were pushed apart [m]
 
-    // [events.few.foresee]
+
     /// When disc `a` meets each of the others, if both are left alone.
     void foresee(int a)
     {
@@ -44,9 +44,9 @@ struct Few
             if (wait < k_never) queue.push({start + wait, a, b, p.stamp + q.stamp});
         }
     }
-    // [events.few.foresee]
 
-    // [events.few.strike]
+
+
     /// Bring two discs, and no other, to the moment of their impact, and push.
     void strike(const Event& event)
     {
@@ -65,9 +65,9 @@ struct Few
         q.v += exchanged;
         handled.push_back(event);
     }
-    // [events.few.strike]
 
-    // [events.few.run]
+
+
     /// From event to event, up to a time.  [s]
     void run(double until)
     {
@@ -81,7 +81,7 @@ struct Few
             foresee(event.b);
         }
     }
-    // [events.few.run]
+
 };
 
 /// Discs in a square that fly past each other, on the whole towards the middle.

@@ -12,7 +12,7 @@
 
 namespace flying {
 
-// [events.gas]
+
 /// A gas of discs of diameter 1 and mass 1 in a square room, set out on a lattice;
 /// all at 1 m/s, in any direction. side  discs in a row; packing  share of the room
 /// that they cover
@@ -41,9 +41,9 @@ inline EventEngine gas_of(int side, double packing, std::uint64_t seed,
     options.pair_finder = finder;
     return EventEngine(std::move(bodies), options);
 }
-// [events.gas]
 
-// [events.turned_round]
+
+
 /// The same bodies at the same places, all velocities turned round.  discs  those
 /// that move
 inline EventEngine turned_round(const EventEngine& engine, int discs)
@@ -60,18 +60,18 @@ inline EventEngine turned_round(const EventEngine& engine, int discs)
     }
     return EventEngine(std::move(bodies), {});
 }
-// [events.turned_round]
 
-// [events.gas.rate]
+
+
 /// How often a disc of a gas meets others.  [1/s]
 /// z  compressibility; kT  temperature as energy [J]; mass [kg]; sigma  diameter [m]
 inline double gas_rate(double z, double kT, double mass, double sigma)
 {
     return 4.0 * (z - 1.0) * std::sqrt(kT / (std::numbers::pi * mass)) / sigma;
 }
-// [events.gas.rate]
 
-// [events.gas.series]
+
+
 /// Compressibility of hard discs by its virial series, coefficients in units of the
 /// second (Clisby and McCoy 2006).  packing  up to 0.4 or so
 inline double compressibility(double packing)
@@ -87,7 +87,7 @@ inline double compressibility(double packing)
     }
     return z;
 }
-// [events.gas.series]
+
 
 /// A mean and what it may be off by: the standard error of the blocks' means.
 struct Estimate
@@ -131,7 +131,7 @@ public:
             velocities_.push_back(gas.flyer(k).state.velocity);
     }
 
-    // [events.gas.measure]
+
     /// Blocks of equal time; each gives one value of everything.
     /// block  [s]; count  how many
     GasMeasure measure(double block, int count)
@@ -166,9 +166,9 @@ public:
         measured_.from_walls = estimate(by_walls);
         return measured_;
     }
-    // [events.gas.measure]
 
-    // [events.gas.follow]
+
+
     /// Event by event to a time; each impact is noted.  [s]
     void follow(double until)
     {
@@ -178,7 +178,7 @@ public:
             if (gas_.counts().impacts != before) note_impact();
         }
     }
-    // [events.gas.follow]
+
 
 private:
     void note_impact()

@@ -17,7 +17,7 @@ struct Room
     Vec2 v = Vec2(1.0, 0.61803398874989485); ///< no bounce ever meets a corner [m/s]
 };
 
-// [events.room]
+
 /// The ball and its four walls.
 inline EventEngine room_of(const Room& room)
 {
@@ -30,9 +30,9 @@ inline EventEngine room_of(const Room& room)
     bodies.push_back(wall({0.0, -1.0}, -(room.height + 2.0 * r)));
     return EventEngine(std::move(bodies), {PairFinder::all_pairs});
 }
-// [events.room]
 
-// [events.fold]
+
+
 /// A place on an endless straight way, folded into [0, w] like a strip of paper.  [m]
 inline double folded(double x, double w)
 {
@@ -40,6 +40,6 @@ inline double folded(double x, double w)
     const double rest = x - turns * w;
     return std::fmod(std::abs(turns), 2.0) == 0.0 ? rest : w - rest;
 }
-// [events.fold]
+
 
 } // namespace flying

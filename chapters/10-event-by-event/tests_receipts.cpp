@@ -45,7 +45,7 @@ bool advance_one_impact(EventEngine& engine)
 
 } // namespace
 
-// [events.tests.second]
+
 TEST_CASE("the second of three balls is struck before it was foreseen to strike")
 {
     Random random(1010);
@@ -69,9 +69,9 @@ TEST_CASE("the second of three balls is struck before it was foreseen to strike"
         CHECK_TWIN("events.second", engine.time(), g_2 / w, 16.0 * k_epsilon);
     }
 }
-// [events.tests.second]
 
-// [events.tests.circle]
+
+
 TEST_CASE(
     "on its circle the billiard is mirrored by the wall, and turned by each blow")
 {
@@ -102,9 +102,9 @@ TEST_CASE(
         }
     }
 }
-// [events.tests.circle]
 
-// [events.tests.count]
+
+
 TEST_CASE(
     "the billiard counts every n with n theta below pi, and ends where the circle says")
 {
@@ -131,7 +131,7 @@ TEST_CASE(
                           1.0, 1e-12);
     }
 }
-// [events.tests.count]
+
 
 TEST_CASE("the billiard of 1 : 100^7 counts eight digits")
 {
@@ -172,7 +172,7 @@ TEST_CASE("between its impacts, too, the billiard is where the folded line is")
 }
 // [events.tests.wedge]
 
-// [events.tests.fold]
+
 TEST_CASE(
     "a ball in a room is where the strip of paper says, a thousand bounces long")
 {
@@ -197,7 +197,7 @@ TEST_CASE(
     CHECK(engine.counts().impacts ==
           std::floor(x / room.width) + std::floor(y / room.height));
 }
-// [events.tests.fold]
+
 
 // [events.tests.looks]
 TEST_CASE("what happens does not depend on how often we look")
@@ -212,7 +212,7 @@ TEST_CASE("what happens does not depend on how often we look")
 }
 // [events.tests.looks]
 
-// [events.tests.cells]
+
 TEST_CASE(
     "cells leave out looks and no impact: the log is that of all pairs, to the bit")
 {
@@ -226,9 +226,9 @@ TEST_CASE(
         CHECK(near.counts().predictions < all.counts().predictions / 2);
     }
 }
-// [events.tests.cells]
 
-// [events.tests.gas]
+
+
 TEST_CASE("a gas has the rate of impacts and the pressure of the theory")
 {
     for (const double packing : {0.1, 0.2, 0.29}) {
@@ -254,9 +254,9 @@ TEST_CASE("a gas has the rate of impacts and the pressure of the theory")
     CHECK(std::abs(compressibility(0.3) - 2.0632) < 5e-5);
     RECORD_VALUE("events.z_03", compressibility(0.3));
 }
-// [events.tests.gas]
 
-// [events.tests.stick]
+
+
 TEST_CASE("the energies of a gas are the pieces of a broken stick")
 {
     EventEngine gas = gas_of(20, 0.29, 109);
@@ -282,9 +282,9 @@ TEST_CASE("the energies of a gas are the pieces of a broken stick")
                           0.01);
     }
 }
-// [events.tests.stick]
 
-// [events.tests.reversal]
+
+
 TEST_CASE("with all velocities turned round, a gas goes back the way it came")
 {
     const double time = 4.0;
@@ -306,9 +306,9 @@ TEST_CASE("with all velocities turned round, a gas goes back the way it came")
     CHECK(worst < 1e-9);
     RECORD_VALUE("events.reversal.off", worst);
 }
-// [events.tests.reversal]
 
-// [events.tests.row]
+
+
 TEST_CASE("three balls in a row meet as often as the angle allows")
 {
     for (int i = 0; i <= 90; ++i) {
@@ -338,9 +338,9 @@ TEST_CASE("three balls in a row meet as often as the angle allows")
         CHECK_TWIN("events.row_count", n, std::ceil(k_pi / phi), 0.0);
     }
 }
-// [events.tests.row]
 
-// [events.tests.row_times]
+
+
 TEST_CASE(
     "below the threshold the impacts of three balls follow each other ever faster")
 {
@@ -365,9 +365,9 @@ TEST_CASE(
         }
     }
 }
-// [events.tests.row_times]
 
-// [events.tests.threshold]
+
+
 TEST_CASE("below e = 7 - 4 sqrt 3 the blows among three balls have no end")
 {
     // Velocities alone, so that no gap can be too small: does the pair whose turn it
@@ -404,7 +404,7 @@ TEST_CASE("below e = 7 - 4 sqrt 3 the blows among three balls have no end")
                    {"e", 7 - 4 * std::sqrt(3.0)});
     CHECK_TWIN("events.threshold", low, 7 - 4 * std::sqrt(3.01), 3e-4);
 }
-// [events.tests.threshold]
+
 
 // [events.tests.wrong_stale]
 TEST_CASE(
@@ -426,7 +426,7 @@ TEST_CASE(
 }
 // [events.tests.wrong_stale]
 
-// [events.tests.few]
+
 TEST_CASE(
     "the page of code and the engine agree on every impact of twenty-five discs")
 {
@@ -441,7 +441,7 @@ TEST_CASE(
     for (int k = 0; k < 25; ++k)
         CHECK((engine.flyer(k).state.velocity - few.discs[k].v).norm() < 1e-9);
 }
-// [events.tests.few]
+
 
 // [events.tests.wrong_hops]
 TEST_CASE("a loop of hops never passes their end; the engine stops there and says so")

@@ -7,7 +7,7 @@
 
 namespace flying {
 
-// [events.three]
+
 /// Three equal balls in a row, the first comes in at 1 m/s.  e  restitution
 inline EventEngine three_in_a_row(double e)
 {
@@ -17,7 +17,7 @@ inline EventEngine three_in_a_row(double e)
     bodies.push_back(ball(0.5, 1.0, {2.0, 0.0}, {0.0, 0.0}, e));
     return EventEngine(std::move(bodies), {PairFinder::all_pairs});
 }
-// [events.three]
+
 
 /// Angle by which one impact turns the three balls' motion.  [rad]
 inline double row_angle(double e)

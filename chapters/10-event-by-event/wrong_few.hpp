@@ -4,7 +4,7 @@
 
 namespace flying {
 
-// [events.wrong.stale]
+
 /// WRONG, and it looks right: what was foreseen happens, unless the two part already.
 inline void run_all_foreseen(Few& few, double until)
 {
@@ -21,7 +21,7 @@ inline void run_all_foreseen(Few& few, double until)
         few.foresee(event.b);
     }
 }
-// [events.wrong.stale]
+
 
 /// How far a ball came that falls again and again.
 struct Hops
@@ -31,7 +31,7 @@ struct Hops
     double speed = 0.0; ///< of the last rebound [m/s]
 };
 
-// [events.wrong.hops]
+
 /// WRONG, and it looks right: fly to the next impact, bounce, until the time is up.
 /// speed  of the first rebound; patience  hops until we give up
 inline Hops hop_until(double until, double speed, double e, double g, long patience)
@@ -44,6 +44,6 @@ inline Hops hop_until(double until, double speed, double e, double g, long patie
     }
     return hops;
 }
-// [events.wrong.hops]
+
 
 } // namespace flying

@@ -7,7 +7,7 @@
 using namespace flying;
 using namespace flying::test;
 
-// [rest.breaks]
+
 /// A body that was put down at rest, seen now and then for ten seconds.
 int main()
 {
@@ -32,4 +32,4 @@ int main()
                     1e3 * pushed.v, 1e3 * (engine.state(1).position.y() - 0.5));
     }
 }
-// [rest.breaks]
+

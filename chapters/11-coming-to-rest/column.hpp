@@ -11,7 +11,7 @@
 /// Bodies one above the other, as the solver sees them: nothing but masses and points.
 namespace flying::test {
 
-// [rest.column]
+
 /// A floor, bodies on it, and a point below each. `fall` is what gravity adds in a step.
 struct Column
 {
@@ -39,7 +39,7 @@ inline Column column_of(const std::vector<double>& masses, double fall)
     }
     return column;
 }
-// [rest.column]
+
 
 /// The weights that points bear, in one step.  [N s]
 inline std::vector<double> weights_above(const std::vector<double>& masses, double fall)
@@ -53,7 +53,7 @@ inline std::vector<double> weights_above(const std::vector<double>& masses, doub
     return weights;
 }
 
-// [rest.column.error]
+
 /// The worst impulse's error, as a share of the weight that it should bear.
 template <typename Points>
 double worst_error(const Points& points, std::span<const double> weights)
@@ -63,7 +63,7 @@ double worst_error(const Points& points, std::span<const double> weights)
         worst = std::max(worst, std::abs(points[k].normal / weights[k] - 1.0));
     return worst;
 }
-// [rest.column.error]
+
 
 /// Sweeps over a column, and what is left after each.
 class ColumnSweeps
@@ -75,14 +75,14 @@ public:
         for (const ContactPoint& c : column_.points) points_.push_back(sweep_point(c));
     }
 
-    // [rest.column.sweep]
+
     /// One sweep from the floor up; the worst error after it.
     double sweep_once()
     {
         sweep(points_, column_.movers);
         return worst_error(points_, weights_);
     }
-    // [rest.column.sweep]
+
 
     [[nodiscard]] double impulse(int point) const { return points_[point].normal; }
 
@@ -92,7 +92,7 @@ private:
     std::vector<SweepPoint> points_;
 };
 
-// [rest.column.count]
+
 /// Sweeps until no impulse is off by more than `share`.
 inline int sweeps_until(const std::vector<double>& masses, double share)
 {
@@ -101,9 +101,9 @@ inline int sweeps_until(const std::vector<double>& masses, double share)
     while (column.sweep_once() > share) ++count;
     return count;
 }
-// [rest.column.count]
 
-// [rest.column.rate]
+
+
 /// What one more sweep leaves of the error, once all that dies faster has died.
 inline double rate_of_sweeps(const std::vector<double>& masses, int sweeps)
 {
@@ -112,9 +112,9 @@ inline double rate_of_sweeps(const std::vector<double>& masses, int sweeps)
     for (int k = 0; k < sweeps; ++k) before = column.sweep_once();
     return column.sweep_once() / before;
 }
-// [rest.column.rate]
 
-// [rest.column.second]
+
+
 /// How far the uppermost of equal boxes sinks in a second of short steps, with so many
 /// sweeps in each, from no impulses or from those of the step before.  [m]
 inline double sinks_in_a_second(int count, int steps, int sweeps, bool is_warm)
@@ -135,9 +135,9 @@ inline double sinks_in_a_second(int count, int steps, int sweeps, bool is_warm)
     }
     return way;
 }
-// [rest.column.second]
 
-// [rest.column.solve]
+
+
 /// The same column, by the engine's direct solve: error and factorisations.
 struct DirectSolve
 {
@@ -154,6 +154,6 @@ inline DirectSolve solve_at_once(const std::vector<double>& masses)
     return {worst_error(column.points, weights),
             static_cast<long>(solver.counts().factorisations)};
 }
-// [rest.column.solve]
+
 
 } // namespace flying::test

@@ -11,7 +11,7 @@ using namespace flying::test;
 
 namespace {
 
-// [rest.demo.zeno]
+
 /// A ball let go at 1 m: when it lies still, and when it should.
 void let_go(double e)
 {
@@ -20,9 +20,9 @@ void let_go(double e)
     std::printf("%5.2f %9ld %11.3f s %11.3f s\n", e,
                 static_cast<long>(ball.counts().impacts), time, end_of_hops(1.0, e));
 }
-// [rest.demo.zeno]
 
-// [rest.demo.sweeps]
+
+
 /// Columns of equal bodies, and a heavy one on a light one.
 void count_sweeps()
 {
@@ -40,9 +40,9 @@ void count_sweeps()
                     solve_at_once(masses).error);
     }
 }
-// [rest.demo.sweeps]
 
-// [rest.demo.warm]
+
+
 /// What a second leaves of a stack and of a pyramid, for sweeps shared out in three
 /// ways: from nothing, from the step before, and among four times as many steps.
 void warm_up()
@@ -61,9 +61,9 @@ void warm_up()
                     pyramid_sinks(10, 240, sweeps / 4, true));
     }
 }
-// [rest.demo.warm]
 
-// [rest.demo.stack]
+
+
 /// Boxes one on the other: what each lies on bears, in newtons.
 void weigh(int count)
 {
@@ -80,9 +80,9 @@ void weigh(int count)
                     engine.is_asleep(k) ? "yes" : "no");
     }
 }
-// [rest.demo.stack]
 
-// [rest.demo.limits]
+
+
 /// Limits found by letting go and looking, and those on paper.
 void find_limits()
 {
@@ -105,7 +105,7 @@ void find_limits()
         print(name.c_str(), greatest_overhang(n), reach);
     }
 }
-// [rest.demo.limits]
+
 
 } // namespace
 

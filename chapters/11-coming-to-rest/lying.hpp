@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests_bodies.hpp"
+#include "../support/lying_bodies.hpp"
 
 /// Bodies that come to rest, and the limits at which they don't.
 namespace flying::test {
 
-// [rest.zeno]
+
 /// A ball of radius 1/2 m let go with its lowest point at height h.
 inline RestEngine zeno_ball(double h, double e, double step)
 {
@@ -19,9 +19,9 @@ inline RestEngine zeno_ball(double h, double e, double step)
                        disc(0.5, Vec2(0.0, 0.5 + h), 1.0, material)},
                       options);
 }
-// [rest.zeno]
 
-// [rest.zeno.until]
+
+
 /// Moment at which nothing is left of the ball's velocity.  [s]
 inline double time_to_rest(RestEngine& ball)
 {
@@ -29,7 +29,7 @@ inline double time_to_rest(RestEngine& ball)
     while (ball.state(1).velocity.y() != 0.0);
     return ball.time();
 }
-// [rest.zeno.until]
+
 
 /// The end of all its hops.  [s]
 inline double end_of_hops(double h, double e)
@@ -53,7 +53,7 @@ inline double hop_height(double h, double e, double time)
     return 0.0;
 }
 
-// [rest.left_alone]
+
 /// Two seconds, or less if the last body moves.
 enum class Fate
 {
@@ -74,9 +74,9 @@ inline Fate left_alone(RestEngine& engine)
     }
     return Fate::lies;
 }
-// [rest.left_alone]
 
-// [rest.on_slope]
+
+
 /// A block of 1 m height on a slope.
 inline Fate left_on_slope(double tangent, double mu, double width = 0.7)
 {
@@ -85,9 +85,9 @@ inline Fate left_on_slope(double tangent, double mu, double width = 0.7)
     RestEngine engine = on_slope(slope, block, 0.5);
     return left_alone(engine);
 }
-// [rest.on_slope]
 
-// [rest.limit]
+
+
 /// The value between `low`, where something holds, and `high`, where it doesn't, at
 /// which that changes: by halving.
 template <typename Holds>
@@ -99,9 +99,9 @@ double limit_of(double low, double high, int halvings, const Holds& holds)
     }
     return low;
 }
-// [rest.limit]
 
-// [rest.planks]
+
+
 /// A ledge that ends at x = 0, and planks of 2 m, each with its centre of mass by
 /// `part` as far out as it can lie over the one below.
 inline std::vector<RestBody> planks(int count, double part)
@@ -119,15 +119,15 @@ inline std::vector<RestBody> planks(int count, double part)
     }
     return bodies;
 }
-// [rest.planks]
 
-// [rest.planks.stand]
+
+
 inline bool planks_stand(int count, double part)
 {
     RestEngine engine(planks(count, part));
     return left_alone(engine) == Fate::lies;
 }
-// [rest.planks.stand]
+
 
 /// How far the uppermost of some planks reaches beyond the ledge before all fall.  [m]
 inline double greatest_overhang(int count)
@@ -149,7 +149,7 @@ inline RestEngine thrown_disc(double v, double mu, double step = 1.0 / 60.0)
     return RestEngine({wall(Vec2(0.0, 1.0), 0.0, {0.0, mu}), body}, options);
 }
 
-// [rest.slide_off]
+
 /// A disc let go on a smooth cylinder, from `start` radians beside its top: the cosine
 /// at which it flew off, as what is left of its speed sideways tells, and what part of
 /// its energy has changed.
@@ -175,9 +175,9 @@ inline SlideOff slide_off(double start, double step)
     return {std::cbrt(sideways * sideways / (k_gravity * way)),
             energy(engine) / before - 1.0};
 }
-// [rest.slide_off]
 
-// [rest.pyramid]
+
+
 /// How far the uppermost box of a pyramid sinks in a second, if the engine sweeps it as
 /// it does a heap.  [m]
 inline double pyramid_sinks(int base, int steps, int sweeps, bool is_warm)
@@ -208,9 +208,9 @@ inline double pyramid_sinks(int base, int steps, int sweeps, bool is_warm)
     const int top = static_cast<int>(bodies.size()) - 1;
     return bodies[top].state.position.y() - engine.state(top).position.y();
 }
-// [rest.pyramid]
 
-// [rest.rocking]
+
+
 /// Share of its spin that a block keeps when it rocks from one corner to the other.
 inline double kept_by_stroke(double width, double height, double step)
 {
@@ -233,6 +233,6 @@ inline double kept_by_stroke(double width, double height, double step)
     }
     return std::sqrt((energy(engine) - standing) / before);
 }
-// [rest.rocking]
+
 
 } // namespace flying::test

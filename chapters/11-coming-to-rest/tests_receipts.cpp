@@ -39,7 +39,7 @@ TEST_CASE("a ball lies still when the sum of its hops says so")
 }
 // [rest.tests.zeno]
 
-// [rest.tests.mean]
+
 TEST_CASE("under constant forces a place is exact, whatever the step")
 {
     Random random(1101);
@@ -61,9 +61,9 @@ TEST_CASE("under constant forces a place is exact, whatever the step")
         CHECK_TWIN("rest.slide", way, pull * t * t, 1e-11);
     }
 }
-// [rest.tests.mean]
 
-// [rest.tests.limits]
+
+
 TEST_CASE("a block sticks and stands up to the limits on paper")
 {
     for (const double tangent : {0.25, 0.5}) {
@@ -81,7 +81,7 @@ TEST_CASE("a block sticks and stands up to the limits on paper")
         CHECK_TWIN("rest.tip", steep, width / 2.0, 1e-8);
     }
 }
-// [rest.tests.limits]
+
 
 // [rest.tests.weights]
 TEST_CASE("every box bears the weights above it")
@@ -101,7 +101,7 @@ TEST_CASE("every box bears the weights above it")
 }
 // [rest.tests.weights]
 
-// [rest.tests.sweeps]
+
 TEST_CASE("of two equal bodies, each sweep leaves half of what was missing")
 {
     const double fall = 0.1635;
@@ -136,9 +136,9 @@ TEST_CASE("of a heavy body on a light one, each sweep leaves nearly everything")
         CHECK_TWIN("rest.ratio", rate, ratio / (2.0 + ratio), 1e-9);
     }
 }
-// [rest.tests.sweeps]
 
-// [rest.tests.direct]
+
+
 TEST_CASE("the direct solve has all forces at once, whatever the height or the masses")
 {
     for (const int n : {2, 20, 200}) {
@@ -151,9 +151,9 @@ TEST_CASE("the direct solve has all forces at once, whatever the height or the m
     CHECK(worst < 1e-14);
     RECORD_VALUE("rest.direct.error", solve_at_once(std::vector<double>(100, 1.0)).error);
 }
-// [rest.tests.direct]
 
-// [rest.tests.planks]
+
+
 TEST_CASE("planks lie a millionth within the harmonic series, and fall a millionth beyond")
 {
     for (int n = 1; n <= 5; ++n) {
@@ -168,9 +168,9 @@ TEST_CASE("planks lie a millionth within the harmonic series, and fall a million
         CHECK_TWIN("rest.overhang", reach, paper + 0.5, 1e-15);
     }
 }
-// [rest.tests.planks]
 
-// [rest.tests.roll]
+
+
 TEST_CASE("a disc that was thrown rolls at two thirds of its speed")
 {
     for (const double v : {1.0, 2.0, 3.0}) {
@@ -183,7 +183,7 @@ TEST_CASE("a disc that was thrown rolls at two thirds of its speed")
         }
     }
 }
-// [rest.tests.roll]
+
 
 // [rest.tests.rocking]
 TEST_CASE("a block that rocks keeps what the angle of its diagonal says")
@@ -242,7 +242,7 @@ TEST_CASE("bounced after the move, a body at rest sinks for ever")
 }
 // [rest.tests.wrong_bounce]
 
-// [rest.tests.wrong_push]
+
 TEST_CASE("pushed out by its overlap a body never lies still; the engine's does, to the bit")
 {
     const double dt = 1.0 / 60.0;
@@ -261,4 +261,4 @@ TEST_CASE("pushed out by its overlap a body never lies still; the engine's does,
     CHECK(fastest > k_gravity * dt);
     RECORD_VALUE("rest.push.fastest", fastest);
 }
-// [rest.tests.wrong_push]
+

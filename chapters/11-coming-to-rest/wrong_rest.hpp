@@ -3,16 +3,16 @@
 /// Ways to let a body lie on a floor at x = 0 that look right.
 namespace flying::test {
 
-// [rest.wrong.state]
+
 /// Height of the lowest point, and velocity upwards.
 struct Lying
 {
     double x = 0.0; ///< [m]
     double v = 0.0; ///< [m/s]
 };
-// [rest.wrong.state]
 
-// [rest.wrong.bounce]
+
+
 /// Move, then look; and where it has come too far, turn it round.
 inline void move_then_bounce(Lying& body, double g, double dt, double e)
 {
@@ -20,9 +20,9 @@ inline void move_then_bounce(Lying& body, double g, double dt, double e)
     body.x += body.v * dt;
     if (body.x < 0.0 && body.v < 0.0) body.v = -e * body.v;
 }
-// [rest.wrong.bounce]
 
-// [rest.wrong.push]
+
+
 /// Move, then look; and where it has come too far, push it out within one step.
 inline void push_by_overlap(Lying& body, double g, double dt)
 {
@@ -30,6 +30,6 @@ inline void push_by_overlap(Lying& body, double g, double dt)
     body.x += body.v * dt;
     if (body.x < 0.0) body.v += -body.x / dt;
 }
-// [rest.wrong.push]
+
 
 } // namespace flying::test

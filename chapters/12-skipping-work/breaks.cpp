@@ -6,7 +6,7 @@
 
 using namespace flying;
 
-// [skipping-work.breaks]
+
 /// Nine hexagons in a box, three hundred impacts, by three engines side by side.
 int main()
 {
@@ -33,4 +33,4 @@ int main()
     print("spoilt", parted_spoilt, spoilt);
     std::printf("\nfirst impact that differs = %d\n", parted_spoilt);
 }
-// [skipping-work.breaks]
+

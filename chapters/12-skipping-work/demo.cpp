@@ -20,7 +20,7 @@ constexpr Named k_scenes[] = {{"flying-balls", 2.0},
                               {"pi-billiard", 4.0},
                               {"orbits", 2.0}};
 
-// [skipping-work.demo.plan]
+
 /// The plan of one scene, in full.
 void print_plan(const char* name)
 {
@@ -30,9 +30,9 @@ void print_plan(const char* name)
                     skip.name.c_str(), skip.reason.c_str());
     }
 }
-// [skipping-work.demo.plan]
 
-// [skipping-work.demo.saved]
+
+
 /// Each scene with its plan, and with all skips off: pairs looked at, and whether any bit
 /// differs.
 void print_savings()
@@ -51,9 +51,9 @@ void print_savings()
                     same && with.report.hash == without.report.hash ? "same" : "DIFFERENT");
     }
 }
-// [skipping-work.demo.saved]
 
-// [skipping-work.demo.each]
+
+
 /// What each skip of each scene counted, for those that count something.
 void print_each()
 {
@@ -73,11 +73,11 @@ void print_each()
         std::printf("\n");
     }
 }
-// [skipping-work.demo.each]
+
 
 } // namespace
 
-// [skipping-work.demo]
+
 int main()
 {
     print_plan("original-polygons");
@@ -85,4 +85,4 @@ int main()
     print_savings();
     print_each();
 }
-// [skipping-work.demo]
+

@@ -17,7 +17,7 @@
 /// be spoilt.
 namespace flying {
 
-// [skipping-work.bound]
+
 /// How a pair is looked at before its corners are.
 enum class Bound
 {
@@ -25,9 +25,9 @@ enum class Bound
     right,  ///< corners while the bounding circles overlap
     spoilt, ///< corners while circles overlap that are a hundredth too small
 };
-// [skipping-work.bound]
 
-// [skipping-work.plain]
+
+
 class PlainEngine
 {
 public:
@@ -57,9 +57,9 @@ private:
     double time_ = 0.0;
     double deepest_ = 0.0;
 };
-// [skipping-work.plain]
 
-// [skipping-work.plain.spoilt]
+
+
 /// When a pair's circles, a hundredth too small, begin to overlap; nothing where they never
 /// do.
 inline std::optional<double> PlainEngine::spoilt_start(int a, int b) const
@@ -83,9 +83,9 @@ inline std::optional<double> PlainEngine::spoilt_start(int a, int b) const
     if (!(passage.leave > 0.0)) return std::nullopt;
     return start + std::max(0.0, passage.enter);
 }
-// [skipping-work.plain.spoilt]
 
-// [skipping-work.plain.foresee]
+
+
 /// When two bodies meet as they fly now.  [s]
 inline double PlainEngine::foresee(int a, int b) const
 {
@@ -110,9 +110,9 @@ inline double PlainEngine::foresee(int a, int b) const
     if (!start || time == k_never) return k_never;
     return time >= *start ? time : look_from(*start);
 }
-// [skipping-work.plain.foresee]
 
-// [skipping-work.plain.strike]
+
+
 /// Bring two bodies to their impact, and push them apart.
 inline void PlainEngine::strike(int a, int b, double time)
 {
@@ -142,9 +142,9 @@ inline void PlainEngine::strike(int a, int b, double time)
     body_b.flyer.state.velocity = after.velocity_b;
     body_b.flyer.state.spin = after.spin_b;
 }
-// [skipping-work.plain.strike]
 
-// [skipping-work.plain.step]
+
+
 /// The next impact of all. False where there is none.
 inline bool PlainEngine::step()
 {
@@ -170,9 +170,9 @@ inline bool PlainEngine::step()
     // [skipping-work.plain.log]
     return true;
 }
-// [skipping-work.plain.step]
 
-// [skipping-work.plain.energy]
+
+
 /// Energy of motion.  [J]
 inline double PlainEngine::energy() const
 {
@@ -185,9 +185,9 @@ inline double PlainEngine::energy() const
     }
     return sum;
 }
-// [skipping-work.plain.energy]
 
-// [skipping-work.hexagons]
+
+
 /// Nine hexagons of radius 0.5 m that turn as they fly, in a box of 6 m.
 inline std::vector<EventBody> hexagons(std::uint64_t seed)
 {
@@ -213,6 +213,6 @@ inline std::vector<EventBody> hexagons(std::uint64_t seed)
     wall({0.0, -1.0}, -6.0);
     return bodies;
 }
-// [skipping-work.hexagons]
+
 
 } // namespace flying

@@ -10,16 +10,16 @@
 /// Runs of the course's scenes with some work left out, and what they counted.
 namespace flying {
 
-// [skipping-work.kept]
+
 /// A run, and what a plan must not change.
 struct Run
 {
     Report report;
     std::vector<std::uint64_t> hashes; ///< of the log, after every impact
 };
-// [skipping-work.kept]
 
-// [skipping-work.run]
+
+
 /// without  skips that are turned off; until  [s]
 inline Run run(const Scene& scene, double until,
                const std::vector<std::string>& without = {})
@@ -39,9 +39,9 @@ inline Run run(const Scene& scene, double until,
     run.report = world.report();
     return run;
 }
-// [skipping-work.run]
 
-// [skipping-work.everything]
+
+
 /// Names of all skips, to turn them off at once. One stays: `cells` is the choice of *not*
 /// keeping cells for few bodies, and without it they would be looked up in a grid.
 inline std::vector<std::string> all_skips()
@@ -50,9 +50,9 @@ inline std::vector<std::string> all_skips()
     std::erase(names, "cells");
     return names;
 }
-// [skipping-work.everything]
 
-// [skipping-work.work]
+
+
 /// Pairs foreseen, and pairs of turning bodies looked at again.
 inline std::int64_t pairs_looked_at(const Report& report)
 {
@@ -62,15 +62,15 @@ inline std::int64_t pairs_looked_at(const Report& report)
     }
     return sum;
 }
-// [skipping-work.work]
 
-// [skipping-work.scene]
+
+
 /// A scene of the course, by its name.
 inline Scene scene_of_course(const std::string& folder, const std::string& name)
 {
     Expected<Scene> scene = read_scene_file(folder + "/" + name + ".toml");
     return std::move(scene).value();
 }
-// [skipping-work.scene]
+
 
 } // namespace flying

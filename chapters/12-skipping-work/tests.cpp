@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 #include <numbers>
 
-#include "../11-coming-to-rest/tests_bodies.hpp"
+#include "../support/lying_bodies.hpp"
 #include "math/roots.hpp"
 #include "plain_engine.hpp"
 #include "runs.hpp"
@@ -103,7 +103,7 @@ TEST_CASE("a plan is a function of the scene: it depends neither on motion nor o
 }
 // [skipping-work.tests.pure]
 
-// [skipping-work.tests.named]
+
 TEST_CASE("the plan names what the course's scenes don't need")
 {
     const auto plan_of = [](const char* name) {
@@ -116,9 +116,9 @@ TEST_CASE("the plan names what the course's scenes don't need")
     CHECK(skip_named(plan_of("gas-polygons-200"), "far-features").active);
     CHECK_FALSE(skip_named(plan_of("pi-billiard"), "static-pairs").active);
 }
-// [skipping-work.tests.named]
 
-// [skipping-work.tests.static]
+
+
 TEST_CASE("f static bodies save f (f - 1) / 2 pairs")
 {
     for (int f = 2; f <= 40; ++f) {
@@ -129,9 +129,9 @@ TEST_CASE("f static bodies save f (f - 1) / 2 pairs")
         CHECK_TWIN("plan.static", saved, 0.5 * f * (f + 1), 0.0);
     }
 }
-// [skipping-work.tests.static]
 
-// [skipping-work.tests.passage]
+
+
 TEST_CASE("circles overlap for the chord of their path over the speed; on average, for a "
           "quarter of pi of the longest chord")
 {
@@ -164,7 +164,7 @@ TEST_CASE("circles overlap for the chord of their path over the speed; on averag
         CHECK_TWIN("plan.mean_passage", mean, 2.0 * r / v, 1e-6);
     }
 }
-// [skipping-work.tests.passage]
+
 
 // [skipping-work.tests.sleep]
 TEST_CASE("a stack that sleeps has the bits of one that is kept awake")
@@ -220,7 +220,7 @@ TEST_CASE("a bound that is a hundredth too small is found by the hash of the fir
 }
 // [skipping-work.tests.spoilt]
 
-// [skipping-work.tests.plain]
+
 TEST_CASE("the engine on one page goes from impact to impact as the event engine does")
 {
     PlainEngine plain(hexagons(121), Bound::right);
@@ -234,4 +234,4 @@ TEST_CASE("the engine on one page goes from impact to impact as the event engine
         CHECK((a.position - b.position).norm() < 1e-6);
     }
 }
-// [skipping-work.tests.plain]
+

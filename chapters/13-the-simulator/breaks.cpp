@@ -6,7 +6,7 @@ using namespace flying;
 
 namespace {
 
-// [simulator.breaks.saved]
+
 /// A minute of the original's scene, stopped after ten seconds and gone on with.
 void stop_and_go_on()
 {
@@ -28,9 +28,9 @@ void stop_and_go_on()
                     apart(whole, by_6), apart(whole, by_17));
     }
 }
-// [simulator.breaks.saved]
 
-// [simulator.breaks.frames]
+
+
 /// The same rain on machines that show it at different rates: where a step is a frame,
 /// and where it is not.
 void look_more_often()
@@ -50,14 +50,14 @@ void look_more_often()
                     static_cast<unsigned long long>(asked.report().hash));
     }
 }
-// [simulator.breaks.frames]
+
 
 } // namespace
 
-// [simulator.breaks]
+
 int main()
 {
     stop_and_go_on();
     look_more_often();
 }
-// [simulator.breaks]
+

@@ -7,7 +7,7 @@ using namespace flying;
 
 namespace {
 
-// [simulator.demo.scene]
+
 /// A minute of a scene: what has happened every ten seconds, and what it cost.
 void run_for_a_minute(const std::string& name)
 {
@@ -27,11 +27,11 @@ void run_for_a_minute(const std::string& name)
     }
     std::printf("hash   %016llx\n\n", static_cast<unsigned long long>(report.hash));
 }
-// [simulator.demo.scene]
+
 
 } // namespace
 
-// [simulator.demo]
+
 /// name  of one more scene of chapters/scenes, without its ending
 int main(int argc, char** argv)
 {
@@ -39,4 +39,4 @@ int main(int argc, char** argv)
     run_for_a_minute("original-polygons-gravity");
     if (argc > 1) run_for_a_minute(argv[1]);
 }
-// [simulator.demo]
+

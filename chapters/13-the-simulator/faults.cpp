@@ -10,7 +10,7 @@ using namespace flying;
 
 namespace {
 
-// [simulator.faults.wrapped]
+
 /// A sentence in lines of at most so many letters.
 void print_wrapped(const std::string& text, std::size_t most)
 {
@@ -26,11 +26,11 @@ void print_wrapped(const std::string& text, std::size_t most)
     }
     std::printf("\n");
 }
-// [simulator.faults.wrapped]
+
 
 } // namespace
 
-// [simulator.faults]
+
 int main()
 {
     // The text, with the numbers of its lines
@@ -49,4 +49,4 @@ int main()
         print_wrapped(format_fault(fault), 74);
     }
 }
-// [simulator.faults]
+

@@ -6,7 +6,7 @@
 
 using namespace flying;
 
-// [simulator.movers]
+
 int main()
 {
     World world = start(rain(24, 5));
@@ -44,4 +44,4 @@ int main()
     }
     std::printf("...\nof %zu\n", world.handovers().size());
 }
-// [simulator.movers]
+

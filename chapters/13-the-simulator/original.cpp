@@ -9,7 +9,7 @@ using namespace flying;
 
 namespace {
 
-// [simulator.original.shapes]
+
 /// What the original took the shapes of its own scene for.
 void compare_shapes(const Scene& scene)
 {
@@ -30,9 +30,9 @@ void compare_shapes(const Scene& scene)
                 wrong_half_square_mass(legs, 0.1).moment_of_inertia /
                     half_square_mass(legs, 0.1).moment_of_inertia);
 }
-// [simulator.original.shapes]
 
-// [simulator.original.runs]
+
+
 /// The scene with both kinds of scales: the first impact that differs, and energy.
 void compare_runs(const Scene& scene)
 {
@@ -60,15 +60,15 @@ void compare_runs(const Scene& scene)
                 kinetic_energy(ours) - energy_ours, energy_ours,
                 kinetic_energy(its) - energy_its, energy_its);
 }
-// [simulator.original.runs]
+
 
 } // namespace
 
-// [simulator.original]
+
 int main()
 {
     const Scene scene = scene_of_course(FLYING_SCENES, "original-polygons");
     compare_shapes(scene);
     compare_runs(scene);
 }
-// [simulator.original]
+

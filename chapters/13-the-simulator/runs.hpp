@@ -14,7 +14,7 @@
 /// Whole scenes, run, looked at, and gone on with in a right way and in a wrong one.
 namespace flying {
 
-// [simulator.scenes]
+
 /// A scene of the course, by its name.
 inline Scene scene_of_course(const std::string& folder, const std::string& name)
 {
@@ -35,9 +35,9 @@ inline Scene rain(int count, std::uint64_t seed)
     options.until = 12.0;
     return std::move(generate("polygons", options)).value();
 }
-// [simulator.scenes]
 
-// [simulator.run]
+
+
 inline World start(const Scene& scene, const WorldOptions& options = {})
 {
     return std::move(World::make(scene, options)).value();
@@ -51,9 +51,9 @@ inline void go(World& world, double time)
         std::abort();
     }
 }
-// [simulator.run]
 
-// [simulator.count]
+
+
 /// How many bodies each integrator has.
 struct Shares
 {
@@ -72,9 +72,9 @@ inline Shares shares_of(const World& world)
     }
     return shares;
 }
-// [simulator.count]
 
-// [simulator.apart]
+
+
 /// The greatest distance between a body and the same one in another world.  [m]
 inline double apart(const World& one, const World& other)
 {
@@ -85,18 +85,18 @@ inline double apart(const World& one, const World& other)
     }
     return most;
 }
-// [simulator.apart]
 
-// [simulator.resume]
+
+
 /// A run that is stopped and gone on with as it was.
 inline World resumed(const World& world, const WorldOptions& options = {})
 {
     const Snapshot snapshot = world.snapshot();
     return std::move(World::resume(world.scene(), snapshot, options)).value();
 }
-// [simulator.resume]
 
-// [simulator.by_eye]
+
+
 /// A number as it reads after so many significant digits were written.
 inline double written(double x, int digits)
 {
@@ -121,6 +121,6 @@ inline Scene as_it_looks(const World& world, int digits)
     }
     return scene;
 }
-// [simulator.by_eye]
+
 
 } // namespace flying

@@ -72,7 +72,7 @@ TEST_CASE("what happens doesn't depend on who looks, or how often")
 }
 // [simulator.tests.asked]
 
-// [simulator.tests.frames]
+
 TEST_CASE("where steps follow the frames, each rate of frames has a future of its own")
 {
     WorldOptions slow;
@@ -85,9 +85,9 @@ TEST_CASE("where steps follow the frames, each rate of frames has a future of it
     go(two, 12.0);
     CHECK(apart(one, two) > 0.1);
 }
-// [simulator.tests.frames]
 
-// [simulator.tests.faults]
+
+
 TEST_CASE(
     "all faults of a scene come at once, each with its line, in the order of the text")
 {
@@ -103,9 +103,9 @@ TEST_CASE(
         CHECK(faults[k].place.find(lines[k]) != std::string::npos);
     }
 }
-// [simulator.tests.faults]
 
-// [simulator.tests.together]
+
+
 TEST_CASE(
     "bodies change hands both ways, at no cost of energy, and overlap by next to nothing")
 {
@@ -129,9 +129,9 @@ TEST_CASE(
     RECORD_VALUE("simulator.to_events", to_events);
     RECORD_VALUE("simulator.overlap", report.max_overlap);
 }
-// [simulator.tests.together]
 
-// [simulator.tests.again]
+
+
 TEST_CASE(
     "the original's scenes run for a minute: no energy is gained or lost, and nothing "
     "overlaps")
@@ -153,9 +153,9 @@ TEST_CASE(
     RECORD_VALUE("simulator.original.gained", gained);
     RECORD_VALUE("simulator.original.overlap", overlap);
 }
-// [simulator.tests.again]
 
-// [simulator.tests.original]
+
+
 TEST_CASE(
     "the original's scales: its dumbbell is a third too heavy, and its house has its "
     "centre in the wrong place")
@@ -182,4 +182,4 @@ TEST_CASE(
         }
     }
 }
-// [simulator.tests.original]
+

@@ -26,7 +26,7 @@ Scene alone(const ShapeDef& shape, const Vec2& velocity, double spin, const Vec2
     return scene;
 }
 
-// [simulator.tests.halfway]
+
 /// How far a point of a body is, halfway between two frames, from where a straight way
 /// between them has it.  [m]
 /// corner  from the body's centre, in its own frame
@@ -42,11 +42,11 @@ double off_halfway(const Scene& scene, const Vec2& corner, double start_time,
     }
     return (at[1] - 0.5 * (at[0] + at[2])).norm();
 }
-// [simulator.tests.halfway]
+
 
 } // namespace
 
-// [simulator.tests.bow]
+
 TEST_CASE(
     "halfway between two frames a flight is g T^2 / 8 off the straight way, and a corner "
     "that turns misses it by its bow")
@@ -73,9 +73,9 @@ TEST_CASE(
         CHECK_TWIN("simulator.turn", d, r * (1.0 - std::cos(omega * T)), 1e-8);
     }
 }
-// [simulator.tests.bow]
 
-// [simulator.tests.blow]
+
+
 TEST_CASE("a body at rest that is struck head-on flies off at less than twice the speed "
           "of what "
           "strikes it")
@@ -100,9 +100,9 @@ TEST_CASE("a body at rest that is struck head-on flies off at less than twice th
         CHECK(w < 2.0 * V);
     }
 }
-// [simulator.tests.blow]
 
-// [simulator.tests.halvings]
+
+
 TEST_CASE("the step is halved until no body goes further than a quarter of its size")
 {
     for (const double v : {4.0, 6.0, 7.0, 8.0, 15.0, 20.0, 40.0}) {
@@ -130,9 +130,9 @@ TEST_CASE("the step is halved until no body goes further than a quarter of its s
                    std::ceil(std::log2(2.0 * q * d)), 1e-12);
     }
 }
-// [simulator.tests.halvings]
 
-// [simulator.tests.ledger]
+
+
 TEST_CASE(
     "what the energy has changed is what impacts, steps and hand-overs have changed")
 {
@@ -158,9 +158,9 @@ TEST_CASE(
     }
     RECORD_VALUE("simulator.ledger", worst);
 }
-// [simulator.tests.ledger]
 
-// [simulator.tests.digits]
+
+
 TEST_CASE("no double needs more than seventeen digits, and some need them all")
 {
     Random random(1303);
@@ -178,9 +178,9 @@ TEST_CASE("no double needs more than seventeen digits, and some need them all")
     CHECK_EQUATION("simulator.digits", static_cast<double>(most), digits, 0.0, {"p", 53});
     CHECK_TWIN("simulator.digits", static_cast<double>(most), digits - 1.0, 0.0);
 }
-// [simulator.tests.digits]
 
-// [simulator.tests.map]
+
+
 TEST_CASE("a picture fits the view into its panel with one scale, and y points up")
 {
     Random random(1304);
@@ -203,9 +203,9 @@ TEST_CASE("a picture fits the view into its panel with one scale, and y points u
         CHECK((layout.map.world_at(low) - picture.view.min).norm() < 1e-12);
     }
 }
-// [simulator.tests.map]
 
-// [simulator.tests.reach]
+
+
 TEST_CASE("whatever might be struck is near as far as its reach, and no further")
 {
     Random random(1305);
@@ -236,4 +236,4 @@ TEST_CASE("whatever might be struck is near as far as its reach, and no further"
         CHECK_TWIN("simulator.reach", l, v * d + g * d * d, 1e-10);
     }
 }
-// [simulator.tests.reach]
+

@@ -19,7 +19,7 @@ enum class Scales
     original
 };
 
-// [simulator.moments]
+
 /// Area, centre and second moment of a shape: as they are, or as the original had them.
 /// Its rectangles and regular polygons were right; any other shape it cut into triangles
 /// about the mean of the corners, and gave each a positive area.
@@ -29,9 +29,9 @@ inline AreaMoments moments_by(Scales scales, const ShapeDef& def, const Polygon&
     if (scales == Scales::right || !is_any) return moments_of(polygon);
     return moments_without_sign(polygon.vertices());
 }
-// [simulator.moments]
 
-// [simulator.weigh]
+
+
 /// The bodies of a scene of polygons, without walls.
 inline std::vector<EventBody> weigh(const Scene& scene, Scales scales)
 {
@@ -54,9 +54,9 @@ inline std::vector<EventBody> weigh(const Scene& scene, Scales scales)
     }
     return bodies;
 }
-// [simulator.weigh]
 
-// [simulator.walls]
+
+
 /// The same, and the four walls of its box.
 inline std::vector<EventBody> weigh_in_box(const Scene& scene, Scales scales)
 {
@@ -70,9 +70,9 @@ inline std::vector<EventBody> weigh_in_box(const Scene& scene, Scales scales)
     for (const HalfPlane& wall : walls) bodies.push_back({wall, {}, {}, smooth, true});
     return bodies;
 }
-// [simulator.walls]
 
-// [simulator.meetings]
+
+
 /// An impact: when, and of which two.
 struct Meeting
 {
@@ -94,9 +94,9 @@ inline std::vector<Meeting> meetings_of(EventEngine& engine, double until)
     }
     return meetings;
 }
-// [simulator.meetings]
 
-// [simulator.energy]
+
+
 /// Kinetic energy with the masses that the bodies were given.  [J]
 inline double kinetic_energy(const EventEngine& engine)
 {
@@ -110,6 +110,6 @@ inline double kinetic_energy(const EventEngine& engine)
     }
     return sum;
 }
-// [simulator.energy]
+
 
 } // namespace flying

@@ -16,7 +16,7 @@ struct Row
     std::vector<double> errors;
 };
 
-// [time-against-error.demo.sweep]
+
 /// The same with ever smaller steps. `error` is a function of the number of steps.
 template <typename Error>
 Row sweep(const char* name, const Error& error)
@@ -31,7 +31,7 @@ Row sweep(const char* name, const Error& error)
     std::printf("\n");
     return row;
 }
-// [time-against-error.demo.sweep]
+
 
 } // namespace
 

@@ -246,7 +246,7 @@ inline void draw_ratios(const std::string& path, const Records& records)
     for (const DiagramRecord& diagram : records.diagrams) {
         sketch.words(Vec2(k_left - 12.0, y + 5.0), diagram.name, Anchor::right, k_ink, 14.0);
         sketch.line(Vec2(k_left, y), Vec2(k_right, y), pale(k_soft, 0.25), 1.0);
-        const std::vector<Point> ours = points_of(diagram, "flying");
+        const std::vector<Point> ours = our_points(diagram);
         for (const Ratio& ratio : ratios(ours, peers_points(diagram))) {
             if (!ratio.ours_over_theirs) {
                 sketch.words(Vec2(k_right - 4.0, y + 5.0), "\u00d7", Anchor::middle, k_rust, 16.0);

@@ -18,7 +18,8 @@ void draw_orders(const std::string& folder)
 {
     Sketch sketch(folder + "/orders.svg", 560.0, 470.0);
     const Race race;
-    std::vector<Panel::Curve> curves = {{"Euler", {}}, {"symplectic Euler", {}}, {"Verlet", {}}, {"flying", {}}};
+    std::vector<Panel::Curve> curves = {
+        {"Euler", {}}, {"symplectic Euler", {}}, {"Verlet", {}}, {"from wall to wall", {}}};
     const auto spot = [](double work, double error) {
         return Panel::Spot{work, work, work, shown_error(error), false};
     };
@@ -31,7 +32,6 @@ void draw_orders(const std::string& folder)
     curves[3].spots.push_back(spot(static_cast<double>(flown.flights), race.error(flown.ball)));
     const Panel panel(sketch, curves, Vec2(0.0, 0.0), Vec2(560.0, 400.0));
     panel.draw("steps, or flights", "error [m]");
-    curves[3].name = "from wall to wall";
     panel.legend(Vec2(62.0, 422.0), 250.0, 2);
 }
 
@@ -138,7 +138,7 @@ int main(int argc, char** argv)
     trace_race(folder);
     draw_late(folder);
     draw_turns(folder);
-    // [time-against-error.figures]
+
     for (const DiagramRecord& diagram : records->diagrams) {
         for (std::size_t k = 0; k < diagram.measures.size(); ++k) {
             const std::string suffix = k == 0 ? "" : "-" + std::to_string(k + 1);
@@ -148,6 +148,6 @@ int main(int argc, char** argv)
     for (const GrowthRecord& growth : records->growths) draw_growth(folder + "/growth-" + growth.name + ".svg", growth);
     draw_ratios(folder + "/ratios.svg", *records);
     draw_skips(folder + "/skips.svg", *records);
-    // [time-against-error.figures]
+
     return 0;
 }

@@ -31,7 +31,7 @@ BodyState race_once(const work::Race& race, int method, long n)
 
 /// method (0 from wall to wall, 1 Euler, 2 symplectic Euler, 3 Verlet), steps, how often it is run, speed to the right
 /// -> the error in metres, and the sum of the last places, so that no run can be left out.
-Answer race(std::span<const double> of)
+Answer box_race(std::span<const double> of)
 {
     const int method = static_cast<int>(std::clamp(of[0], 0.0, 3.0));
     const long n = static_cast<long>(std::clamp(of[1], 1.0, 1e6));
@@ -48,7 +48,7 @@ Answer race(std::span<const double> of)
     return {{error, sum.x(), sum.y()}, {}};
 }
 
-constexpr std::array k_pieces{Piece{"race", 4, race}};
+constexpr std::array k_pieces{Piece{"box_race", 4, box_race}};
 
 } // namespace
 

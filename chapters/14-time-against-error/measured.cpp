@@ -35,17 +35,17 @@ Row row_of(const DiagramRecord& diagram)
 {
     Row row;
     row.name = diagram.name;
-    std::vector<Point> ours = points_of(diagram, "flying");
+    std::vector<Point> ours = our_points(diagram);
     row.best_of_ours =
         *std::min_element(ours.begin(), ours.end(), [](const Point& a, const Point& b) { return a.error < b.error; });
-    // [time-against-error.measured.ratios]
+
     const std::vector<Ratio> all = ratios(ours, of_peers(diagram));
     if (all.empty()) return row;
     row.at_their_worst = all.front().ours_over_theirs;
     row.at_their_best = all.back().ours_over_theirs;
     row.their_error = all.back().error;
     for (const Ratio& one : all) row.worst = std::max(row.worst, one.ours_over_theirs.value_or(0.0));
-    // [time-against-error.measured.ratios]
+
     return row;
 }
 
@@ -112,7 +112,16 @@ int main()
         }
     }
 
-    std::printf("\nscenes = %zu\n", records.diagrams.size());
+    std::printf("\n");
+    for (const GrowthRecord& growth : records.growths) {
+        if (growth.name != "discs") continue;
+        for (const auto& [engine, points] : growth.curves) {
+            std::printf("exponent of discs, %s = %.2f\n", engine.c_str(), exponent(points));
+        }
+        const auto& [size, seconds] = growth.curves.at("flying").back();
+        std::printf("most discs = %.0f\nseconds for the most discs = %.2g s\n", size, seconds);
+    }
+    std::printf("scenes = %zu\n", records.diagrams.size());
     std::printf("scenes reached = %d\n", reached);
     std::printf("scenes never slower = %d\n", won);
     std::printf("ratio discs = %.2g\n", row_named(records, "discs-0.1").at_their_best.value_or(0.0));
@@ -120,6 +129,7 @@ int main()
     std::printf("ratio rocking worst = %.2g\n", row_named(records, "rocking-block").worst);
     std::printf("ratio rocking best = %.2g\n", row_named(records, "rocking-block").at_their_best.value_or(0.0));
     std::printf("ratio rolling worst = %.2g\n", row_named(records, "rolling").worst);
+    std::printf("ratio pile worst = %.2g\n", row_named(records, "pile").worst);
     std::printf("ratio galperin worst = %.2g\n", row_named(records, "galperin").worst);
     return 0;
 }

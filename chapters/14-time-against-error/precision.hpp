@@ -10,16 +10,16 @@
 /// Points of time and error, and what can be read off them.
 namespace flying::work {
 
-// [work.point]
+
 /// One run of one engine with one setting.
 struct Point
 {
     double seconds = 0.0; ///< of computing, > 0 [s]
     double error = 0.0;   ///< >= 0, in whatever unit the diagram has
 };
-// [work.point]
 
-// [work.slope]
+
+
 /// The exponent p of y ~ x^p that fits best: the slope of the straight line through the points
 /// (log x, log y) by least squares. Values are positive; fewer than two points have none.
 [[nodiscard]] inline std::optional<double> slope(std::span<const double> x, std::span<const double> y)
@@ -41,9 +41,9 @@ struct Point
     if (square == 0.0) return std::nullopt;
     return with / square;
 }
-// [work.slope]
 
-// [work.time_at]
+
+
 /// The least time in which an engine has an error of `error` or less: of the points that are as
 /// good as that, the quickest. Nothing where none is.   [s]
 [[nodiscard]] inline std::optional<double> time_at(std::span<const Point> points, double error)
@@ -55,9 +55,9 @@ struct Point
     }
     return best;
 }
-// [work.time_at]
 
-// [work.ratios]
+
+
 /// At one error that a peer has reached: our time over the best peer's.
 struct Ratio
 {
@@ -78,6 +78,6 @@ struct Ratio
     std::sort(all.begin(), all.end(), [](const Ratio& a, const Ratio& b) { return a.error > b.error; });
     return all;
 }
-// [work.ratios]
+
 
 } // namespace flying::work

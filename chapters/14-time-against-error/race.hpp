@@ -11,7 +11,7 @@
 /// A ball in a box, by steps and from wall to wall.
 namespace flying::work {
 
-// [work.by_steps]
+
 /// n steps of length h. A wall in which a step finds the ball, on its way further in, turns it
 /// round.
 template <typename Step>
@@ -32,9 +32,9 @@ template <typename Step>
     }
     return ball;
 }
-// [work.by_steps]
 
-// [work.by_walls]
+
+
 /// The ball at a later time, and how many flights were computed until then.
 struct Flown
 {
@@ -51,9 +51,9 @@ struct Flown
         ball.velocity = walls::reflected(ball.velocity, next.normal);
     }
 }
-// [work.by_walls]
 
-// [work.truth]
+
+
 /// Where a point is that started at x with velocity v between two walls: straight on, through
 /// rooms that are mirrored one after the other.   [m]
 [[nodiscard]] inline double unfolded(double x, double v, double t, double low, double high)
@@ -71,7 +71,7 @@ struct Flown
     const double since_top = std::fmod(t + fall, 2.0 * fall) - fall;
     return h - 0.5 * g * since_top * since_top;
 }
-// [work.truth]
+
 
 /// The race of this chapter: a ball let go in a box, with a push to the side, and gravity.
 struct Race

@@ -15,7 +15,7 @@
 /// last.
 namespace flying::work {
 
-// [record.run]
+
 /// Where and with what everything in a file was measured: its first line.
 struct RunRecord
 {
@@ -27,9 +27,9 @@ struct RunRecord
     int repeats = 0;                ///< rounds of each diagram
     double most = 0.0;              ///< settings whose run takes longer are left out [s]
 };
-// [record.run]
 
-// [record.diagram]
+
+
 /// One setting of one engine: a point of its curve.
 struct PointRecord
 {
@@ -57,7 +57,7 @@ struct DiagramRecord
     std::vector<std::string> measures; ///< with their units; the first is the diagram's error
     std::vector<CurveRecord> curves;
 };
-// [record.diagram]
+
 
 /// Time against size.
 struct GrowthRecord
@@ -116,7 +116,7 @@ template <typename Record>
     return nlohmann::json{{kind, record}}.dump();
 }
 
-// [record.read]
+
 /// The records in a text of lines. What follows the last end of a line was cut off and is left out.
 /// whole  is told how many characters hold whole lines; may be null
 /// Nothing where a whole line is no record, or the first is not that of a run.
@@ -136,7 +136,7 @@ template <typename Record>
     if (whole) *whole = begin;
     return begin == 0 ? std::nullopt : std::optional(records);
 }
-// [record.read]
+
 
 /// The same from a file; nothing where it can't be read.
 [[nodiscard]] inline std::optional<Records> read_record_file(const std::string& path)
@@ -146,7 +146,7 @@ template <typename Record>
     return read_records(std::string(std::istreambuf_iterator<char>(file), {}));
 }
 
-// [record.points]
+
 /// The points of one engine's curve by the measure of this number; none where it has no curve.
 [[nodiscard]] inline std::vector<Point> points_of(const DiagramRecord& diagram, const std::string& engine,
                                                   std::size_t measure = 0)
@@ -160,6 +160,12 @@ template <typename Record>
     }
     return points;
 }
-// [record.points]
+
+/// Ours: those of the whole simulator, and where it took longer than the run allows, of its steps alone.
+[[nodiscard]] inline std::vector<Point> our_points(const DiagramRecord& diagram)
+{
+    const std::vector<Point> whole = points_of(diagram, "flying");
+    return whole.empty() ? points_of(diagram, "flying, steps only") : whole;
+}
 
 } // namespace flying::work

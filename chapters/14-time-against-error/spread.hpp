@@ -9,7 +9,7 @@
 /// How long something takes, on a machine that does other things as well.
 namespace flying::work {
 
-// [work.spread]
+
 /// A quarter of the values lie below `low`, half below `median`, three quarters below `high`.
 struct Spread
 {
@@ -36,14 +36,14 @@ struct Spread
     std::sort(values.begin(), values.end());
     return {quantile(values, 0.25), quantile(values, 0.5), quantile(values, 0.75)};
 }
-// [work.spread]
 
-// [work.prepare]
+
+
 /// Gets everything ready, and returns what the clock is to see.
 using Prepare = std::function<std::function<void()>()>;
-// [work.prepare]
 
-// [work.in_turn]
+
+
 /// Time all of them in rounds: once each, there and back again in the next round.
 /// seconds  a clock that only goes forward [s]
 /// Returns the seconds of each, one for every round.
@@ -63,6 +63,6 @@ template <typename Clock>
     }
     return times;
 }
-// [work.in_turn]
+
 
 } // namespace flying::work

@@ -189,6 +189,6 @@ TEST_CASE("the run that the chapter quotes is one of this format, complete, and 
     CHECK(records->diagrams.size() >= 25);
     for (const DiagramRecord& diagram : records->diagrams) {
         CAPTURE(diagram.name);
-        CHECK_FALSE(points_of(diagram, "flying").empty());
+        CHECK_FALSE(our_points(diagram).empty());
     }
 }

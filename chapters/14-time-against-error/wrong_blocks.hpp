@@ -4,7 +4,7 @@
 
 namespace flying::work {
 
-// [work.wrong_blocks]
+
 /// WRONG: all runs of the first, then all of the second, and so on.
 template <typename Clock>
 [[nodiscard]] std::vector<std::vector<double>> time_in_blocks(std::span<const Prepare> prepares, int rounds,
@@ -21,9 +21,9 @@ template <typename Clock>
     }
     return times;
 }
-// [work.wrong_blocks]
 
-// [work.drifting]
+
+
 /// A machine that grows warm: each run takes `drift` longer than the one before.
 struct DriftingMachine
 {
@@ -37,6 +37,6 @@ struct DriftingMachine
         now += took;
     }
 };
-// [work.drifting]
+
 
 } // namespace flying::work

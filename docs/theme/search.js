@@ -12,10 +12,16 @@
         return word.replace(/(ies|ied)$/, 'y').replace(/(es|is|s|ed|ing|ly)$/, '');
     }
 
+    function counted(words) {
+        const counts = new Map();
+        for (const word of words) counts.set(word, (counts.get(word) || 0) + 1);
+        return counts;
+    }
+
     function prepare(index) {
         if (index.prepared) return index.prepared;
         index.prepared = index.map(([title, where, address, weight, words]) =>
-            ({ title, where, address, weight, inTitle: wordsOf(title), text: [...new Set([...wordsOf(words), ...wordsOf(where)])] }));
+            ({ title, where, address, weight, inTitle: wordsOf(title), text: counted([...wordsOf(words), ...wordsOf(where)]) }));
         return index.prepared;
     }
 
@@ -26,7 +32,7 @@
             const match = (own) => (own === word ? 3 : own.startsWith(word) ? 2 : short.length > 2 && own.startsWith(short) ? 1.5 : 0);
             let best = 0;
             for (const own of entry.inTitle) best = Math.max(best, 8 * match(own));
-            if (!best) for (const own of entry.text) best = Math.max(best, match(own));
+            for (const [own, count] of entry.text) best = Math.max(best, match(own) * (1 + 0.3 * Math.min(count, 9)));
             if (!best) return 0;
             sum += best;
         }
@@ -40,7 +46,8 @@
             if (!asked.length) return [];
             const found = [];
             for (const entry of prepare(index)) {
-                const score = worth(entry, asked);
+                // A name as the code has it
+                const score = worth(entry, asked) * (entry.title === question.trim() && entry.weight < 0.5 ? 40 : 1);
                 if (score) found.push({ ...entry, score });
             }
             return found.sort((a, b) => b.score - a.score).slice(0, most);

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <iterator>
 
-#include "app/report_json.hpp"
 
 namespace flying {
 
@@ -32,6 +31,12 @@ double trail_duration(const World& world)
     // Mean size over rms speed; both sums run over the same bodies
     const double count = static_cast<double>(world.body_count());
     return squares > 0.0 ? k_trail_length * sizes / std::sqrt(squares * count) : k_never;
+}
+
+/// A number with the 17 digits that name a double; null for what is not finite, which JSON can't say.
+std::string json_number(double value)
+{
+    return std::isfinite(value) ? fmt::format("{:.17g}", value) : "null";
 }
 
 } // namespace

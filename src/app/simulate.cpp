@@ -8,11 +8,11 @@
 #include "app/commands.hpp"
 #include "app/explain.hpp"
 #include "app/messages.hpp"
-#include "app/report_json.hpp"
 #include "app/report_text.hpp"
 #include "app/run.hpp"
-#include "app/saved_run.hpp"
 #include "draw/image.hpp"
+#include "json/report_json.hpp"
+#include "json/saved_run.hpp"
 #include "scene/fault.hpp"
 
 namespace flying {
@@ -159,7 +159,7 @@ std::optional<Fault> write_picture(OutputFile& file, const World& world, std::ve
     return file.write(image.value());
 }
 
-// [app.commit]
+
 /// Finish all, and only then give them their names: all of them appear, or none.
 std::optional<Fault> commit_all(const std::vector<OutputFile*>& files)
 {
@@ -171,7 +171,7 @@ std::optional<Fault> commit_all(const std::vector<OutputFile*>& files)
     }
     return std::nullopt;
 }
-// [app.commit]
+
 
 int fail_to_write(Fault fault)
 {
@@ -289,7 +289,7 @@ std::optional<World> make_world_or_complain(const SimulateOptions& options, cons
 
 } // namespace
 
-// [app.simulate]
+
 int simulate(const SimulateOptions& options)
 {
     if (complain_of(usage_errors(options)) || complain_of(clashes(options))) return status::k_usage;
@@ -326,6 +326,6 @@ int simulate(const SimulateOptions& options)
     }
     return conclude(options, chosen, world, outputs, result, seconds_now() - started);
 }
-// [app.simulate]
+
 
 } // namespace flying

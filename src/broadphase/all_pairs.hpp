@@ -7,7 +7,7 @@
 
 namespace flying {
 
-// [broadphase.boxed_body]
+
 /// A body as those see it who look for pairs.
 struct BoxedBody
 {
@@ -15,9 +15,9 @@ struct BoxedBody
     bool is_static = false;
     Aabb box; ///< holds all of the body [m]
 };
-// [broadphase.boxed_body]
 
-// [broadphase.all_pairs]
+
+
 /// Call visit(a, b), ids with a < b, for every two bodies, not both static, whose boxes
 /// share a point. Every two are compared: dear, and plain enough to be the oracle of
 /// whatever is faster.
@@ -34,6 +34,6 @@ void for_each_pair_of_all(std::span<const BoxedBody> bodies, Visit&& visit)
         }
     }
 }
-// [broadphase.all_pairs]
+
 
 } // namespace flying

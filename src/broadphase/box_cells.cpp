@@ -5,7 +5,7 @@
 
 namespace flying {
 
-// [box_cells.sort]
+
 void BoxCells::sort(std::vector<Entry> entries)
 {
     entries_ = std::move(entries);
@@ -44,6 +44,6 @@ void BoxCells::sort(std::vector<Entry> entries)
     std::vector<int> next(starts_.begin(), starts_.end() - 1);
     each([&](int number, int k) { members_[next[number]++] = k; });
 }
-// [box_cells.sort]
+
 
 } // namespace flying

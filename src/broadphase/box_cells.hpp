@@ -7,7 +7,7 @@
 
 namespace flying {
 
-// [box_cells.class]
+
 /// Boxes sorted into cells, to be asked for those that share a point with another box, or with each other.
 ///
 /// Cells are about as wide as the boxes, and no more than twice as many: work grows with the number of boxes, unless a
@@ -47,7 +47,7 @@ public:
         return true;
     }
 
-    // [box_cells.pairs]
+
     /// Call visit(one, two) once for every two entries whose boxes share a point.
     template <typename Visit>
     void for_each_pair(Visit&& visit) const
@@ -66,7 +66,7 @@ public:
             }
         }
     }
-    // [box_cells.pairs]
+
 
 private:
     struct Place
@@ -90,6 +90,6 @@ private:
     std::vector<int> starts_;  // of each cell, and the end
     std::vector<int> members_; // entries by cells
 };
-// [box_cells.class]
+
 
 } // namespace flying

@@ -5,7 +5,7 @@
 
 namespace flying {
 
-// [grid.construct]
+
 Grid::Grid(double cell_size, int columns, int rows, int bodies)
     : cell_size_(cell_size), column_mask_(static_cast<std::uint64_t>(columns) - 1),
       row_mask_(static_cast<std::uint64_t>(rows) - 1), row_shift_(std::countr_zero(static_cast<unsigned>(columns))),
@@ -13,9 +13,9 @@ Grid::Grid(double cell_size, int columns, int rows, int bodies)
       statics_(1)
 {
 }
-// [grid.construct]
 
-// [grid.cell_at]
+
+
 Cell Grid::cell_at(const Vec2& point) const
 {
     constexpr double k_farthest = 0x1p50;
@@ -25,9 +25,9 @@ Cell Grid::cell_at(const Vec2& point) const
     };
     return {number(point.x()), number(point.y())};
 }
-// [grid.cell_at]
 
-// [grid.insert]
+
+
 void Grid::insert(int body, const Cell& cell)
 {
     Head& head = heads_[index(cell)];
@@ -40,9 +40,9 @@ void Grid::insert(int body, const Cell& cell)
     next_[body] = head.chain;
     head.chain = body;
 }
-// [grid.insert]
 
-// [grid.move]
+
+
 void Grid::move(int body, const Cell& to)
 {
     // Find what names the body: its cell, or another in the chain
@@ -63,9 +63,9 @@ void Grid::move(int body, const Cell& to)
     }
     insert(body, to);
 }
-// [grid.move]
 
-// [grid.renumber]
+
+
 void Grid::renumber(std::span<const int> old_ids)
 {
     const std::vector<Cell> old_cells = cell_of_;
@@ -87,9 +87,9 @@ std::uint64_t Grid::along_curve(const Cell& cell) const
     const auto row = static_cast<std::uint64_t>(cell.row) & row_mask_;
     return spread(column) | spread(row) << 1;
 }
-// [grid.renumber]
 
-// [grid.statics]
+
+
 void Grid::insert_static(int body, const Aabb& box, double margin)
 {
     // A cell's width more on each side, for bodies that stand on a border by rounding
@@ -115,9 +115,9 @@ void Grid::insert_static(int body, const Aabb& box, double margin)
         }
     }
 }
-// [grid.statics]
 
-// [grid.make]
+
+
 Grid make_grid(const Aabb& extent, double largest_radius, int bodies, int movers)
 {
     // A diameter, and room for the rounding of borders, in radii
@@ -138,6 +138,6 @@ Grid make_grid(const Aabb& extent, double largest_radius, int bodies, int movers
     // [grid.make.count]
     return Grid(cell_size, count(size.x()), count(size.y()), bodies);
 }
-// [grid.make]
+
 
 } // namespace flying

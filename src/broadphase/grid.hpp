@@ -10,7 +10,7 @@
 
 namespace flying {
 
-// [grid.cell]
+
 /// A square cell of the plane, by column and row; cell (0, 0) has its lower left corner at the origin.
 struct Cell
 {
@@ -19,9 +19,9 @@ struct Cell
 
     friend bool operator==(const Cell&, const Cell&) = default;
 };
-// [grid.cell]
 
-// [grid.class]
+
+
 /// Which body lies in which square cell. The plane is wrapped round a torus of cells, so that it has no border: bodies a
 /// whole turn apart share a cell, which costs a needless look and never an overlooked pair.
 ///
@@ -30,7 +30,7 @@ struct Cell
 class Grid
 {
 public:
-    // [grid.declared]
+
     /// cell_size  at least the diameter of the largest body that moves, and finite  [m]
     /// columns, rows  of the torus: powers of two, >= 4
     /// bodies     how many there are; their ids are 0 ... bodies - 1
@@ -60,9 +60,9 @@ public:
 
     /// Static bodies that a body with its centre in this cell may meet.
     [[nodiscard]] std::span<const int> statics_near(const Cell& cell) const { return statics_[heads_[index(cell)].statics]; }
-    // [grid.declared]
 
-    // [grid.visit]
+
+
     /// Call visit(other) for every body in this very cell.
     template <typename Visit>
     void for_each_in(const Cell& cell, Visit&& visit) const
@@ -83,9 +83,9 @@ public:
                 for_each_of(line[column], visit);
         }
     }
-    // [grid.visit]
 
-    // [grid.gather]
+
+
     /// Write down the bodies in the nine cells about this one, in the order of `for_each_near`: who is there can't be
     /// guessed, and so nothing here waits for a guess, but in cells that hold more than two.
     /// near  room for one more than all bodies. Returns the end of the list.
@@ -107,9 +107,9 @@ public:
         }
         return near;
     }
-    // [grid.gather]
 
-    // [grid.fetch]
+
+
     /// Ask the memory for what a visit to the cells about this one will read: first the cells, later the bodies' places in
     /// them. Hints, which cost little and change nothing.
     [[gnu::always_inline]] void fetch_near(const Cell& cell) const
@@ -120,10 +120,10 @@ public:
         }
     }
     void fetch_cell_of(int body) const { __builtin_prefetch(&cell_of_[body]); }
-    // [grid.fetch]
+
 
 private:
-    // [grid.head]
+
     /// What a cell knows. Two bodies have their names in the cell itself, where they are at hand; the others form a chain.
     struct alignas(16) Head
     {
@@ -141,18 +141,18 @@ private:
         visit(head.bodies[1]);
         for (int other = head.chain; other >= 0; other = next_[other]) visit(other);
     }
-    // [grid.head]
 
-    // [grid.index]
+
+
     [[nodiscard]] std::size_t index(const Cell& cell) const
     {
         const auto column = static_cast<std::uint64_t>(cell.column) & column_mask_;
         const auto row = static_cast<std::uint64_t>(cell.row) & row_mask_;
         return static_cast<std::size_t>((row << row_shift_) | column);
     }
-    // [grid.index]
 
-    // [grid.members]
+
+
     double cell_size_;
     std::uint64_t column_mask_;
     std::uint64_t row_mask_;
@@ -161,16 +161,16 @@ private:
     std::vector<int> next_;   // of each body that is in a chain
     std::vector<Cell> cell_of_;
     std::vector<std::vector<int>> statics_; // lists that cells name; the first is empty
-    // [grid.members]
-};
-// [grid.class]
 
-// [grid.make.declared]
+};
+
+
+
 /// A grid fit for bodies spread over `extent`: about half a body to a cell, no cell smaller than a body.
 /// largest_radius  bounding radius of the largest body that moves [m]
 /// bodies          how many there are
 /// movers          how many of them move
 [[nodiscard]] Grid make_grid(const Aabb& extent, double largest_radius, int bodies, int movers);
-// [grid.make.declared]
+
 
 } // namespace flying

@@ -2,7 +2,7 @@
 
 namespace flying {
 
-// [broadphase.pair_finder]
+
 /// How the pairs that might meet are found: by looking at all of them, or at those in
 /// neighbouring cells.
 enum class PairFinder
@@ -10,6 +10,6 @@ enum class PairFinder
     all_pairs,
     grid
 };
-// [broadphase.pair_finder]
+
 
 } // namespace flying

@@ -3,7 +3,7 @@
 namespace flying {
 namespace {
 
-// [sweep.axis]
+
 /// The axis along which the middles of the bodies that move are spread further: 0 for x,
 /// 1 for y.
 [[nodiscard]] int longer_axis(std::span<const BoxedBody> bodies)
@@ -20,11 +20,11 @@ namespace {
     const Vec2 size = spread.max - spread.min;
     return size.x() >= size.y() ? 0 : 1;
 }
-// [sweep.axis]
+
 
 } // namespace
 
-// [sweep.span_of]
+
 Sweep::Span Sweep::span_of(const BoxedBody& body, int member) const
 {
     const Aabb& box = body.box;
@@ -37,9 +37,9 @@ bool Sweep::starts_before(const Span& one, const Span& two)
 {
     return one.low != two.low ? one.low < two.low : one.body < two.body;
 }
-// [sweep.span_of]
 
-// [sweep.line_up]
+
+
 void Sweep::line_up(std::span<const BoxedBody> bodies)
 {
     // Start from the order of the last look, if there is one
@@ -62,9 +62,9 @@ void Sweep::line_up(std::span<const BoxedBody> bodies)
     if (!is_known || !put_right()) std::sort(line_.begin(), line_.end(), starts_before);
     // [sweep.line_up.sort]
 }
-// [sweep.line_up]
 
-// [sweep.put_right]
+
+
 /// Let everyone step back past those that start later. False, and no order, where that is
 /// not over soon: then so much has changed that sorting afresh is cheaper.
 bool Sweep::put_right()
@@ -83,6 +83,6 @@ bool Sweep::put_right()
     }
     return true;
 }
-// [sweep.put_right]
+
 
 } // namespace flying

@@ -10,7 +10,7 @@
 
 namespace flying {
 
-// [sweep.class]
+
 /// Finds the boxes that overlap by sweeping a line over them: only boxes that the line
 /// touches at one time are compared. The order in which it meets them is kept from one look
 /// to the next; where bodies have moved little, putting it right again takes hardly more
@@ -18,7 +18,7 @@ namespace flying {
 class Sweep
 {
 public:
-    // [sweep.declared]
+
     /// Line bodies up by the lower ends of their boxes, along the axis on which the middles
     /// of those that move are spread further. Which pairs are found depends on the boxes
     /// alone, not on what was lined up before.
@@ -30,9 +30,9 @@ public:
     [[nodiscard]] int axis() const { return axis_; }
     /// Places by which bodies were moved along the line, in all looks.
     [[nodiscard]] std::int64_t shifts() const { return shifts_; }
-    // [sweep.declared]
 
-    // [sweep.side_by_side]
+
+
     /// Call visit(one, two) for every two spans of the line that share a place, the one
     /// that starts first in front. It returns true to go on, false to end the sweep.
     template <typename Visit>
@@ -45,9 +45,9 @@ public:
             }
         }
     }
-    // [sweep.side_by_side]
 
-    // [sweep.pairs]
+
+
     /// Call visit(a, b), ids with a < b, for every two bodies, not both static, whose boxes
     /// share a point, in the order of the line. It returns true to go on, false to end the
     /// sweep.
@@ -60,10 +60,10 @@ public:
             return visit(std::min(one.body, two.body), std::max(one.body, two.body));
         });
     }
-    // [sweep.pairs]
+
 
 private:
-    // [sweep.span]
+
     /// A box as the line sees it: its ends along the line, and across.
     struct Span
     {
@@ -75,9 +75,9 @@ private:
         int member = 0; // its place in what was lined up
         bool is_static = false;
     };
-    // [sweep.span]
 
-    // [sweep.members]
+
+
     [[nodiscard]] Span span_of(const BoxedBody& body, int member) const;
     [[nodiscard]] static bool starts_before(const Span& one, const Span& two);
     [[nodiscard]] bool put_right();
@@ -85,8 +85,8 @@ private:
     std::vector<Span> line_; // by lower end, then by id
     int axis_ = 0;
     std::int64_t shifts_ = 0;
-    // [sweep.members]
+
 };
-// [sweep.class]
+
 
 } // namespace flying

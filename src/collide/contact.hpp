@@ -6,7 +6,7 @@
 
 namespace flying {
 
-// [collide.contact]
+
 /// One point at which two bodies A and B touch or overlap.
 struct Contact
 {
@@ -15,15 +15,15 @@ struct Contact
     double separation = 0.0;    ///< gap along the normal, negative where they overlap [m]
     std::uint32_t feature = 0;  ///< names the pair of features that meet, by one number
 };
-// [collide.contact]
 
-// [collide.contact.manifold]
+
+
 /// All points at which one pair of convex shapes touches: two at the most.
 struct Manifold
 {
     Contact contacts[2];
     int count = 0;
 };
-// [collide.contact.manifold]
+
 
 } // namespace flying

@@ -10,7 +10,7 @@ namespace flying {
 
 namespace {
 
-// [collide.manifold.feature]
+
 /// The number of a pair of features: a vertex of one body on an edge of the other.
 std::uint32_t feature_number(Owner of_vertex, int vertex, int edge)
 {
@@ -18,9 +18,9 @@ std::uint32_t feature_number(Owner of_vertex, int vertex, int edge)
     return is_of_b | (static_cast<std::uint32_t>(vertex) & 0x7fffu) << 1 |
            (static_cast<std::uint32_t>(edge) & 0xffffu) << 16;
 }
-// [collide.manifold.feature]
 
-// [collide.manifold.at]
+
+
 /// One contact of two surfaces: `point` lies on the second, `separation` away from the
 /// first along the normal.
 Contact contact_at(const Vec2& point, const Vec2& normal, double separation,
@@ -28,17 +28,17 @@ Contact contact_at(const Vec2& point, const Vec2& normal, double separation,
 {
     return {point - 0.5 * separation * normal, normal, separation, feature};
 }
-// [collide.manifold.at]
 
-// [collide.manifold.add]
+
+
 void add(Manifold& manifold, const Contact& contact)
 {
     manifold.contacts[manifold.count] = contact;
     ++manifold.count;
 }
-// [collide.manifold.add]
 
-// [collide.manifold.swapped]
+
+
 /// The same contacts with A and B exchanged. Features name their owners, and are renamed.
 Manifold swapped(Manifold manifold)
 {
@@ -49,14 +49,14 @@ Manifold swapped(Manifold manifold)
     }
     return manifold;
 }
-// [collide.manifold.swapped]
 
-// [collide.manifold.level]
+
+
 /// [lengths of the edge] A clipped edge is as low as its lowest vertex if it differs by less.
 constexpr double k_level = 0x1p-16;
-// [collide.manifold.level]
 
-// [collide.manifold.end]
+
+
 /// An end of the clipped edge.
 struct ClippedEnd
 {
@@ -65,18 +65,18 @@ struct ClippedEnd
     bool is_cut = false;       ///< it lies at the end of the reference edge
     int vertex = 0;            ///< of the incident polygon; where cut, of the reference
 };
-// [collide.manifold.end]
 
-// [collide.manifold.cut]
+
+
 /// Where the straight line between two ends stands at `along`.
 ClippedEnd cut_at(const ClippedEnd& from, const ClippedEnd& to, double along, int vertex)
 {
     const double part = (along - from.along) / (to.along - from.along);
     return {from.point + part * (to.point - from.point), along, true, vertex};
 }
-// [collide.manifold.cut]
 
-// [collide.manifold.incident]
+
+
 /// Of the two edges at the vertex furthest behind, the one that faces the edge more.
 int facing_edge(const Polygon& incident, int vertex, const Vec2& normal_in_incident)
 {
@@ -85,9 +85,9 @@ int facing_edge(const Polygon& incident, int vertex, const Vec2& normal_in_incid
     const double faces_after = normal_in_incident.dot(incident.edges()[vertex].normal);
     return faces_before < faces_after ? before : vertex;
 }
-// [collide.manifold.incident]
 
-// [collide.manifold.polygons]
+
+
 /// Contacts of two convex polygons, normals from the reference polygon to the other.
 Manifold clip(const Polygon& reference, const Pose& world_from_reference, const Polygon& incident,
               const Pose& reference_from_incident, const Axis& axis, double margin)
@@ -123,7 +123,7 @@ Manifold clip(const Polygon& reference, const Pose& world_from_reference, const 
     }
     // [collide.manifold.polygons.cut]
 
-    // [collide.manifold.polygons.lowest]
+
     // Where that cut off the vertex that is furthest behind, and what is left lies far above it, take the vertex
     const auto height = [&](const ClippedEnd& end) { return edge.normal.dot(end.point - start); };
     double height_of_low = height(low);
@@ -133,7 +133,7 @@ Manifold clip(const Polygon& reference, const Pose& world_from_reference, const 
         low = high = end_at(axis.vertex);
         height_of_low = height_of_high = height(low);
     }
-    // [collide.manifold.polygons.lowest]
+
 
     // [collide.manifold.polygons.keep]
     // Keep the ends that reach the reference edge, within the margin
@@ -152,18 +152,18 @@ Manifold clip(const Polygon& reference, const Pose& world_from_reference, const 
     // [collide.manifold.polygons.keep]
     return manifold;
 }
-// [collide.manifold.polygons]
 
-// [collide.manifold.pair]
+
+
 Manifold between(const Polygon& a, const Pose& world_from_a, const Polygon& b, const Pose& world_from_b, double margin)
 {
     const Pose a_from_b = relative_pose(world_from_a, world_from_b);
     const Axis axis = greater_of(best_edges(a, b, a_from_b), a, b, a_from_b);
     return make_manifold(a, world_from_a, b, world_from_b, a_from_b, axis, margin);
 }
-// [collide.manifold.pair]
 
-// [collide.manifold.discs]
+
+
 Manifold between(const Disc& a, const Pose& world_from_a, const Disc& b, const Pose& world_from_b, double margin)
 {
     const Vec2 way = world_from_b.position - world_from_a.position;
@@ -177,12 +177,12 @@ Manifold between(const Disc& a, const Pose& world_from_a, const Disc& b, const P
     add(manifold, contact_at(world_from_b.position - b.radius * normal, normal, separation, 0));
     return manifold;
 }
-// [collide.manifold.discs]
 
-// [collide.manifold.polygon_disc]
+
+
 Manifold between(const Polygon& a, const Pose& world_from_a, const Disc& b, const Pose& world_from_b, double margin)
 {
-    // [collide.manifold.polygon_disc.outside]
+
     // Find the edge whose line the centre is furthest outside of
     const Vec2 centre = inverse(world_from_a.rotation) * Vec2(world_from_b.position - world_from_a.position);
     int nearest = 0;
@@ -194,9 +194,9 @@ Manifold between(const Polygon& a, const Pose& world_from_a, const Disc& b, cons
             nearest = k;
         }
     }
-    // [collide.manifold.polygon_disc.outside]
 
-    // [collide.manifold.polygon_disc.corner]
+
+
     // Inside, the shortest way out leads over that edge; outside, the nearest point of any edge decides
     Vec2 normal = a.edges()[nearest].normal;
     double distance = outside;
@@ -216,7 +216,7 @@ Manifold between(const Polygon& a, const Pose& world_from_a, const Disc& b, cons
             feature = is_corner ? feature_number(Owner::a, k, 0) : feature_number(Owner::b, 0, k);
         }
     }
-    // [collide.manifold.polygon_disc.corner]
+
     const double separation = distance - b.radius;
     if (separation > margin) return {};
 
@@ -225,9 +225,9 @@ Manifold between(const Polygon& a, const Pose& world_from_a, const Disc& b, cons
     add(manifold, contact_at(world_from_b.position - b.radius * normal_in_world, normal_in_world, separation, feature));
     return manifold;
 }
-// [collide.manifold.polygon_disc]
 
-// [collide.manifold.half_plane]
+
+
 Manifold between(const HalfPlane& a, const Pose&, const Disc& b, const Pose& world_from_b, double margin)
 {
     const double separation = (a.normal.dot(world_from_b.position) - a.offset) - b.radius;
@@ -236,9 +236,9 @@ Manifold between(const HalfPlane& a, const Pose&, const Disc& b, const Pose& wor
     add(manifold, contact_at(world_from_b.position - b.radius * a.normal, a.normal, separation, 0));
     return manifold;
 }
-// [collide.manifold.half_plane]
 
-// [collide.manifold.half_plane_polygon]
+
+
 Manifold between(const HalfPlane& a, const Pose&, const Polygon& b, const Pose& world_from_b, double margin)
 {
     const Vec2 normal = inverse(world_from_b.rotation) * a.normal;
@@ -260,11 +260,11 @@ Manifold between(const HalfPlane& a, const Pose&, const Polygon& b, const Pose& 
     }
     return manifold;
 }
-// [collide.manifold.half_plane_polygon]
+
 
 } // namespace
 
-// [collide.manifold.axis]
+
 Manifold make_manifold(const Polygon& a, const Pose& world_from_a, const Polygon& b, const Pose& world_from_b,
                        const Pose& a_from_b, const Axis& axis, double margin)
 {
@@ -272,9 +272,9 @@ Manifold make_manifold(const Polygon& a, const Pose& world_from_a, const Polygon
     if (axis.owner == Owner::a) return clip(a, world_from_a, b, a_from_b, axis, margin);
     return swapped(clip(b, world_from_b, a, relative_pose(world_from_b, world_from_a), axis, margin));
 }
-// [collide.manifold.axis]
 
-// [collide.manifold]
+
+
 Manifold make_manifold(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b,
                        double margin)
 {
@@ -294,6 +294,6 @@ Manifold make_manifold(const Shape& a, const Pose& world_from_a, const Shape& b,
     const bool is_left = (disc_a && !disc_b) || (polygon_a && std::holds_alternative<HalfPlane>(b));
     return is_left ? swapped(make_manifold(b, world_from_b, a, world_from_a, margin)) : Manifold{};
 }
-// [collide.manifold]
+
 
 } // namespace flying

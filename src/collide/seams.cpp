@@ -9,7 +9,7 @@
 namespace flying {
 namespace {
 
-// [collide.seams.limits]
+
 /// [sine] Surfaces whose directions differ by less go straight on, and a normal that leans over the neighbour by less
 /// stands upright: a body that is thrown along it keeps its speed to the square of this.
 constexpr double k_lean = 0x1p-26;
@@ -22,9 +22,9 @@ constexpr double k_crack = 0x1p-26;
 /// [sine] Faces whose normals differ by less lie on each other. The joint surface is the longer one of the two: what
 /// stands on it stands along its normal.
 constexpr double k_parallel = 0x1p-16;
-// [collide.seams.limits]
 
-// [collide.seams.surface]
+
+
 /// An edge of the neighbour, or the surface of a half-plane, as the polygon sees it.
 struct Surface
 {
@@ -34,9 +34,9 @@ struct Surface
     double length = std::numeric_limits<double>::infinity(); // [m]
     bool has_start = true;
 };
-// [collide.seams.surface]
 
-// [collide.seams.on]
+
+
 /// Seams of a polygon with one surface of a neighbour.
 void add_seams_on(const Polygon& part, const Surface& surface, const SeamTolerance& tolerance, std::vector<Seam>& seams)
 {
@@ -70,9 +70,9 @@ void add_seams_on(const Polygon& part, const Surface& surface, const SeamToleran
         }
     }
 }
-// [collide.seams.on]
 
-// [collide.seams.nearest]
+
+
 /// The point of a body that is nearest to a corner, as far as a surface with this normal knows.
 struct NearestPoint
 {
@@ -99,9 +99,9 @@ struct NearestPoint
     }
     return nearest;
 }
-// [collide.seams.nearest]
 
-// [collide.seams.along]
+
+
 /// The contacts of a polygon with one that lies on an edge of it, along that edge's normal.
 [[nodiscard]] Manifold along_edge(const Polygon& part, const Pose& world_from_part, int edge, Owner owner,
                                   const Polygon& other, const Pose& world_from_other, double margin)
@@ -113,19 +113,19 @@ struct NearestPoint
     const Pose other_from_part = relative_pose(world_from_other, world_from_part);
     return make_manifold(other, world_from_other, part, world_from_part, other_from_part, axis, margin);
 }
-// [collide.seams.along]
+
 
 } // namespace
 
-// [collide.seams.tolerance.made]
+
 SeamTolerance seam_tolerance(double size, double reach)
 {
     const double step = k_step * size + tolerance::coordinate_rounding(reach);
     return {step, step + k_crack * size};
 }
-// [collide.seams.tolerance.made]
 
-// [collide.seams.find]
+
+
 void find_seams(const Polygon& part, const Pose& part_from_other, const Shape& other, std::span<const char> real,
                 const SeamTolerance& tolerance, std::vector<Seam>& seams)
 {
@@ -150,9 +150,9 @@ void find_seams(const Polygon& part, const Pose& part_from_other, const Shape& o
         add_seams_on(part, surface, tolerance, seams);
     }
 }
-// [collide.seams.find]
 
-// [collide.seams.normal]
+
+
 bool is_of_surface(const Polygon& part, const Seam& seam, const Vec2& normal)
 {
     if (!(normal.dot(seam.onwards) > k_lean)) return true;
@@ -164,9 +164,9 @@ const Vec2& surface_normal(const Polygon& part, const Seam& seam)
 {
     return seam.bend == Seam::Bend::ridge ? seam.outwards : part.edges()[seam.open].normal;
 }
-// [collide.seams.normal]
 
-// [collide.seams.mend]
+
+
 void mend_at_seams(const Polygon& part, const Pose& world_from_part, std::span<const Seam> seams, Owner owner,
                    const Shape& other, const Pose& world_from_other, double near, double margin, Manifold& manifold)
 {
@@ -225,6 +225,6 @@ void mend_at_seams(const Polygon& part, const Pose& world_from_part, std::span<c
     }
     manifold.count = kept;
 }
-// [collide.seams.mend]
+
 
 } // namespace flying

@@ -10,7 +10,7 @@
 
 namespace flying {
 
-// [collide.seams.seam]
+
 /// A corner of a polygon at which its surface goes on over a neighbour: the next tile of a floor, the next facet of a
 /// bowl, the part beyond a cut. All in the polygon's frame.
 struct Seam
@@ -31,9 +31,9 @@ struct Seam
     Bend bend = Bend::none;
     bool is_loose = false; ///< the two may part: the polygon needs what touches its corner, whatever lies beside it
 };
-// [collide.seams.seam]
 
-// [collide.seams.tolerance]
+
+
 /// How well two surfaces must meet to act as one.
 struct SeamTolerance
 {
@@ -43,9 +43,9 @@ struct SeamTolerance
 /// size   of the smaller of the two bodies [m]
 /// reach  how far from the world's origin they lie [m]
 [[nodiscard]] SeamTolerance seam_tolerance(double size, double reach);
-// [collide.seams.tolerance]
 
-// [collide.seams.declared]
+
+
 /// Adds the seams of a polygon with one neighbour: corners that lie on the line of an edge of the neighbour, to within
 /// the tolerance, and over it, while the polygon's own edge there runs down behind that line. A corner at the foot of an
 /// edge that rises from the neighbour's surface (a wall on a floor) is none.
@@ -78,6 +78,6 @@ void find_seams(const Polygon& part, const Pose& part_from_other, const Shape& o
 /// margin       contacts that are further apart go [m]
 void mend_at_seams(const Polygon& part, const Pose& world_from_part, std::span<const Seam> seams, Owner owner,
                    const Shape& other, const Pose& world_from_other, double near, double margin, Manifold& manifold);
-// [collide.seams.declared]
+
 
 } // namespace flying

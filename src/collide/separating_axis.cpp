@@ -5,27 +5,27 @@
 
 namespace flying {
 
-// [collide.relative_pose]
+
 Pose relative_pose(const Pose& world_from_a, const Pose& world_from_b)
 {
     const Rotation a_from_world = inverse(world_from_a.rotation);
     const Vec2 offset = world_from_b.position - world_from_a.position;
     return {a_from_world * offset, a_from_world * world_from_b.rotation};
 }
-// [collide.relative_pose]
+
 
 namespace {
 
-// [collide.separating_axis.back]
+
 /// The pose that leads back.
 Pose inverse(const Pose& a_from_b)
 {
     const Rotation b_from_a = flying::inverse(a_from_b.rotation);
     return {b_from_a * Vec2(-a_from_b.position), b_from_a};
 }
-// [collide.separating_axis.back]
 
-// [collide.separating_axis.project]
+
+
 /// Separation of one vertex of the other polygon from the line of the owner's edge.  [m]
 double separation_of(const Polygon& owner, const Edge& edge, const Vec2& vertex,
                      const Pose& owner_from_other)
@@ -33,17 +33,17 @@ double separation_of(const Polygon& owner, const Edge& edge, const Vec2& vertex,
     const Vec2 from_edge = owner_from_other * vertex - owner.vertices()[edge.from];
     return edge.normal.dot(from_edge);
 }
-// [collide.separating_axis.project]
 
-// [collide.separating_axis.normal]
+
+
 /// Normal of the owner's edge in the other's frame.
 Vec2 normal_in_other(const Edge& edge, const Pose& owner_from_other)
 {
     return flying::inverse(owner_from_other.rotation) * edge.normal;
 }
-// [collide.separating_axis.normal]
 
-// [collide.separating_axis.lowest]
+
+
 /// The vertex furthest against a direction.
 int lowest_vertex(const Polygon& polygon, const Vec2& direction)
 {
@@ -58,9 +58,9 @@ int lowest_vertex(const Polygon& polygon, const Vec2& direction)
     }
     return lowest;
 }
-// [collide.separating_axis.lowest]
 
-// [collide.separating_axis.walk]
+
+
 /// The axis of greatest separation among the owner's edges, in one round of both polygons; and the next greatest.
 Axis greatest_of_owner(const Polygon& owner, const Polygon& other,
                        const Pose& owner_from_other, double& next)
@@ -83,11 +83,11 @@ Axis greatest_of_owner(const Polygon& owner, const Polygon& other,
     }
     return best;
 }
-// [collide.separating_axis.walk]
+
 
 } // namespace
 
-// [collide.separating_axis.edge]
+
 Axis axis_of_edge(const Polygon& owner, int edge, const Polygon& other,
                   const Pose& owner_from_other)
 {
@@ -96,9 +96,9 @@ Axis axis_of_edge(const Polygon& owner, int edge, const Polygon& other,
     return {Owner::a, edge, vertex,
             separation_of(owner, side, other.vertices()[vertex], owner_from_other)};
 }
-// [collide.separating_axis.edge]
 
-// [collide.separating_axis.greatest]
+
+
 Axis greatest_separation(const Polygon& a, const Polygon& b, const Pose& a_from_b)
 {
     double next = 0.0;
@@ -107,9 +107,9 @@ Axis greatest_separation(const Polygon& a, const Polygon& b, const Pose& a_from_
     of_b.owner = Owner::b;
     return of_b.separation > of_a.separation ? of_b : of_a;
 }
-// [collide.separating_axis.greatest]
 
-// [collide.separating_axis.known]
+
+
 BestEdges best_edges(const Polygon& a, const Polygon& b, const Pose& a_from_b)
 {
     double next_of_a = 0.0;
@@ -126,9 +126,9 @@ Axis greater_of(const BestEdges& edges, const Polygon& a, const Polygon& b, cons
     of_b.owner = Owner::b;
     return of_b.separation > of_a.separation ? of_b : of_a;
 }
-// [collide.separating_axis.known]
 
-// [collide.separating_axis.find]
+
+
 std::optional<Axis> find_separating_axis(const Polygon& a, const Polygon& b,
                                          const Pose& a_from_b,
                                          const std::optional<Axis>& guess)
@@ -161,6 +161,6 @@ std::optional<Axis> find_separating_axis(const Polygon& a, const Polygon& b,
     }
     return std::nullopt;
 }
-// [collide.separating_axis.find]
+
 
 } // namespace flying

@@ -10,16 +10,16 @@
 
 namespace flying {
 
-// [collide.separating_axis.owner]
+
 /// Whose edge an axis stands on.
 enum class Owner
 {
     a,
     b
 };
-// [collide.separating_axis.owner]
 
-// [collide.separating_axis.axis]
+
+
 /// The line on which two convex polygons are compared: the outward normal of one edge.
 /// What lies behind the edge has a negative separation.
 struct Axis
@@ -29,15 +29,15 @@ struct Axis
     int vertex = 0;          ///< of the other polygon: the one furthest behind the edge
     double separation = 0.0; ///< of that vertex from the edge's line [m]
 };
-// [collide.separating_axis.axis]
 
-// [collide.relative_pose.declared]
+
+
 /// Where B lies as A sees it: a_from_b * p is B's point p in A's frame. Positions are subtracted before anything is
 /// rounded to their size, so that two bodies far from the world's origin see each other as sharply as near it.
 [[nodiscard]] Pose relative_pose(const Pose& world_from_a, const Pose& world_from_b);
-// [collide.relative_pose.declared]
 
-// [collide.separating_axis.edge.declared]
+
+
 /// Separation along the outward normal of one edge.
 ///
 /// owner             convex polygon whose edge it is
@@ -46,16 +46,16 @@ struct Axis
 /// owner_from_other  where the other lies in the owner's frame
 /// The field `owner` of the result says a.
 [[nodiscard]] Axis axis_of_edge(const Polygon& owner, int edge, const Polygon& other, const Pose& owner_from_other);
-// [collide.separating_axis.edge.declared]
 
-// [collide.separating_axis.greatest.declared]
+
+
 /// The axis of greatest separation among all edges of two convex polygons. Where it is positive, a line parts the
 /// polygons and their distance is at least that; where it is negative, the normal times it is the shortest push that
 /// parts them (chapter 5). Axes of A win ties. Time linear in the number of edges.
 [[nodiscard]] Axis greatest_separation(const Polygon& a, const Polygon& b, const Pose& a_from_b);
-// [collide.separating_axis.greatest.declared]
 
-// [collide.separating_axis.best]
+
+
 /// Of each of two convex polygons, the edge whose axis has the greatest separation among its own.
 struct BestEdges
 {
@@ -69,14 +69,14 @@ struct BestEdges
 
 /// The one of two edges with the greater separation, A's where they are equal.
 [[nodiscard]] Axis greater_of(const BestEdges& edges, const Polygon& a, const Polygon& b, const Pose& a_from_b);
-// [collide.separating_axis.best]
 
-// [collide.separating_axis.find.declared]
+
+
 /// An axis along which two convex polygons are apart, or none where they touch or overlap. Stops at the first it finds.
 ///
 /// guess  the axis that parted the pair the last time, tried first; its separation and vertex don't matter
 [[nodiscard]] std::optional<Axis> find_separating_axis(const Polygon& a, const Polygon& b, const Pose& a_from_b,
                                                        const std::optional<Axis>& guess = {});
-// [collide.separating_axis.find.declared]
+
 
 } // namespace flying

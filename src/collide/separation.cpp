@@ -13,14 +13,14 @@ namespace flying {
 
 namespace {
 
-// [collide.separation.constants]
+
 constexpr double k_infinity = std::numeric_limits<double>::infinity();
 
 /// Pairs of a vertex and an edge from which on it pays to look for the few that matter.
 constexpr std::size_t k_slab_pays = 200;
-// [collide.separation.constants]
 
-// [collide.separation.point]
+
+
 /// Distance of a point from an edge, its ends included.  [m]
 double distance_to_edge(const Vec2& point, const Polygon& polygon, const Edge& edge)
 {
@@ -46,9 +46,9 @@ double distance_to_convex(const Vec2& point, const Polygon& polygon)
     for (const Edge& edge : polygon.edges()) distance = std::min(distance, distance_to_edge(point, polygon, edge));
     return distance;
 }
-// [collide.separation.point]
 
-// [collide.separation.slab]
+
+
 /// Where the ends of the shortest way between two polygons can lie: on the polygon from a height upwards, on the other
 /// up to a height.
 struct Slab
@@ -133,9 +133,9 @@ double distance_apart(const Polygon& a, const Polygon& b, const Pose& a_from_b, 
     const double a_to_b = vertices_to_edges(b, a, b_from_a, from_b);
     return std::min(b_to_a, a_to_b);
 }
-// [collide.separation.slab]
 
-// [collide.separation.convex]
+
+
 /// Signed distance between convex polygons.
 double between_polygons(const Polygon& a, const Pose& world_from_a, const Polygon& b, const Pose& world_from_b)
 {
@@ -178,9 +178,9 @@ double between(const HalfPlane& a, const Pose&, const Polygon& b, const Pose& wo
     for (const Vec2& vertex : b.vertices()) lowest = std::min(lowest, normal.dot(vertex));
     return (a.normal.dot(world_from_b.position) - a.offset) + lowest;
 }
-// [collide.separation.convex]
 
-// [collide.separation.kinds]
+
+
 /// Signed distance between two convex shapes of any kind.
 double between(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b)
 {
@@ -201,11 +201,11 @@ double between(const Shape& a, const Pose& world_from_a, const Shape& b, const P
     if (plane_b && polygon_a) return between(*plane_b, world_from_b, *polygon_a, world_from_a);
     return k_infinity;
 }
-// [collide.separation.kinds]
+
 
 } // namespace
 
-// [collide.separation.parts]
+
 CollisionShape make_collision_shape(const Shape& shape)
 {
     CollisionShape result;
@@ -230,9 +230,9 @@ CollisionShape make_collision_shape(const Shape& shape)
     }
     return result;
 }
-// [collide.separation.parts]
 
-// [collide.separation]
+
+
 double separation(const CollisionShape& a, const Pose& world_from_a, const CollisionShape& b, const Pose& world_from_b)
 {
     double least = k_infinity;
@@ -254,6 +254,6 @@ double separation(const Shape& a, const Pose& world_from_a, const Shape& b, cons
 {
     return separation(make_collision_shape(a), world_from_a, make_collision_shape(b), world_from_b);
 }
-// [collide.separation]
+
 
 } // namespace flying

@@ -6,7 +6,7 @@
 namespace flying {
 namespace {
 
-// [touching.pair]
+
 /// Two bodies at one moment, and where their touches go. `b_from_a` leads from B's position to A's. [m]
 struct Pair
 {
@@ -35,9 +35,9 @@ void mirror(std::vector<Touch>& touches, std::size_t first)
         else if (touch.feature.kind == FeatureKind::corner) std::swap(touch.feature.vertex, touch.feature.edge);
     }
 }
-// [touching.pair]
 
-// [touching.discs]
+
+
 void touch(const Pair& pair, const Disc& a, const Disc& b)
 {
     const double distance = pair.b_to_a.norm();
@@ -46,18 +46,18 @@ void touch(const Pair& pair, const Disc& a, const Disc& b)
     const Vec2 normal = -pair.b_to_a / distance;
     pair.touches.push_back({a.radius * normal, -b.radius * normal, normal, gap, {}});
 }
-// [touching.discs]
 
-// [touching.disc-on-plane]
+
+
 void touch(const Pair& pair, const Disc& a, const HalfPlane& b)
 {
     const double gap = b.normal.dot(pair.world_from_a.position) - b.offset - a.radius;
     if (gap > pair.tolerance) return;
     add(pair, -a.radius * b.normal, -b.normal, gap, {});
 }
-// [touching.disc-on-plane]
 
-// [touching.vertex-on-plane]
+
+
 void touch(const Pair& pair, const Polygon& a, const HalfPlane& b)
 {
     const double height = b.normal.dot(pair.world_from_a.position) - b.offset;
@@ -68,9 +68,9 @@ void touch(const Pair& pair, const Polygon& a, const HalfPlane& b)
         if (gap <= pair.tolerance) add(pair, r_a, -b.normal, gap, {FeatureKind::vertex_of_a, k, -1});
     }
 }
-// [touching.vertex-on-plane]
 
-// [touching.disc-on-polygon]
+
+
 /// Disc A on polygon B. The boundary of B is cut into edges and the wedges beyond its corners, so that each touch is
 /// found once.
 void touch(const Pair& pair, const Disc& a, const Polygon& b)
@@ -104,9 +104,9 @@ void touch(const Pair& pair, const Disc& a, const Polygon& b)
         }
     }
 }
-// [touching.disc-on-polygon]
 
-// [touching.corner-cone]
+
+
 /// Unit normal, out of B, of a corner of A on a corner of B: the middle of the cone of directions along which they can
 /// part. All arguments in one frame. Zero where no direction parts them.
 ///
@@ -140,9 +140,9 @@ Vec2 corner_normal(const Vec2& a_in, const Vec2& a_out, const Vec2& b_in, const 
     const double length = best.norm();
     return length > 0.0 ? Vec2(best / length) : best;
 }
-// [touching.corner-cone]
 
-// [touching.vertex-on-edge]
+
+
 /// Vertices of A on the edges of B; with `corners`, also on its corners.
 void touch_vertices(const Pair& pair, const Polygon& a, const Polygon& b, bool corners)
 {
@@ -179,9 +179,9 @@ void touch_vertices(const Pair& pair, const Polygon& a, const Polygon& b, bool c
         }
     }
 }
-// [touching.vertex-on-edge]
 
-// [touching.both-ways]
+
+
 void touch(const Pair& pair, const Polygon& a, const Polygon& b)
 {
     touch_vertices(pair, a, b, true);
@@ -193,11 +193,11 @@ void touch(const Pair& pair, const Polygon& a, const Polygon& b)
 
 template <typename A, typename B>
 concept Ordered = requires(const Pair& pair, const A& a, const B& b) { touch(pair, a, b); };
-// [touching.both-ways]
+
 
 } // namespace
 
-// [touching.find]
+
 void find_touches(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b, double tolerance,
                   std::vector<Touch>& touches)
 {
@@ -215,6 +215,6 @@ void find_touches(const Shape& a, const Pose& world_from_a, const Shape& b, cons
     };
     std::visit(visit, a, b);
 }
-// [touching.find]
+
 
 } // namespace flying

@@ -13,15 +13,15 @@
 
 namespace flying {
 
-// [collide.vertex_edge.cross]
+
 bool segments_cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d)
 {
     return orientation(a, b, c) * orientation(a, b, d) < 0 &&
            orientation(c, d, a) * orientation(c, d, b) < 0;
 }
-// [collide.vertex_edge.cross]
 
-// [collide.vertex_edge.entered]
+
+
 bool corner_has_entered(const Vec2& before, const Vec2& corner, const Vec2& after,
                         const Vec2& from, const Vec2& to)
 {
@@ -29,11 +29,11 @@ bool corner_has_entered(const Vec2& before, const Vec2& corner, const Vec2& afte
     return is_inside && segments_cross(before, corner, from, to) &&
            segments_cross(corner, after, from, to);
 }
-// [collide.vertex_edge.entered]
+
 
 namespace {
 
-// [collide.vertex_edge.pair]
+
 /// Both polygons in A's frame.
 struct Pair
 {
@@ -43,9 +43,9 @@ struct Pair
     Vec2 push = Vec2::Zero();     ///< the way in which ties are broken: A towards B
     double rounding = 0.0;        ///< of a distance [m]
 };
-// [collide.vertex_edge.pair]
 
-// [collide.vertex_edge.crossing]
+
+
 /// A point where the boundaries of the two cross.
 struct Crossing
 {
@@ -55,9 +55,9 @@ struct Crossing
     bool a_enters = false;        ///< along A one comes into B here; along B, out of A
     bool is_used = false;
 };
-// [collide.vertex_edge.crossing]
 
-// [collide.vertex_edge.side]
+
+
 /// On which side of the line from -> to the point lies, +1 left or -1 right. A point on the
 /// line counts as if it were pushed by next to nothing along `push`, and if that leads
 /// along the line, to the left of `push`.
@@ -69,9 +69,9 @@ int side(const Vec2& from, const Vec2& to, const Vec2& point, const Vec2& push)
     const int pushed = orientation(Vec2::Zero(), along, push);
     return pushed != 0 ? pushed : orientation(Vec2::Zero(), along, perp(push));
 }
-// [collide.vertex_edge.side]
 
-// [collide.vertex_edge.crossings]
+
+
 /// Every crossing of an edge of A with an edge of B.
 std::vector<Crossing> crossings_of(const Pair& pair)
 {
@@ -107,9 +107,9 @@ std::vector<Crossing> crossings_of(const Pair& pair)
     }
     return crossings;
 }
-// [collide.vertex_edge.crossings]
 
-// [collide.vertex_edge.order]
+
+
 /// The crossings on each edge of one body, in the order in which its boundary meets them.
 std::vector<std::vector<int>> order_along(const Pair& pair, std::span<const Crossing> crossings, int body)
 {
@@ -127,9 +127,9 @@ std::vector<std::vector<int>> order_along(const Pair& pair, std::span<const Cros
     }
     return on_edge;
 }
-// [collide.vertex_edge.order]
 
-// [collide.vertex_edge.piece]
+
+
 /// What bounds one common piece of A and B.
 struct Piece
 {
@@ -137,9 +137,9 @@ struct Piece
     std::vector<int> edges[2];    ///< that run along the piece
     std::vector<Vec2> corners;    ///< all round, crossings included
 };
-// [collide.vertex_edge.piece]
 
-// [collide.vertex_edge.walk]
+
+
 /// Walk round the common piece that begins where A enters B at the crossing `first`, along
 /// A and along B in turn. None if the walk doesn't close, which only rounding can cause.
 std::optional<Piece> walk(const Pair& pair, std::span<Crossing> crossings,
@@ -177,9 +177,9 @@ std::optional<Piece> walk(const Pair& pair, std::span<Crossing> crossings,
     } while (at != first || body != 0);
     return piece;
 }
-// [collide.vertex_edge.walk]
 
-// [collide.vertex_edge.depth]
+
+
 /// How deep the other body has come in over one edge.
 struct Entry
 {
@@ -188,17 +188,17 @@ struct Entry
     int vertex = -1;    ///< of the other body, the deepest; -1 where none is inside
     double depth = 0.0; ///< [m]
 };
-// [collide.vertex_edge.depth]
 
-// [collide.vertex_edge.allowance]
+
+
 /// What rounding and the width of a touch do to a depth measured along an edge.  [m]
 double allowance(const Pair& pair, const Edge& edge)
 {
     return pair.rounding + tolerance::k_touch * edge.length;
 }
-// [collide.vertex_edge.allowance]
 
-// [collide.vertex_edge.last]
+
+
 /// Neither neighbour of the entry's vertex lies deeper: pushed out along the edge's normal, this vertex leaves last.
 bool leaves_last(const Pair& pair, const Entry& entry)
 {
@@ -212,9 +212,9 @@ bool leaves_last(const Pair& pair, const Entry& entry)
     }
     return true;
 }
-// [collide.vertex_edge.last]
 
-// [collide.vertex_edge.entry]
+
+
 /// How deep the other's vertices in a piece lie below one of its edges. None if there are
 /// no such vertices, or if all lie above the edge's line, as happens beside a reflex
 /// corner: then they have come in over another edge.
@@ -232,9 +232,9 @@ std::optional<Entry> entry_over(const Pair& pair, const Piece& piece, int owner,
         return std::nullopt;
     return entry;
 }
-// [collide.vertex_edge.entry]
 
-// [collide.vertex_edge.width]
+
+
 /// The width of a piece below one of its edges.
 Entry width_below(const Pair& pair, const Piece& piece, int owner, int edge)
 {
@@ -245,9 +245,9 @@ Entry width_below(const Pair& pair, const Piece& piece, int owner, int edge)
     }
     return width;
 }
-// [collide.vertex_edge.width]
 
-// [collide.vertex_edge.shallowest]
+
+
 /// The edge of a piece over which the least depth has been reached: one over which the
 /// vertex leaves last, if there is one; if no vertex is inside, the edge with the least
 /// width below it.
@@ -273,9 +273,9 @@ Entry shallowest_entry(const Pair& pair, const Piece& piece)
     }
     return entered ? *entered : *narrowest; // every piece has edges
 }
-// [collide.vertex_edge.shallowest]
 
-// [collide.vertex_edge.parallel]
+
+
 /// The point of the entered body's edge line above the contact: the foot of the deepest
 /// vertex, or the middle of the stretch that an edge at this vertex and the entered edge
 /// share, if the two are parallel.
@@ -304,9 +304,9 @@ Vec2 foot_of(const Pair& pair, const Entry& entry)
     // [collide.vertex_edge.shared]
     return start + along * tangent;
 }
-// [collide.vertex_edge.parallel]
 
-// [collide.vertex_edge.frame]
+
+
 Pair in_frame_of_a(const Polygon& a, const Polygon& b, const Pose& a_from_b)
 {
     Pair pair;
@@ -322,11 +322,11 @@ Pair in_frame_of_a(const Polygon& a, const Polygon& b, const Pose& a_from_b)
     pair.rounding = tolerance::coordinate_rounding(distance + a.radius() + b.radius());
     return pair;
 }
-// [collide.vertex_edge.frame]
+
 
 } // namespace
 
-// [collide.vertex_edge]
+
 std::vector<Contact> entered_contacts(const Polygon& a, const Pose& world_from_a,
                                       const Polygon& b, const Pose& world_from_b)
 {
@@ -363,6 +363,6 @@ std::vector<Contact> entered_contacts(const Polygon& a, const Pose& world_from_a
     }
     return contacts;
 }
-// [collide.vertex_edge]
+
 
 } // namespace flying

@@ -8,12 +8,12 @@
 
 namespace flying {
 
-// [collide.vertex_edge.cross.declared]
+
 /// Segments a-b and c-d cross: each has its ends strictly on different sides of the other. Exact.
 [[nodiscard]] bool segments_cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d);
-// [collide.vertex_edge.cross.declared]
 
-// [collide.vertex_edge.entered.declared]
+
+
 /// A corner has entered a body over one of its edges: both sides of the corner cross the edge, and the corner lies on
 /// its inner side, which is its left. Exact.
 ///
@@ -21,9 +21,9 @@ namespace flying {
 /// from, to               ends of the other body's edge
 [[nodiscard]] bool corner_has_entered(const Vec2& before, const Vec2& corner, const Vec2& after, const Vec2& from,
                                       const Vec2& to);
-// [collide.vertex_edge.entered.declared]
 
-// [collide.vertex_edge.declared]
+
+
 /// Where two overlapping polygons have entered each other, by following their boundaries; convex or not, with or
 /// without holes. Normals point from A to B.
 ///
@@ -43,6 +43,6 @@ namespace flying {
 /// Time: the product of the two numbers of edges.
 [[nodiscard]] std::vector<Contact> entered_contacts(const Polygon& a, const Pose& world_from_a, const Polygon& b,
                                                     const Pose& world_from_b);
-// [collide.vertex_edge.declared]
+
 
 } // namespace flying

@@ -69,7 +69,7 @@ double trail_width(const Shape& shape)
     return 1.2 * radius;
 }
 
-// [draw.picture_of]
+
 Picture picture_of(const World& world)
 {
     Picture picture;
@@ -88,7 +88,7 @@ Picture picture_of(const World& world)
     picture.view = fitting_view(picture);
     return picture;
 }
-// [draw.picture_of]
+
 
 void move_bodies(Picture& picture, const World& world)
 {

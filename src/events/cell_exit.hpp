@@ -8,7 +8,7 @@
 
 namespace flying {
 
-// [events.cell_exit.result]
+
 /// When a body leaves its cell, and by which side: 0 right, 1 left, 2 up, 3 down.
 struct CellExit
 {
@@ -30,9 +30,9 @@ struct CellExit
     return {Cell{middle.column - step.row, middle.row - step.column}, middle,
             Cell{middle.column + step.row, middle.row + step.column}};
 }
-// [events.cell_exit.result]
 
-// [events.cell_exit.straight]
+
+
 /// On a straight path only the two borders ahead count.
 /// x, v  position and velocity at `time`
 [[nodiscard]] inline CellExit straight_exit(const Vec2& x, const Vec2& v, double time, const Cell& cell,
@@ -47,9 +47,9 @@ struct CellExit
     if (time_x <= time_y) return {std::max(time_x, now), 1 - right};
     return {std::max(time_y, now), 3 - up};
 }
-// [events.cell_exit.straight]
 
-// [events.cell_exit]
+
+
 /// First time, not before `now`, at which a flyer crosses a border of its cell outwards. Only the direction of crossing
 /// counts, so that a body that stands on the border by rounding is not sent back and forth.
 [[nodiscard]] inline CellExit next_cell_exit(const Flyer& flyer, const Cell& cell, double cell_size, double now)
@@ -64,7 +64,7 @@ struct CellExit
     const auto row = static_cast<double>(cell.row);
     const Vec2& x = flyer.state.position;
     const Vec2& v = flyer.state.velocity;
-    // [events.cell_exit.crossing]
+
     const auto consider = [&](double room, double speed, double acceleration, int side) {
         // `room` is the distance to the border; it falls through zero when the body crosses
         double time = flyer.state.time + falling_root(room, -speed, -acceleration);
@@ -76,15 +76,15 @@ struct CellExit
         }
         if (time < exit.time) exit = {time, side};
     };
-    // [events.cell_exit.crossing]
-    // [events.cell_exit.borders]
+
+
     consider((column + 1.0) * cell_size - x.x(), v.x(), a.x(), 0);
     consider(x.x() - column * cell_size, -v.x(), -a.x(), 1);
     consider((row + 1.0) * cell_size - x.y(), v.y(), a.y(), 2);
     consider(x.y() - row * cell_size, -v.y(), -a.y(), 3);
-    // [events.cell_exit.borders]
+
     return exit;
 }
-// [events.cell_exit]
+
 
 } // namespace flying

@@ -5,7 +5,7 @@
 
 namespace flying {
 
-// [events.push_pair]
+
 // What was foreseen finds its place: in the queue, or beside a body.
 
 /// p, q  in any order
@@ -16,9 +16,9 @@ void EventEngine::push_pair(double time, int p, int q, Event::Kind kind)
     const auto [a, b] = std::minmax(row_p.id, row_q.id);
     foreseen_.push_back({time, a, b, row_p.stamp + row_q.stamp, kind});
 }
-// [events.push_pair]
 
-// [events.await]
+
+
 /// Put what was foreseen of a body where it belongs: the first of its events into the
 /// queue, the others beside the body.
 void EventEngine::await(int body)
@@ -60,9 +60,9 @@ void EventEngine::await(int body)
     queue_.push(foreseen_[first]);
     foreseen_.clear();
 }
-// [events.await]
 
-// [events.call_all]
+
+
 /// Put events that belong to no one body into the queue.
 void EventEngine::call_all()
 {
@@ -70,9 +70,9 @@ void EventEngine::call_all()
     foreseen_.clear();
 }
 
-// [events.call_all]
 
-// [events.forget]
+
+
 /// A body was pushed: what was foreseen of it is overtaken.
 void EventEngine::forget(int body)
 {
@@ -81,14 +81,14 @@ void EventEngine::forget(int body)
     waiting_[body].count = 0;
     waiting_[body].called = k_never;
 }
-// [events.forget]
 
-// [events.sweep_queue]
+
+
 void EventEngine::sweep_queue()
 {
     queue_.keep_if([&](const Event& event) { return is_current(event) || is_called(event); });
     sweep_at_ = std::max<std::size_t>(2 * queue_.size(), 1024);
 }
-// [events.sweep_queue]
+
 
 } // namespace flying

@@ -9,14 +9,14 @@
 namespace flying {
 namespace {
 
-// [events.surely]
+
 /// Beyond this factor, two squares that were rounded a handful of times each are in the order of what they stand for.
 constexpr double k_surely = 1.0 + 0x1p-48;
-// [events.surely]
+
 
 } // namespace
 
-// [events.strike_discs]
+
 // Discs on straight paths, which most large scenes are made of: what any two bodies need, and no more. The numbers are the
 // same, to the bit.
 
@@ -33,7 +33,7 @@ bool EventEngine::strike_discs(const Event& event, int a, int b)
     if (sheet_a.material.friction * sheet_b.material.friction != 0.0) return false;
     if (has_spun_out(a) || has_spun_out(b)) return false;
 
-    // [events.strike_discs.meet]
+
     // Bring them to the moment; leave to others what hardly moved, or does not quite touch
     const double t_a = event.time - row_a.time;
     const double t_b = event.time - row_b.time;
@@ -47,9 +47,9 @@ bool EventEngine::strike_discs(const Event& event, int a, int b)
     const double distance = b_to_a.norm();
     const double gap = distance - (row_a.radius + row_b.radius);
     if (!(gap <= tolerance::k_touch * std::min(row_a.radius, row_b.radius)) || distance == 0.0) return false;
-    // [events.strike_discs.meet]
 
-    // [events.strike_discs.push]
+
+
     // Push along the line of centres, which has no arms: nothing turns
     const Vec2 normal = -b_to_a / distance;
     const double approach = (row_b.velocity - row_a.velocity).dot(normal);
@@ -60,9 +60,9 @@ bool EventEngine::strike_discs(const Event& event, int a, int b)
     const Vec2 velocity_a = row_a.velocity - sheet_a.inertia.inv_mass * impulse;
     const Vec2 velocity_b = row_b.velocity + sheet_b.inertia.inv_mass * impulse;
     if (!((velocity_b - velocity_a).dot(normal) >= 0.0)) return false;
-    // [events.strike_discs.push]
 
-    // [events.strike_discs.write]
+
+
     const auto write = [&](int body, const Vec2& position, const Vec2& velocity) {
         Row& row = rows_[body];
         const double inv_m = sheets_[body].inertia.inv_mass;
@@ -79,11 +79,11 @@ bool EventEngine::strike_discs(const Event& event, int a, int b)
     ++counts_.impacts;
     log_impact(event, a, b);
     return true;
-    // [events.strike_discs.write]
-}
-// [events.strike_discs]
 
-// [events.predict_near]
+}
+
+
+
 /// The same as `predict_partners` for a disc that has just been struck where nothing falls: no body's note is younger than
 /// its own, so that only the others are brought to its moment.
 void EventEngine::predict_near(int body, int partner)
@@ -95,7 +95,7 @@ void EventEngine::predict_near(int body, int partner)
     const Row* const rows = rows_.data();
     const Row row = rows[body];
 
-    // [events.predict_near.sift]
+
     // Keep those that come near enough, and those that need a closer look
     int* kept = near;
     for (const int* place = near; place != end; ++place) {
@@ -115,7 +115,7 @@ void EventEngine::predict_near(int body, int partner)
         const bool is_other = (q != body) & (q != partner);
         kept += (((closes & !passes) | !is_plain) & is_other) ? 1 : 0;
     }
-    // [events.predict_near.sift]
+
     for (const int* place = near; place != kept; ++place) {
         const Row& other = rows[*place];
         if (other.kind != Kind::disc || !(other.time <= row.time)) {
@@ -133,6 +133,6 @@ void EventEngine::predict_near(int body, int partner)
     for (const int other : grid_->statics_near(cell)) predict_pair(body, other);
     for (const int other : everywhere_) predict_pair(body, other);
 }
-// [events.predict_near]
+
 
 } // namespace flying

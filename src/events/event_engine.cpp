@@ -11,7 +11,7 @@
 
 namespace flying {
 
-// [events.set_up]
+
 EventEngine::EventEngine(std::vector<EventBody> bodies, const EventEngineOptions& options) : options_(options)
 {
     for (EventBody& body : bodies) {
@@ -33,22 +33,22 @@ EventEngine::EventEngine(std::vector<EventBody> bodies, const EventEngineOptions
     set_up_grid();
     predict_all();
 }
-// [events.set_up]
 
-// [events.pose]
+
+
 Pose EventEngine::pose(int body) const { return {rows_[body].position, Rotation::of(sheets_[body].angle)}; }
-// [events.pose]
 
-// [events.top_speed]
+
+
 /// Bound on the speed of any point of a body.  [m/s]
 double EventEngine::top_speed(int body) const
 {
     const double spin = sheets_[body].spin;
     return rows_[body].velocity.norm() + (spin == 0.0 ? 0.0 : std::abs(spin) * rows_[body].radius);
 }
-// [events.top_speed]
 
-// [events.resume]
+
+
 EventEngine::Resume EventEngine::resume() const
 {
     Resume resume{now_, log_.value(), max_overlap_, {}, energy_lost_, {}, bounces_};
@@ -56,9 +56,9 @@ EventEngine::Resume EventEngine::resume() const
     for (int body = 0; body < body_count(); ++body) resume.presence.push_back(presence(body));
     return resume;
 }
-// [events.resume]
 
-// [events.go_on_from]
+
+
 void EventEngine::go_on_from(const Resume& resume, const std::vector<BodyState>& states)
 {
     now_ = resume.time;
@@ -90,9 +90,9 @@ void EventEngine::go_on_from(const Resume& resume, const std::vector<BodyState>&
     }
     predict_all();
 }
-// [events.go_on_from]
 
-// [events.advance]
+
+
 std::optional<EventFailure> EventEngine::advance(double time, std::int64_t most)
 {
     noticed_ = false;
@@ -118,9 +118,9 @@ std::optional<EventFailure> EventEngine::advance(double time, std::int64_t most)
     now_ = std::max(now_, time);
     return std::nullopt;
 }
-// [events.advance]
 
-// [events.handle]
+
+
 std::optional<EventFailure> EventEngine::handle(const Event& event)
 {
     switch (event.kind) {
@@ -130,9 +130,9 @@ std::optional<EventFailure> EventEngine::handle(const Event& event)
     }
     return std::nullopt;
 }
-// [events.handle]
 
-// [events.impact]
+
+
 std::optional<EventFailure> EventEngine::handle_impact(const Event& event)
 {
     const int a = row_of(event.a);
@@ -150,9 +150,9 @@ std::optional<EventFailure> EventEngine::handle_impact(const Event& event)
     // [events.impact.foresee]
     return std::nullopt;
 }
-// [events.impact]
 
-// [events.strike]
+
+
 /// Let any two bodies strike each other.
 std::optional<EventFailure> EventEngine::strike(const Event& event, int a, int b)
 {
@@ -205,18 +205,18 @@ std::optional<EventFailure> EventEngine::strike(const Event& event, int a, int b
     if (bounces_end) return EventFailure{EventFailure::Kind::settled, event.time, event.a, event.b, *bounces_end};
     if (stays_on) return EventFailure{EventFailure::Kind::stays, event.time, event.a, event.b};
 
-    // [events.impact.crowd_limit]
+
     const int crowding_a = is_fixed(a) ? 0 : sheets_[a].crowding;
     const int crowding_b = is_fixed(b) ? 0 : sheets_[b].crowding;
     if (std::max(crowding_a, crowding_b) > options_.most_crowded) {
         return EventFailure{EventFailure::Kind::crowded, event.time, event.a, event.b};
     }
-    // [events.impact.crowd_limit]
+
     return std::nullopt;
 }
-// [events.strike]
 
-// [events.move_to]
+
+
 /// Bring a body to a moment; tells whether it went anywhere since its last impact.
 bool EventEngine::move_to(int body, double time)
 {
@@ -231,9 +231,9 @@ bool EventEngine::move_to(int body, double time)
     sheets_[body].angle = after.angle;
     return way > tolerance::k_touch * row.radius;
 }
-// [events.move_to]
 
-// [events.is_creeping]
+
+
 /// The pair approaches no faster than what presses it together brings about within the tolerance of touching: its hops
 /// can't be told from contact that lasts, however fast it slides or rolls.
 bool EventEngine::is_creeping(int a, int b, double touch) const
@@ -252,9 +252,9 @@ bool EventEngine::is_creeping(int a, int b, double touch) const
     constexpr double k_hop = 16.0; // tolerances of touching
     return approach * approach <= 2.0 * press * (k_hop * touch);
 }
-// [events.is_creeping]
 
-// [events.set_motion]
+
+
 /// New velocities, which make all that was foreseen of the body stale.
 void EventEngine::set_motion(int body, const Vec2& velocity, double spin)
 {
@@ -265,9 +265,9 @@ void EventEngine::set_motion(int body, const Vec2& velocity, double spin)
     sheets_[body].spin = spin;
     forget(body);
 }
-// [events.set_motion]
 
-// [events.log_impact]
+
+
 void EventEngine::log_impact(const Event& event, int row_a, int row_b)
 {
     last_impact_ = event;
@@ -278,26 +278,26 @@ void EventEngine::log_impact(const Event& event, int row_a, int row_b)
                         sheets_[row_a].spin, b.position.x(), b.position.y(), b.velocity.x(), b.velocity.y(),
                         sheets_[row_b].angle, sheets_[row_b].spin});
 }
-// [events.log_impact]
 
-// [events.find_points]
+
+
 /// All points at which a pair touches at the time of its impact; where rounding hides even the one that was foreseen, the
 /// search is widened until it shows.
 /// Returns the tolerance of touching.  [m]
 double EventEngine::find_points(int a, int b, double time)
 {
-    // [events.find_points.tolerance]
+
     const double radius_a = std::isinf(rows_[a].radius) ? rows_[b].radius : rows_[a].radius;
     const double radius_b = std::isinf(rows_[b].radius) ? rows_[a].radius : rows_[b].radius;
     const double reach = std::max(rows_[a].position.norm(), rows_[b].position.norm());
     const GapTolerance tolerance = gap_tolerance(std::min(radius_a, radius_b), std::max(radius_a, radius_b), reach,
                                                  top_speed(a) + top_speed(b), time);
-    // [events.find_points.tolerance]
+
     const Shape& shape_a = shape_from_row(a, disc_a_);
     const Shape& shape_b = shape_from_row(b, disc_b_);
     const Pose pose_a = pose(a);
     const Pose pose_b = pose(b);
-    // [events.find_points.gather]
+
     constexpr double k_gather = 16.0; // the depth that a prediction accepts, and rounding on either side of it
     constexpr double k_widen = 16.0;
     constexpr int k_most_tries = 8;
@@ -306,7 +306,7 @@ double EventEngine::find_points(int a, int b, double time)
         find_touches(shape_a, pose_a, shape_b, pose_b, slack, touches_);
         if (!touches_.empty()) break;
     }
-    // [events.find_points.gather]
+
     points_.clear();
     if (has_seams(a) || has_seams(b)) {
         touch_surface(a, b, slack);
@@ -323,6 +323,6 @@ void EventEngine::add_points()
         max_overlap_ = std::max(max_overlap_, -touch.separation);
     }
 }
-// [events.find_points]
+
 
 } // namespace flying

@@ -17,7 +17,7 @@
 
 namespace flying {
 
-// [events.body]
+
 /// One body as the event engine is given it.
 struct EventBody
 {
@@ -27,9 +27,9 @@ struct EventBody
     Material material;
     bool is_static = false; ///< never moves: no velocity, no spin, no acceleration, infinite mass
 };
-// [events.body]
 
-// [events.options]
+
+
 struct EventEngineOptions
 {
     PairFinder pair_finder = PairFinder::grid;
@@ -43,9 +43,9 @@ struct EventEngineOptions
     int most_crowded = 1000;        ///< impacts in a row of one body that leave it no room to move
     double (*seconds)() = nullptr;  ///< a clock, lent to measure the stages; null to measure nothing [s]
 };
-// [events.options]
 
-// [events.failure]
+
+
 /// Why an engine can't go on.
 struct EventFailure
 {
@@ -62,9 +62,9 @@ struct EventFailure
     int b = -1;
     double bounces_end = 0.0; ///< where they settled: when the last of infinitely many would have happened [s]
 };
-// [events.failure]
 
-// [events.counts]
+
+
 /// Work done so far, and work left out.
 struct EventCounts
 {
@@ -80,9 +80,9 @@ struct EventCounts
     std::int64_t far_features_skipped = 0; ///< predictions of turning pairs whose bounding circles never meet
     std::int64_t fetched = 0; ///< bodies whose rows were asked for ahead
 };
-// [events.counts]
 
-// [events.seconds]
+
+
 /// Seconds spent, where a clock was lent.
 struct EventSeconds
 {
@@ -91,9 +91,9 @@ struct EventSeconds
     double impact = 0.0;
     double cells = 0.0;
 };
-// [events.seconds]
 
-// [events.engine]
+
+
 /// Moves bodies from event to event. Every body has a clock of its own, set at its last impact, and nothing moves between:
 /// what happens does not depend on who looks, or when.
 ///
@@ -106,7 +106,7 @@ public:
     /// Handle every event up to `time`, or `most` of them.  [s]
     [[nodiscard]] std::optional<EventFailure> advance(double time, std::int64_t most);
 
-    // [events.engine.asked]
+
     [[nodiscard]] double time() const { return now_; }
     [[nodiscard]] int body_count() const { return static_cast<int>(rows_.size()); }
     /// A body's flight since its last impact; one that others move stays where they put it.
@@ -122,9 +122,9 @@ public:
     [[nodiscard]] const EventCounts& counts() const { return counts_; }
     [[nodiscard]] const EventSeconds& seconds() const { return seconds_; }
     void set_clock(double (*clock)()) { options_.seconds = clock; }
-    // [events.engine.asked]
 
-    // [events.engine.guests]
+
+
     /// Whether a body is this engine's to move.
     enum class Presence {
         flies, ///< yes
@@ -140,9 +140,9 @@ public:
     [[nodiscard]] bool noticed() const { return noticed_; }
     /// What impacts have taken from the kinetic energy.  [J]
     [[nodiscard]] double energy_lost() const { return energy_lost_; }
-    // [events.engine.guests]
 
-    // [events.engine.resume]
+
+
     /// Bounces of one body on one flat thing, undisturbed.
     struct Bounces
     {
@@ -164,16 +164,16 @@ public:
     [[nodiscard]] Resume resume() const;
     /// states  of the first bodies, each at the time of its last impact; the rest stay as they are
     void go_on_from(const Resume& resume, const std::vector<BodyState>& states);
-    // [events.engine.resume]
+
 
 private:
-    // [events.engine.kinds]
+
     enum class Kind : std::int32_t { disc, polygon, is_static, lies, away }; // those that fly first
 
     static constexpr double k_largest_angle = 0x1p53; // beyond it, sine_cosine has no answer [rad]
-    // [events.engine.kinds]
 
-    // [events.engine.row]
+
+
     /// What predictions read: one line of the fast memory for each body. Rows are not in the order of the bodies' ids:
     /// neighbours in the plane are neighbours in memory.
     struct alignas(64) Row
@@ -186,9 +186,9 @@ private:
         Kind kind = Kind::disc;
         int id = 0;
     };
-    // [events.engine.row]
 
-    // [events.engine.sheet]
+
+
     /// What only impacts and turning pairs read.
     struct alignas(64) Sheet
     {
@@ -198,9 +198,9 @@ private:
         Material material;
         int crowding = 0; // impacts in a row without room between them
     };
-    // [events.engine.sheet]
 
-    // [events.engine.place]
+
+
     /// What tells whether an event still counts, and where its bodies are. Close together, so that those that don't count
     /// cost no more than this.
     struct Place
@@ -209,17 +209,17 @@ private:
         std::uint32_t stamp = 0; // how often it was pushed, like the row's
     };
     [[nodiscard]] int row_of(int id) const { return places_[id].row; }
-    // [events.engine.place]
 
-    // [events.engine.is_current]
+
+
     [[nodiscard]] bool is_current(const Event& event) const
     {
         // Stamps only grow: their sum is the same where both are
         const std::uint32_t stamp = places_[event.a].stamp;
         return event.stamp == (event.b < 0 ? stamp : stamp + places_[event.b].stamp);
     }
-    // [events.engine.is_current]
-    // [events.engine.is_called]
+
+
     /// It is the first event of its owner: when it is over or overtaken, the next one's turn has come.
     [[nodiscard]] bool is_called(const Event& event) const
     {
@@ -229,8 +229,8 @@ private:
     {
         return row_of(event.owner == Event::Owner::b ? event.b : event.a);
     }
-    // [events.engine.is_called]
-    // [events.engine.rows]
+
+
     // From here on bodies are named by their rows, but in events and failures, which name them by id
     [[nodiscard]] bool is_fixed(int row) const { return rows_[row].kind >= Kind::is_static; }
     [[nodiscard]] bool never_moves(int row) const { return rows_[row].kind == Kind::is_static; }
@@ -255,9 +255,9 @@ private:
     void line_up(const std::vector<int>& old_rows);
     void line_up_again();
     void fetch_ahead();
-    // [events.engine.rows]
 
-    // [events.engine.verbs]
+
+
     [[nodiscard]] std::optional<EventFailure> handle(const Event& event);
     [[nodiscard]] std::optional<EventFailure> handle_impact(const Event& event);
     [[nodiscard]] std::optional<EventFailure> strike(const Event& event, int a, int b);
@@ -301,9 +301,9 @@ private:
     [[nodiscard]] Vec2 pull_on(int body) const;
     [[nodiscard]] bool stays(int a, int b, double touch) const;
     [[nodiscard]] std::optional<double> end_of_bounces(int a, int b, double time, double touch);
-    // [events.engine.verbs]
 
-    // [events.engine.parts]
+
+
     EventEngineOptions options_;
     std::vector<Row> rows_;
     std::vector<Sheet> sheets_;
@@ -339,8 +339,8 @@ private:
     std::vector<int> near_;           // workspace: rows of those about one body
     std::vector<Touch> touches_;      // workspace of one impact
     std::vector<ImpactPoint> points_; // workspace of one impact
-    // [events.engine.parts]
+
 };
-// [events.engine]
+
 
 } // namespace flying

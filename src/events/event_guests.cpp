@@ -5,7 +5,7 @@
 
 namespace flying {
 
-// [events.place]
+
 // Bodies that others move for a while: how the engine lets go of them, and takes them back.
 
 EventEngine::Kind EventEngine::kind_of(int body, Presence presence) const
@@ -43,9 +43,9 @@ void EventEngine::place(int body, Presence presence, const BodyState& state)
     predict_anew(place);
     if (queue_.size() > sweep_at_) sweep_queue();
 }
-// [events.place]
 
-// [events.can_meet]
+
+
 /// False where others see to the pair: one of them is away, or neither flies and one only lies.
 bool EventEngine::can_meet(int a, int b) const
 {
@@ -54,9 +54,9 @@ bool EventEngine::can_meet(int a, int b) const
     if (kind_a == Kind::away || kind_b == Kind::away) return false;
     return !(is_fixed(a) && is_fixed(b)) || (kind_a != Kind::lies && kind_b != Kind::lies);
 }
-// [events.can_meet]
 
-// [events.energy_change]
+
+
 /// What new velocities give to a body's kinetic energy.  [J]
 double EventEngine::energy_change(int body, const Vec2& velocity, double spin) const
 {
@@ -67,9 +67,9 @@ double EventEngine::energy_change(int body, const Vec2& velocity, double spin) c
     const double turn = (spin - sheet.spin) * (spin + sheet.spin) / sheet.inertia.inv_moment_of_inertia;
     return 0.5 * (shift + turn);
 }
-// [events.energy_change]
 
-// [events.stays]
+
+
 /// What the field does to a body where it is; nothing to what is fixed.  [m/s^2]
 Vec2 EventEngine::pull_on(int body) const
 {
@@ -93,9 +93,9 @@ bool EventEngine::stays(int a, int b, double touch) const
         return press > 0.0 && leave * leave <= 2.0 * press * (k_hop * touch);
     });
 }
-// [events.stays]
 
-// [events.end_of_bounces]
+
+
 /// When bounces end that have just shrunk to a touch; nothing where they haven't.
 ///
 /// A disc that leaves something flat at speed v, pressed on by g, is back after 2 v/g, and leaves with e v: all hops
@@ -129,6 +129,6 @@ std::optional<double> EventEngine::end_of_bounces(int a, int b, double time, dou
     if (leave * leave > 2.0 * press * (k_hop * touch)) return std::nullopt;
     return bounces.end;
 }
-// [events.end_of_bounces]
+
 
 } // namespace flying

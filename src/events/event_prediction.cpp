@@ -11,7 +11,7 @@
 
 namespace flying {
 
-// [events.set_up_grid]
+
 // How the event engine keeps its queue filled: which pairs are looked at, and when.
 
 void EventEngine::set_up_grid()
@@ -21,7 +21,7 @@ void EventEngine::set_up_grid()
     if (options_.pair_finder != PairFinder::grid) return;
     if (central_) return; // when a curved flight leaves its cell is not foreseen: look at all pairs
 
-    // [events.set_up_grid.cells]
+
     // Cells are no smaller than the largest mover
     double largest = 0.0;
     int movers = 0;
@@ -37,7 +37,7 @@ void EventEngine::set_up_grid()
     }
     if (movers == 0) return;
     grid_ = make_grid(extent, largest, body_count(), movers);
-    // [events.set_up_grid.cells]
+
 
     line_up(order_along_curve([&](int body) { return grid_->cell_at(place(body)); }));
     for (int body = 0; body < body_count(); ++body) {
@@ -45,7 +45,7 @@ void EventEngine::set_up_grid()
             grid_->insert(body, grid_->cell_at(place(body)));
             continue;
         }
-        // [events.set_up_grid.statics]
+
         // A wall along an axis is met only near its surface: no body is ever behind it
         const auto* wall = std::get_if<HalfPlane>(&shape_of(body));
         if (!wall) {
@@ -59,12 +59,12 @@ void EventEngine::set_up_grid()
         } else {
             everywhere_.push_back(body);
         }
-        // [events.set_up_grid.statics]
+
     }
 }
-// [events.set_up_grid]
 
-// [events.line_up]
+
+
 /// The order in which rows follow a curve through the cells; static bodies come last.
 /// cell_of(row)  where a mover lies
 template <typename CellOf>
@@ -115,9 +115,9 @@ void EventEngine::line_up_again()
     const auto first_fixed = std::find_if(order.begin(), order.end(), [&](int row) { return never_moves(row); });
     grid_->renumber({order.begin(), first_fixed});
 }
-// [events.line_up]
 
-// [events.fetch_ahead]
+
+
 /// Ask the memory for what the events to come will read, so that it is there when they do: first the bodies' places,
 /// then the rows of those that still count, then the cells about them, then the rows of the bodies in them.
 void EventEngine::fetch_ahead()
@@ -177,15 +177,15 @@ void EventEngine::fetch_ahead()
         if (other_cell != cell && !is_static(event->b)) grid_->for_each_near(other_cell, fetch);
     }
 }
-// [events.fetch_ahead]
 
-// [events.predict_movers]
+
+
 /// Two bodies under one acceleration: discs meet when their circles do; others are looked at when their bounding
 /// circles do. The same numbers as `predict`, straight from the rows: in every product both signs turn with the order
 /// of the two.
 inline void EventEngine::predict_movers(int a, int b)
 {
-    // [events.predict_movers.start]
+
     const Row& row_a = rows_[a];
     const Row& row_b = rows_[b];
     const double start = std::max(row_a.time, row_b.time);
@@ -199,7 +199,7 @@ inline void EventEngine::predict_movers(int a, int b)
         rate = (row_a.velocity + t_a * acceleration_) - (row_b.velocity + t_b * acceleration_);
     }
     const double reach = row_a.radius + row_b.radius;
-    // [events.predict_movers.start]
+
 
     // [events.predict_movers.kinds]
     double time = k_never;
@@ -227,9 +227,9 @@ inline void EventEngine::predict_movers(int a, int b)
     if (time != k_never) push_pair(time, a, b, kind);
     // [events.predict_movers.kinds]
 }
-// [events.predict_movers]
 
-// [events.predict_pair]
+
+
 /// Foresee the impact of two bodies, named in any order, as their flights are now.
 void EventEngine::predict_pair(int p, int q)
 {
@@ -237,9 +237,9 @@ void EventEngine::predict_pair(int p, int q)
     if (is_fixed(p) || is_fixed(q) || searches_all_) predict_general(p, q, std::max(rows_[p].time, rows_[q].time), 0);
     else predict_movers(p, q);
 }
-// [events.predict_pair]
 
-// [events.predict_all]
+
+
 void EventEngine::predict_all()
 {
     const StageTimer timer(options_.seconds, seconds_.predict);
@@ -263,9 +263,9 @@ void EventEngine::predict_all()
     }
     sweep_queue();
 }
-// [events.predict_all]
 
-// [events.predict_after_impact]
+
+
 void EventEngine::predict_after_impact(int body, int partner)
 {
     if (is_fixed(body)) return;
@@ -275,9 +275,9 @@ void EventEngine::predict_after_impact(int body, int partner)
     else predict_partners(body, [&](int other) { return other != partner; });
     await(body);
 }
-// [events.predict_after_impact]
 
-// [events.predict_anew]
+
+
 /// Foresee all of a body that has just been put where it is.
 void EventEngine::predict_anew(int body)
 {
@@ -286,9 +286,9 @@ void EventEngine::predict_anew(int body)
     predict_partners(body, [](int) { return true; });
     await(body);
 }
-// [events.predict_anew]
 
-// [events.predict_partners]
+
+
 /// Foresee the next impact of a mover with every body that it may meet before either
 /// changes its cell.
 /// wants(other)  false for those that are looked at from the other side
@@ -309,9 +309,9 @@ void EventEngine::predict_partners(int body, const Wants& wants)
     for (const int other : everywhere_) look(other);
     counts_.far_pairs_skipped += body_count() - 1 - (counts_.predictions - before);
 }
-// [events.predict_partners]
 
-// [events.handle_look]
+
+
 void EventEngine::handle_look(const Event& event)
 {
     const StageTimer timer(options_.seconds, seconds_.look);
@@ -320,9 +320,9 @@ void EventEngine::handle_look(const Event& event)
     if (event.owner == Event::Owner::nobody) call_all();
     else await(owner_of(event));
 }
-// [events.handle_look]
 
-// [events.handle_cell]
+
+
 void EventEngine::handle_cell(const Event& event)
 {
     const StageTimer timer(options_.seconds, seconds_.cells);
@@ -347,9 +347,9 @@ void EventEngine::handle_cell(const Event& event)
     await(body);
     // [events.handle_cell.new]
 }
-// [events.handle_cell]
 
-// [events.predict_cell]
+
+
 void EventEngine::predict_cell(int body, double now)
 {
     if (!grid_) return;
@@ -359,9 +359,9 @@ void EventEngine::predict_cell(int body, double now)
                                  : straight_exit(row.position, row.velocity, row.time, cell, grid_->cell_size(), now);
     if (exit.time != k_never) foreseen_.push_back({exit.time, row.id, -1 - exit.side, row.stamp, Event::Kind::cell});
 }
-// [events.predict_cell]
 
-// [events.predict_general]
+
+
 /// Any two bodies, looked at through no more than so many windows: what happens later may never come to be, for one of
 /// them may be struck before.
 void EventEngine::predict_general(int p, int q, double from, int windows)
@@ -386,6 +386,6 @@ void EventEngine::predict_general(int p, int q, double from, int windows)
     const auto kind = prediction.kind == Prediction::Kind::impact ? Event::Kind::impact : Event::Kind::look;
     push_pair(prediction.time, a, b, kind);
 }
-// [events.predict_general]
+
 
 } // namespace flying

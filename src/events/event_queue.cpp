@@ -6,32 +6,32 @@
 namespace flying {
 namespace {
 
-// [queue.happens_after]
+
 /// The standard heap keeps the largest in front. A type rather than a function, so that heaps compile it in.
 struct HappensAfter
 {
     [[nodiscard]] bool operator()(const Event& p, const Event& q) const { return happens_before(q, p); }
 };
-// [queue.happens_after]
 
-// [queue.day_length]
+
+
 /// Least events of one day, and most days in half a calendar: days are few enough for the ends of all their lists to stay
 /// in the fast memory, into which new events are written, and no longer than that asks, for each is sorted.
 constexpr std::size_t k_events_a_day = 256;
 constexpr std::size_t k_days = 128;
-// [queue.day_length]
+
 
 } // namespace
 
-// [queue.push_today]
+
 void EventQueue::push_today(const Event& event)
 {
     late_.push_back(event);
     std::push_heap(late_.begin(), late_.end(), HappensAfter{});
 }
-// [queue.push_today]
 
-// [queue.pop]
+
+
 void EventQueue::pop()
 {
     if (today_.empty() && late_.empty()) turn_page();
@@ -43,18 +43,18 @@ void EventQueue::pop()
     }
     --size_;
 }
-// [queue.pop]
 
-// [queue.push_later]
+
+
 void EventQueue::push_later(const Event& event)
 {
     const double day = day_of(event.time);
     if (day < static_cast<double>(day_count_)) days_[static_cast<std::size_t>(day)].push_back(event);
     else far_.push_back(event);
 }
-// [queue.push_later]
 
-// [queue.turn_page]
+
+
 /// Make the next day that holds anything today. Only where not empty.
 void EventQueue::turn_page()
 {
@@ -69,14 +69,14 @@ void EventQueue::turn_page()
     }
     sort_today();
 }
-// [queue.turn_page]
 
-// [queue.sort_today]
+
+
 /// Put today in order, the last first. The hours of a day are as many as its events, which find theirs by their times, so
 /// that few comparisons are left: each would be a guess, wrong every other time.
 void EventQueue::sort_today()
 {
-    // [queue.sort_today.hours]
+
     const std::size_t count = today_.size();
     const double today = static_cast<double>(next_day_ - 1);
     const double hours = static_cast<double>(count);
@@ -88,7 +88,7 @@ void EventQueue::sort_today()
     hour_ends_.assign(count + 1, 0);
     std::uint32_t busiest = 0;
     for (const Event& event : today_) busiest = std::max(busiest, ++hour_ends_[hour_of(event) + 1]);
-    // [queue.sort_today.hours]
+
 
     // Where many share an hour, guess after all
     constexpr std::uint32_t k_most = 16;
@@ -97,7 +97,7 @@ void EventQueue::sort_today()
         return;
     }
 
-    // [queue.sort_today.place]
+
     for (std::size_t hour = 1; hour <= count; ++hour) hour_ends_[hour] += hour_ends_[hour - 1];
     sorted_.resize(count);
     for (const Event& event : today_) sorted_[hour_ends_[hour_of(event)]++] = event;
@@ -108,11 +108,11 @@ void EventQueue::sort_today()
         for (; place > 0 && happens_before(today_[place - 1], event); --place) today_[place] = today_[place - 1];
         if (place != k) today_[place] = event;
     }
-    // [queue.sort_today.place]
-}
-// [queue.sort_today]
 
-// [queue.gather_all]
+}
+
+
+
 void EventQueue::gather_all()
 {
     today_.insert(today_.end(), late_.begin(), late_.end());
@@ -125,9 +125,9 @@ void EventQueue::gather_all()
     far_.clear();
     next_day_ = day_count_;
 }
-// [queue.gather_all]
 
-// [queue.lay_out]
+
+
 /// Spread what `today_` holds, all of it, over days of about equal weight.
 void EventQueue::lay_out()
 {
@@ -135,7 +135,7 @@ void EventQueue::lay_out()
     day_count_ = 0;
     next_day_ = 0;
     if (size_ >= 2 * k_events_a_day) {
-        // [queue.lay_out.days]
+
         // The median tells how dense the near half lies
         std::vector<Event> all;
         all.swap(today_);
@@ -147,7 +147,7 @@ void EventQueue::lay_out()
         const std::size_t events_a_day = std::max(k_events_a_day, all.size() / 2 / k_days);
         const double days_in_half = static_cast<double>(all.size() / 2) / static_cast<double>(events_a_day);
         days_a_second_ = days_in_half / half;
-        // [queue.lay_out.days]
+
 
         if (std::isfinite(days_a_second_) && days_a_second_ > 0.0) {
             first_day_starts_ = start;
@@ -164,9 +164,9 @@ void EventQueue::lay_out()
     late_.swap(today_);
     std::make_heap(late_.begin(), late_.end(), HappensAfter{});
 }
-// [queue.lay_out]
 
-// [queue.clear]
+
+
 void EventQueue::clear()
 {
     today_.clear();
@@ -177,6 +177,6 @@ void EventQueue::clear()
     next_day_ = 0;
     size_ = 0;
 }
-// [queue.clear]
+
 
 } // namespace flying

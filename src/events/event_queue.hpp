@@ -6,7 +6,7 @@
 
 namespace flying {
 
-// [queue.event]
+
 /// Something that will happen, if its bodies are left alone until then.
 struct Event
 {
@@ -24,9 +24,9 @@ struct Event
     Kind kind = Kind::impact;
     Owner owner = Owner::nobody;
 };
-// [queue.event]
 
-// [queue.order]
+
+
 /// The order in which events happen: by time; at one time, what may foresee more
 /// impacts before the impacts; then by the lower id, then by the higher. No two events
 /// that count are equal in all of these.
@@ -39,9 +39,9 @@ struct Event
     if (p.a != q.a) return p.a < q.a;
     return p.b < q.b;
 }
-// [queue.order]
 
-// [queue.class]
+
+
 /// Events by the order in which they happen. What lies farther off waits in days, unordered, until its day comes (a
 /// calendar: Paul, "A complexity O(1) priority queue for event driven molecular dynamics simulations", 2007). Then the day
 /// is put in order, once; what is foreseen for today while it lasts goes to a heap beside it. Events that are overtaken
@@ -49,7 +49,7 @@ struct Event
 class EventQueue
 {
 public:
-    // [queue.push]
+
     void push(const Event& event)
     {
         // Every event finds its day by the same rounding, so that no two change their
@@ -59,9 +59,9 @@ public:
         else push_later(event);
         ++size_;
     }
-    // [queue.push]
 
-    // [queue.next]
+
+
     /// The first event; only where not empty.
     [[nodiscard]] const Event& next()
     {
@@ -69,21 +69,21 @@ public:
         return late_is_next() ? late_.front() : today_.back();
     }
     void pop();
-    // [queue.next]
 
-    // [queue.upcoming]
+
+
     /// The event that comes so many places after the first, as far as today's order is known; null where it isn't.
     [[nodiscard]] const Event* upcoming(std::size_t places) const
     {
         return places < today_.size() ? &today_[today_.size() - 1 - places] : nullptr;
     }
-    // [queue.upcoming]
+
 
     [[nodiscard]] bool empty() const { return size_ == 0; }
     [[nodiscard]] std::size_t size() const { return size_; }
     void clear();
 
-    // [queue.keep_if]
+
     /// Drop all events for which keep(event) is false, and fit the days to what is left.
     template <typename Keep>
     void keep_if(Keep&& keep)
@@ -96,7 +96,7 @@ public:
         today_.resize(kept);
         lay_out();
     }
-    // [queue.keep_if]
+
 
 private:
     /// Days since the first one, never decreasing with time.
@@ -112,7 +112,7 @@ private:
     void gather_all();
     void lay_out();
 
-    // [queue.parts]
+
     std::vector<Event> today_;             // the last comes first
     std::vector<Event> late_;              // of today, or of all days where there are none: heap
     std::vector<std::vector<Event>> days_; // all of one length; those that are over keep their memory for others
@@ -124,8 +124,8 @@ private:
     std::size_t size_ = 0;
     std::vector<std::uint32_t> hour_ends_; // workspace of sorting
     std::vector<Event> sorted_;            // workspace of sorting
-    // [queue.parts]
+
 };
-// [queue.class]
+
 
 } // namespace flying

@@ -7,7 +7,7 @@
 
 namespace flying {
 
-// [events.seams.find]
+
 // Where surfaces of static bodies act as one (collide/seams.hpp).
 
 void EventEngine::find_seams_of_statics()
@@ -53,9 +53,9 @@ void EventEngine::find_seams_of_statics()
         add(two.body, one.body);
     });
 }
-// [events.seams.find]
 
-// [events.seams.touch]
+
+
 /// All points at which a body touches a static one and what lies beside that: none of them moves, and they are struck as
 /// one body.
 void EventEngine::touch_surface(int a, int b, double slack)
@@ -106,6 +106,6 @@ void EventEngine::mend_touches(int a, int b)
         return false;
     });
 }
-// [events.seams.touch]
+
 
 } // namespace flying

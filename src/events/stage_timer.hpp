@@ -2,7 +2,7 @@
 
 namespace flying {
 
-// [events.stage_timer]
+
 /// Adds the time of its own life to a sum, where somebody lent a clock.
 class StageTimer
 {
@@ -21,6 +21,6 @@ private:
     double& sum_;
     double start_;
 };
-// [events.stage_timer]
+
 
 } // namespace flying

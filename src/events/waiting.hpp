@@ -8,7 +8,7 @@
 
 namespace flying {
 
-// [events.waiting]
+
 /// What is foreseen of a body beyond its first event. Only that one goes into the queue; the others wait here, in one line
 /// of the fast memory, until it is over or overtaken. Most of them never come up: the body is struck before.
 struct alignas(64) Waiting
@@ -27,7 +27,7 @@ struct alignas(64) Waiting
     std::array<Event::Kind, k_most> kinds = {};
     std::uint8_t count = 0; ///< of those that wait
 
-    // [events.waiting.keep]
+
     /// Let an event wait; false where there is no room.
     [[nodiscard]] bool keep(const Event& event)
     {
@@ -36,9 +36,9 @@ struct alignas(64) Waiting
         kinds[count++] = event.kind;
         return true;
     }
-    // [events.waiting.keep]
 
-    // [events.waiting.take]
+
+
     /// One that waits.  id  the body's
     [[nodiscard]] Event event(int k, int id) const
     {
@@ -62,8 +62,8 @@ struct alignas(64) Waiting
         entries[k] = entries[--count];
         kinds[k] = kinds[count];
     }
-    // [events.waiting.take]
+
 };
-// [events.waiting]
+
 
 } // namespace flying

@@ -4,7 +4,7 @@
 
 namespace flying {
 
-// [geometry.aabb]
+
 Aabb bounding_box(const Shape& shape, const Pose& world_from_body)
 {
     if (const auto* disc = std::get_if<Disc>(&shape)) {
@@ -24,6 +24,6 @@ Aabb bounding_box(const Shape& shape, const Pose& world_from_body)
     constexpr double k_infinite = std::numeric_limits<double>::infinity();
     return {Vec2(-k_infinite, -k_infinite), Vec2(k_infinite, k_infinite)};
 }
-// [geometry.aabb]
+
 
 } // namespace flying

@@ -12,12 +12,12 @@ namespace flying {
 
 namespace {
 
-// [geometry.convex_parts.ring]
+
 /// A ring of vertices as indices into the polygon's. A vertex at which a bridge ends stands in its ring twice.
 using Ring = std::vector<int>;
-// [geometry.convex_parts.ring]
 
-// [geometry.convex_parts.tests]
+
+
 /// c lies strictly between a and b; the three stand on one line.
 bool between(const Vec2& a, const Vec2& b, const Vec2& c)
 {
@@ -49,9 +49,9 @@ bool looks_inside(const Vec2& previous, const Vec2& corner, const Vec2& next, co
     const bool reflex = orientation(previous, corner, next) < 0;
     return reflex ? left_of_first || left_of_second : left_of_first && left_of_second;
 }
-// [geometry.convex_parts.tests]
 
-// [geometry.convex_parts.bridge]
+
+
 /// The place in `ring` from which a bridge to vertex `to` meets no edge. There always is one where `to` is the
 /// rightmost vertex of all rings that are not joined yet.
 std::size_t bridge_head(std::span<const Vec2> vertices, std::span<const Edge> edges, const Ring& ring, int to)
@@ -115,9 +115,9 @@ Ring joined_ring(const Polygon& polygon)
     }
     return ring;
 }
-// [geometry.convex_parts.bridge]
 
-// [geometry.convex_parts.ears]
+
+
 /// The triangle before, at and after a place of the ring can be cut off: it turns left and holds no other vertex.
 bool is_ear(std::span<const Vec2> vertices, const Ring& ring, std::size_t place)
 {
@@ -161,9 +161,9 @@ std::vector<Ring> triangles_of(std::span<const Vec2> vertices, Ring ring)
     }
     return triangles;
 }
-// [geometry.convex_parts.ears]
 
-// [geometry.convex_parts.line]
+
+
 /// [sine] A side and a cut that turn by less at their common vertex stand in one line. Twice what the contacts of resting
 /// bodies (rest/near_points.cpp) allow two normals to differ by.
 constexpr double k_in_line = 0x1p-9;
@@ -178,9 +178,9 @@ bool mixes_side_and_cut(const Polygon& polygon, int before, int at, int after)
     const Vec2 out = polygon.vertices()[after] - polygon.vertices()[at];
     return in.dot(out) > 0.0 && std::abs(cross(in, out)) <= k_in_line * in.norm() * out.norm();
 }
-// [geometry.convex_parts.line]
 
-// [geometry.convex_parts.merge]
+
+
 /// Two convex rings that share the edge i -> j of the first as one ring; empty where that would not be convex, or would
 /// put a side and a cut in one line.
 Ring merged(const Polygon& polygon, const Ring& first, const Ring& second, int i, int j)
@@ -235,11 +235,11 @@ void merge_convex(const Polygon& polygon, std::vector<Ring>& parts)
     }
     std::erase_if(parts, [](const Ring& part) { return part.empty(); });
 }
-// [geometry.convex_parts.merge]
+
 
 } // namespace
 
-// [geometry.convex_parts]
+
 std::vector<Polygon> convex_parts(const Polygon& polygon)
 {
     if (polygon.is_convex()) return {polygon};
@@ -256,6 +256,6 @@ std::vector<Polygon> convex_parts(const Polygon& polygon)
     }
     return parts;
 }
-// [geometry.convex_parts]
+
 
 } // namespace flying

@@ -2,12 +2,12 @@
 
 namespace flying {
 
-// [geometry.disc]
+
 /// A full disc about its own origin.
 struct Disc
 {
     double radius = 1.0; ///< positive [m]
 };
-// [geometry.disc]
+
 
 } // namespace flying

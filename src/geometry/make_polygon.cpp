@@ -12,7 +12,7 @@ namespace flying {
 
 namespace {
 
-// [make_polygon.given]
+
 GivenRing given_ring(std::string place, std::span<const Vec2> points)
 {
     GivenRing ring;
@@ -30,9 +30,9 @@ std::vector<GivenRing> given_rings(std::span<const Vec2> outer, std::span<const 
     }
     return rings;
 }
-// [make_polygon.given]
 
-// [make_polygon.check]
+
+
 Faults check(std::vector<GivenRing>& rings)
 {
     Faults faults;
@@ -48,9 +48,9 @@ Faults check(std::vector<GivenRing>& rings)
     check_nesting(rings, faults);
     return faults;
 }
-// [make_polygon.check]
 
-// [make_polygon.wind]
+
+
 /// Outer ring counter-clockwise, holes clockwise; the first vertex stays the first.
 void wind(std::vector<GivenRing>& rings)
 {
@@ -63,9 +63,9 @@ void wind(std::vector<GivenRing>& rings)
         std::reverse(rings[k].indices.begin() + 1, rings[k].indices.end());
     }
 }
-// [make_polygon.wind]
 
-// [make_polygon.centre]
+
+
 void move_all(std::vector<GivenRing>& rings, const Vec2& offset)
 {
     for (GivenRing& ring : rings) {
@@ -92,11 +92,11 @@ CentredPolygon centred(std::vector<GivenRing>& rings)
     move_all(rings, -from_corner);
     return {polygon_of(rings), centroid};
 }
-// [make_polygon.centre]
+
 
 } // namespace
 
-// [make_polygon]
+
 Expected<CentredPolygon> make_polygon(std::span<const Vec2> outer, std::span<const std::vector<Vec2>> holes)
 {
     std::vector<GivenRing> rings = given_rings(outer, holes);
@@ -116,6 +116,6 @@ Expected<CentredPolygon> make_polygon(std::span<const Vec2> outer, std::span<con
     if (!after.empty()) return after;
     return made;
 }
-// [make_polygon]
+
 
 } // namespace flying

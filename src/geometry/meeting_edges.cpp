@@ -8,7 +8,7 @@ namespace flying {
 
 namespace {
 
-// [meeting_edges.strangers]
+
 /// How two edges meet that share no vertex of their ring, and whose boxes overlap.
 Meeting meeting_of_strangers(const GivenEdge& e, const GivenEdge& f)
 {
@@ -23,9 +23,9 @@ Meeting meeting_of_strangers(const GivenEdge& e, const GivenEdge& f)
     // On one line, edges whose boxes overlap share a point
     return fa * fb < 0 && ea * eb < 0 ? Meeting::cross : Meeting::touch;
 }
-// [meeting_edges.strangers]
 
-// [meeting_edges.neighbours]
+
+
 /// Whether the edge after `e` runs back along it.
 Meeting meeting_of_neighbours(const GivenEdge& e, const GivenEdge& next)
 {
@@ -41,9 +41,9 @@ Meeting meeting_of(const GivenEdge& e, const GivenEdge& f)
     if (e.ring == f.ring && f.to == e.from) return meeting_of_neighbours(f, e);
     return meeting_of_strangers(e, f);
 }
-// [meeting_edges.neighbours]
 
-// [meeting_edges.note]
+
+
 void note(Partner& partner, std::size_t edge, Meeting meeting)
 {
     if (partner.count == 0 || edge < partner.edge) {
@@ -52,11 +52,11 @@ void note(Partner& partner, std::size_t edge, Meeting meeting)
     }
     ++partner.count;
 }
-// [meeting_edges.note]
+
 
 } // namespace
 
-// [meeting_edges]
+
 std::vector<Partner> meeting_edges(const std::vector<GivenEdge>& edges)
 {
     // Sort by the left end
@@ -85,6 +85,6 @@ std::vector<Partner> meeting_edges(const std::vector<GivenEdge>& edges)
     }
     return partners;
 }
-// [meeting_edges]
+
 
 } // namespace flying

@@ -6,7 +6,7 @@ namespace flying {
 
 namespace {
 
-// [moments.arm]
+
 /// From the common corner of all triangles to a vertex, without loss.  [m]
 struct Arm
 {
@@ -18,9 +18,9 @@ Arm arm(const Vec2& corner, const Vec2& vertex)
 {
     return {two_sum(vertex.x(), -corner.x()), two_sum(vertex.y(), -corner.y())};
 }
-// [moments.arm]
 
-// [moments.sums]
+
+
 /// What signed triangles add up to, about their common corner.
 struct Sums
 {
@@ -29,9 +29,9 @@ struct Sums
     Twofold first_y;
     Twofold second;     ///< sum of (a x b) (a.a + a.b + b.b): twelve second moments [m^4]
 };
-// [moments.sums]
 
-// [moments.triangle]
+
+
 /// Adds the triangle of the corner and one edge; a and b are the arms to the edge's ends.
 void add_triangle(Sums& sums, const Arm& a, const Arm& b)
 {
@@ -44,9 +44,9 @@ void add_triangle(Sums& sums, const Arm& a, const Arm& b)
     sums.first_y = sums.first_y + twice_area * (a.y + b.y);
     sums.second = sums.second + twice_area * ((aa + ab) + bb);
 }
-// [moments.triangle]
 
-// [moments.add-ring]
+
+
 /// Adds the triangles of all edges of a ring.
 void add_ring(Sums& sums, const Vec2& corner, std::span<const Vec2> ring)
 {
@@ -57,9 +57,9 @@ void add_ring(Sums& sums, const Vec2& corner, std::span<const Vec2> ring)
         a = b;
     }
 }
-// [moments.add-ring]
 
-// [moments.centred]
+
+
 /// Area and centroid from the sums, and the second moment about it (parallel axes).
 AreaMoments about_centroid(const Sums& sums, const Vec2& corner)
 {
@@ -75,11 +75,11 @@ AreaMoments about_centroid(const Sums& sums, const Vec2& corner)
     return {area.rounded(), Vec2(from_origin_x.rounded(), from_origin_y.rounded()),
             second.rounded()};
 }
-// [moments.centred]
+
 
 } // namespace
 
-// [moments.ring]
+
 AreaMoments moments_of_ring(std::span<const Vec2> ring)
 {
     const Vec2 corner = ring.front();
@@ -87,9 +87,9 @@ AreaMoments moments_of_ring(std::span<const Vec2> ring)
     add_ring(sums, corner, ring);
     return about_centroid(sums, corner);
 }
-// [moments.ring]
 
-// [moments.polygon]
+
+
 AreaMoments moments_of(const Polygon& polygon)
 {
     const std::span<const Vec2> vertices = polygon.vertices();
@@ -103,6 +103,6 @@ AreaMoments moments_of(const Polygon& polygon)
     }
     return about_centroid(sums, corner);
 }
-// [moments.polygon]
+
 
 } // namespace flying

@@ -6,7 +6,7 @@
 
 namespace flying {
 
-// [moments.area]
+
 /// Area, centroid and second moment of a region of the plane.
 struct AreaMoments
 {
@@ -14,9 +14,9 @@ struct AreaMoments
     Vec2 centroid = Vec2::Zero(); ///< [m]
     double second_moment = 0.0;   ///< squared distance from there, over the area [m^4]
 };
-// [moments.area]
 
-// [moments.ring.declared]
+
+
 /// Moments of the region inside one ring, by signed triangles about a vertex of its own (so that a ring far from the
 /// origin loses nothing), summed with twice the digits: each number returned is within 2 ulp of that of the given
 /// vertices, unless the triangles cancel to less than 2^-40 of their sizes. A ring that turns clockwise counts
@@ -24,11 +24,11 @@ struct AreaMoments
 ///
 /// ring  three vertices or more; its size to the fourth power neither overflows nor underflows  [m]
 [[nodiscard]] AreaMoments moments_of_ring(std::span<const Vec2> ring);
-// [moments.ring.declared]
 
-// [moments.polygon.declared]
+
+
 /// Moments of a polygon, its holes taken away.
 [[nodiscard]] AreaMoments moments_of(const Polygon& polygon);
-// [moments.polygon.declared]
+
 
 } // namespace flying

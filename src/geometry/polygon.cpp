@@ -4,7 +4,7 @@
 
 namespace flying {
 
-// [geometry.polygon.rings]
+
 Polygon::Polygon(const std::vector<std::vector<Vec2>>& rings)
 {
     ring_starts_.push_back(0);
@@ -27,7 +27,7 @@ Polygon::Polygon(const std::vector<std::vector<Vec2>>& rings)
         ring_starts_.push_back(static_cast<int>(vertices_.size()));
     }
 
-    // [geometry.polygon.reflex]
+
     // Mark the vertices at which the boundary turns right
     is_convex_ = rings.size() == 1;
     for (std::size_t k = 0; k < vertices_.size(); ++k) {
@@ -35,11 +35,11 @@ Polygon::Polygon(const std::vector<std::vector<Vec2>>& rings)
         is_reflex_.push_back(reflex ? 1 : 0);
         is_convex_ = is_convex_ && !reflex;
     }
-    // [geometry.polygon.reflex]
-}
-// [geometry.polygon.rings]
 
-// [geometry.polygon.moved_by]
+}
+
+
+
 Polygon Polygon::moved_by(const Vec2& offset) const
 {
     std::vector<std::vector<Vec2>> rings;
@@ -49,6 +49,6 @@ Polygon Polygon::moved_by(const Vec2& offset) const
     }
     return Polygon(rings);
 }
-// [geometry.polygon.moved_by]
+
 
 } // namespace flying

@@ -7,7 +7,7 @@
 
 namespace flying {
 
-// [geometry.edge]
+
 /// One side of a polygon, from a vertex to the next. The inside lies to the left.
 struct Edge
 {
@@ -17,9 +17,9 @@ struct Edge
     Vec2 normal = Vec2::Zero();  ///< unit vector, outwards
     double length = 0.0;         ///< [m]
 };
-// [geometry.edge]
 
-// [geometry.polygon]
+
+
 /// A simple polygon, convex or not, with or without holes, in a frame of its own.
 ///
 /// The outer ring turns counter-clockwise, holes turn clockwise, so that the inside always
@@ -40,7 +40,7 @@ public:
     /// ring k holds the vertices ring_starts()[k] ... ring_starts()[k + 1] - 1.
     [[nodiscard]] std::span<const int> ring_starts() const { return ring_starts_; }
 
-    // [geometry.polygon.asked]
+
     /// The edge that ends where edge `vertex` starts.
     [[nodiscard]] int previous(int vertex) const { return previous_[vertex]; }
 
@@ -56,9 +56,9 @@ public:
 
     /// The same polygon, moved by `offset`.
     [[nodiscard]] Polygon moved_by(const Vec2& offset) const;
-    // [geometry.polygon.asked]
 
-    // [geometry.polygon.kept]
+
+
 private:
     std::vector<Vec2> vertices_;
     std::vector<Edge> edges_;
@@ -67,8 +67,8 @@ private:
     std::vector<char> is_reflex_;
     bool is_convex_ = true;
     double radius_ = 0.0;
-    // [geometry.polygon.kept]
+
 };
-// [geometry.polygon]
+
 
 } // namespace flying

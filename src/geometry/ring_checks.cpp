@@ -13,7 +13,7 @@ namespace flying {
 
 namespace {
 
-// [ring_checks.text]
+
 std::string text_of(double x)
 {
     char text[40];
@@ -25,9 +25,9 @@ std::string text_of(const Vec2& a)
 {
     return "(" + text_of(a.x()) + ", " + text_of(a.y()) + ")";
 }
-// [ring_checks.text]
 
-// [ring_checks.extent]
+
+
 /// The longer side of the smallest box about the points.  [m]
 double extent(std::span<const Vec2> points)
 {
@@ -39,17 +39,17 @@ double extent(std::span<const Vec2> points)
     }
     return std::max(high.x() - low.x(), high.y() - low.y());
 }
-// [ring_checks.extent]
 
-// [ring_checks.range]
+
+
 bool in_range(double x)
 {
     const double size = std::abs(x);
     return size == 0.0 || (size >= tolerance::k_least_coordinate && size <= tolerance::k_greatest_coordinate);
 }
-// [ring_checks.range]
 
-// [ring_checks.edges-of]
+
+
 std::vector<GivenEdge> edges_of(std::span<const GivenRing> rings)
 {
     std::vector<GivenEdge> edges;
@@ -63,18 +63,18 @@ std::vector<GivenEdge> edges_of(std::span<const GivenRing> rings)
     }
     return edges;
 }
-// [ring_checks.edges-of]
 
-// [ring_checks.edge-text]
+
+
 std::string text_of(const GivenEdge& edge, std::span<const GivenRing> rings)
 {
     const GivenRing& ring = rings[edge.ring];
     return "edge " + std::to_string(ring.indices[edge.from]) + " of " + ring.place + ", from " + text_of(edge.a) +
            " to " + text_of(edge.b);
 }
-// [ring_checks.edge-text]
 
-// [ring_checks.inside]
+
+
 /// Whether the point lies inside the ring; it is not on the ring's boundary. Counts how often the ring winds about it.
 bool is_inside(const Vec2& point, const std::vector<Vec2>& ring)
 {
@@ -89,18 +89,18 @@ bool is_inside(const Vec2& point, const std::vector<Vec2>& ring)
     }
     return turns != 0;
 }
-// [ring_checks.inside]
+
 
 } // namespace
 
-// [ring_checks.place]
+
 std::string place_of(const GivenRing& ring, std::size_t k)
 {
     return ring.place + "[" + std::to_string(ring.indices[k]) + "]";
 }
-// [ring_checks.place]
 
-// [ring_checks.numbers]
+
+
 void check_numbers(GivenRing& ring, Faults& faults)
 {
     for (std::size_t k = 0; k < ring.points.size(); ++k) {
@@ -114,9 +114,9 @@ void check_numbers(GivenRing& ring, Faults& faults)
                               : "finite coordinates"});
     }
 }
-// [ring_checks.numbers]
 
-// [ring_checks.size]
+
+
 double check_size(GivenRing& ring, Faults& faults)
 {
     if (!ring.is_checkable || ring.points.empty()) return 0.0;
@@ -127,9 +127,9 @@ double check_size(GivenRing& ring, Faults& faults)
         {ring.place, "a size of " + text_of(size), "a size of " + text_of(tolerance::k_least_size) + " or more"});
     return size;
 }
-// [ring_checks.size]
 
-// [ring_checks.count]
+
+
 void check_count(GivenRing& ring, double distance, Faults& faults)
 {
     if (!ring.is_checkable) return;
@@ -154,9 +154,9 @@ void check_count(GivenRing& ring, double distance, Faults& faults)
     faults.push_back({ring.place, std::to_string(given) + (given == 1 ? " vertex" : " vertices") + distinct,
                       "three distinct vertices or more"});
 }
-// [ring_checks.count]
 
-// [ring_checks.edges]
+
+
 void check_edges(std::span<GivenRing> rings, Faults& faults)
 {
     const std::vector<GivenEdge> edges = edges_of(rings);
@@ -181,9 +181,9 @@ void check_edges(std::span<GivenRing> rings, Faults& faults)
         if (&ring != &other) ring.meets_another = other.meets_another = true;
     }
 }
-// [ring_checks.edges]
 
-// [ring_checks.area]
+
+
 void check_area(const GivenRing& ring, Faults& faults)
 {
     if (!ring.is_checkable) return;
@@ -194,9 +194,9 @@ void check_area(const GivenRing& ring, Faults& faults)
     faults.push_back({ring.place, "an area of " + text_of(area) + " m^2",
                       "an area of at least " + text_of(least) + " m^2 in a ring of this size"});
 }
-// [ring_checks.area]
 
-// [ring_checks.nesting]
+
+
 void check_nesting(std::span<const GivenRing> rings, Faults& faults)
 {
     const auto has_inside = [](const GivenRing& ring) { return ring.is_checkable && !ring.meets_itself; };
@@ -214,6 +214,6 @@ void check_nesting(std::span<const GivenRing> rings, Faults& faults)
         }
     }
 }
-// [ring_checks.nesting]
+
 
 } // namespace flying

@@ -8,14 +8,14 @@
 
 namespace flying {
 
-// [geometry.shape]
+
 /// Every shape that a body can have. A half-plane is always static.
 using Shape = std::variant<Disc, Polygon, HalfPlane>;
-// [geometry.shape]
 
-// [geometry.shape.radius.declared]
+
+
 /// Radius of the smallest circle about the centre of mass that holds the shape; infinite for a half-plane.  [m]
 [[nodiscard]] double bounding_radius(const Shape& shape);
-// [geometry.shape.radius.declared]
+
 
 } // namespace flying

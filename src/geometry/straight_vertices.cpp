@@ -9,7 +9,7 @@ namespace flying {
 
 namespace {
 
-// [geometry.straight.between]
+
 /// `between` stands on the way from one point to another, off the line between them by rounding alone.
 ///
 /// reach  greatest distance of the points from the origin of their frame, which decides how coarse rounding is [m]
@@ -22,9 +22,9 @@ bool is_straight_between(const Vec2& from, const Vec2& between, const Vec2& to, 
     if (!(along > 0.0 && along < square)) return false;
     return std::abs(cross(way, part)) <= tolerance::coordinate_rounding(reach) * std::sqrt(square);
 }
-// [geometry.straight.between]
 
-// [geometry.straight.corner]
+
+
 /// A vertex that is certainly a corner: the one furthest from the origin. Between two others on a line none is.
 int furthest_vertex(const Polygon& polygon)
 {
@@ -34,11 +34,11 @@ int furthest_vertex(const Polygon& polygon)
     }
     return furthest;
 }
-// [geometry.straight.corner]
+
 
 } // namespace
 
-// [geometry.straight]
+
 Polygon without_straight_vertices(const Polygon& polygon)
 {
     const auto vertices = polygon.vertices();
@@ -71,9 +71,9 @@ Polygon without_straight_vertices(const Polygon& polygon)
     }
     return Polygon({corners});
 }
-// [geometry.straight]
 
-// [geometry.straight.side]
+
+
 bool has_straight_side(const Polygon& polygon, const Vec2& from, const Vec2& to)
 {
     const auto vertices = polygon.vertices();
@@ -85,6 +85,6 @@ bool has_straight_side(const Polygon& polygon, const Vec2& from, const Vec2& to)
     }
     return false;
 }
-// [geometry.straight.side]
+
 
 } // namespace flying

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "live/generate_words.hpp"
+#include "scene/generate_words.hpp"
 #include "live/pieces.hpp"
 #include "live/run.hpp"
 #include "scene/fault.hpp"

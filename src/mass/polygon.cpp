@@ -7,15 +7,15 @@
 
 namespace flying {
 
-// [mass.polygon]
+
 MassProperties polygon_mass(const Polygon& polygon, double density)
 {
     const AreaMoments moments = moments_of(polygon);
     return {density * moments.area, density * moments.second_moment};
 }
-// [mass.polygon]
 
-// [mass.of]
+
+
 MassProperties mass_of(const Shape& shape, double density)
 {
     if (const auto* disc = std::get_if<Disc>(&shape)) return disc_mass(disc->radius, density);
@@ -24,6 +24,6 @@ MassProperties mass_of(const Shape& shape, double density)
     constexpr double k_infinite = std::numeric_limits<double>::infinity();
     return {k_infinite, k_infinite};
 }
-// [mass.of]
+
 
 } // namespace flying

@@ -6,16 +6,16 @@
 
 namespace flying {
 
-// [mass.polygon.declared]
+
 /// Any simple polygon with its holes taken away, about its area centroid (seed, eq. 14, with signed triangles).
 /// density  positive  [kg/m^2]
 [[nodiscard]] MassProperties polygon_mass(const Polygon& polygon, double density);
-// [mass.polygon.declared]
 
-// [mass.of.declared]
+
+
 /// Disc or polygon, about its centre of mass; a half-plane has infinite mass.
 /// density  positive  [kg/m^2]
 [[nodiscard]] MassProperties mass_of(const Shape& shape, double density);
-// [mass.of.declared]
+
 
 } // namespace flying

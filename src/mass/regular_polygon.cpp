@@ -6,7 +6,7 @@
 
 namespace flying {
 
-// [mass.regular-polygon]
+
 MassProperties regular_polygon_mass(int sides, double radius, double density)
 {
     const double n = sides;
@@ -22,6 +22,6 @@ MassProperties regular_polygon_mass(int sides, double radius, double density)
     const double moment_of_inertia = m * squared_radius * share;
     return {m, moment_of_inertia};
 }
-// [mass.regular-polygon]
+
 
 } // namespace flying

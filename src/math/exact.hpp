@@ -2,16 +2,16 @@
 
 namespace flying {
 
-// [math.exact]
+
 /// A rounded result and what rounding took from it: `rounded + error` is the exact result.
 struct Exact
 {
     double rounded;
     double error;
 };
-// [math.exact]
 
-// [math.two_sum]
+
+
 /// a + b without loss, for all finite numbers whose sum is finite (Knuth, "The Art of
 /// Computer Programming 2", 4.2.2).
 [[nodiscard]] inline Exact two_sum(double a, double b)
@@ -21,18 +21,18 @@ struct Exact
     const double a_seen = sum - b_seen;
     return {sum, (a - a_seen) + (b - b_seen)};
 }
-// [math.two_sum]
 
-// [math.two_sum_ordered]
+
+
 /// a + b without loss where |a| >= |b| or a is zero.
 [[nodiscard]] inline Exact two_sum_ordered(double a, double b)
 {
     const double sum = a + b;
     return {sum, b - (sum - a)};
 }
-// [math.two_sum_ordered]
 
-// [math.two_product]
+
+
 /// `a` as the sum of two numbers of 26 bits each; |a| <= 2^996.
 [[nodiscard]] inline Exact halves(double a)
 {
@@ -53,6 +53,6 @@ struct Exact
     const double middle = (upper + a_half.rounded * b_half.error) + a_half.error * b_half.rounded;
     return {product, middle + a_half.error * b_half.error};
 }
-// [math.two_product]
+
 
 } // namespace flying

@@ -7,7 +7,7 @@
 
 namespace flying {
 
-// [math.fault]
+
 /// One thing that is wrong with an input: where it stands, what was found there, what was expected.
 /// `place` is a path into the value, such as `body[3].shape.vertices[0]`; empty for the value as a whole.
 struct Fault
@@ -21,9 +21,9 @@ struct Fault
 
 /// All that is wrong, in the order in which it was met.
 using Faults = std::vector<Fault>;
-// [math.fault]
 
-// [math.expected]
+
+
 /// A value, or every reason why there is none. Never holds an empty list of reasons.
 template <typename T>
 class Expected
@@ -47,6 +47,6 @@ public:
 private:
     std::variant<T, Faults> content_;
 };
-// [math.expected]
+
 
 } // namespace flying

@@ -9,14 +9,14 @@ namespace flying {
 
 namespace {
 
-// [orientation.sign]
+
 int sign(double x)
 {
     return (x > 0.0 ? 1 : 0) - (x < 0.0 ? 1 : 0);
 }
-// [orientation.sign]
 
-// [orientation.exact]
+
+
 /// Sign of a sum of six exact products. An expansion, a list of numbers that overlap in no
 /// bit and grow from term to term, takes up one product after another without loss.
 int sign_of_sum(const std::array<std::array<double, 2>, 6>& factors)
@@ -42,11 +42,11 @@ int sign_of_sum(const std::array<std::array<double, 2>, 6>& factors)
     return 0;
     // [orientation.exact.last]
 }
-// [orientation.exact]
+
 
 } // namespace
 
-// [orientation]
+
 int orientation(const Vec2& a, const Vec2& b, const Vec2& c)
 {
     const double ux = a.x() - c.x();
@@ -85,6 +85,6 @@ int orientation(const Vec2& a, const Vec2& b, const Vec2& c)
                          {-c.y(), a.x()}}});
     // [orientation.last]
 }
-// [orientation]
+
 
 } // namespace flying

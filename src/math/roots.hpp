@@ -9,20 +9,20 @@
 
 namespace flying {
 
-// [roots.never]
+
 /// The time of what doesn't happen.
 inline constexpr double k_never = std::numeric_limits<double>::infinity();
-// [roots.never]
 
-// [roots.next-after]
+
+
 /// The next double after `x`; x finite and not negative.
 [[nodiscard]] inline double next_after(double x)
 {
     return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x + 0.0) + 1);
 }
-// [roots.next-after]
 
-// [roots.safe-step]
+
+
 /// A step that can't pass a root: for every function with f(0) = f, f'(0) = f_rate and
 /// |f''| <= bend on the way, f stays positive on (0, step).  [unit of time]
 ///
@@ -41,9 +41,9 @@ inline constexpr double k_never = std::numeric_limits<double>::infinity();
     }
     return bend > 0.0 ? (f_rate + root) / bend : k_never;
 }
-// [roots.safe-step]
 
-// [roots.fall]
+
+
 /// When f + f_rate t + bend t^2 / 2 falls through zero: the root at which the rate is
 /// negative; never negative itself for f >= 0, and infinite where there is no such root.
 /// [unit of time]
@@ -61,9 +61,9 @@ inline constexpr double k_never = std::numeric_limits<double>::infinity();
     }
     return bend < 0.0 ? (f_rate + root) / -bend : k_never;
 }
-// [roots.fall]
 
-// [roots.passage]
+
+
 /// From when to when a point on a straight path lies within a circle about the origin.
 /// Empty: `enter` is infinite.
 struct Passage
@@ -71,9 +71,9 @@ struct Passage
     double enter = k_never; ///< [s] from now; negative where the point is inside already
     double leave = -k_never; ///< [s] from now
 };
-// [roots.passage]
 
-// [roots.circle]
+
+
 /// x  where the point is now [m]; v  its velocity [m/s]; radius  of the circle, >= 0 [m]
 ///
 /// |x + v t|^2 = radius^2 is a quadratic in t. Its discriminant v^2 radius^2 - (x x v)^2 is
@@ -89,13 +89,13 @@ struct Passage
     const double discriminant = (reach - miss) * (reach + miss);
     if (!(discriminant >= 0.0)) return {};
 
-    // [roots.circle.both]
+
     const double b = x.dot(v);
     const double root = std::sqrt(discriminant);
     if (b < 0.0) return {outside / (root - b), (root - b) / v2};
     return {-(root + b) / v2, -outside / (root + b)};
-    // [roots.circle.both]
+
 }
-// [roots.circle]
+
 
 } // namespace flying

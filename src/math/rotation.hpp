@@ -5,7 +5,7 @@
 
 namespace flying {
 
-// [math.rotation]
+
 /// A turn of the plane, as the cosine and the sine of its angle.
 struct Rotation
 {
@@ -19,17 +19,17 @@ struct Rotation
         return {sc.cosine, sc.sine};
     }
 };
-// [math.rotation]
 
-// [math.rotation.apply]
+
+
 /// `a` turned by the rotation.
 [[nodiscard]] inline Vec2 operator*(const Rotation& q, const Vec2& a)
 {
     return Vec2(q.cosine * a.x() - q.sine * a.y(), q.sine * a.x() + q.cosine * a.y());
 }
-// [math.rotation.apply]
 
-// [math.rotation.compose]
+
+
 /// One turn after another: (p * q) * a equals p * (q * a) to rounding.
 [[nodiscard]] inline Rotation operator*(const Rotation& p, const Rotation& q)
 {
@@ -38,9 +38,9 @@ struct Rotation
 
 /// The turn back.
 [[nodiscard]] inline Rotation inverse(const Rotation& q) { return {q.cosine, -q.sine}; }
-// [math.rotation.compose]
 
-// [math.pose]
+
+
 /// Where a body's own frame lies in the world.
 struct Pose
 {
@@ -50,6 +50,6 @@ struct Pose
     /// A point given in the body's frame, in the world's.
     [[nodiscard]] Vec2 operator*(const Vec2& local) const { return position + rotation * local; }
 };
-// [math.pose]
+
 
 } // namespace flying

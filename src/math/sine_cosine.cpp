@@ -12,7 +12,7 @@ namespace flying {
 
 namespace {
 
-// [sine_cosine.reduced]
+
 /// An angle as `quarters` times pi/2 and a rest in [-pi/4, pi/4], to rounding.
 struct ReducedAngle
 {
@@ -20,17 +20,17 @@ struct ReducedAngle
     double rest_tail = 0.0;     ///< what the rest lost when it was rounded [rad]
     std::uint64_t quarters = 0; ///< only its last two bits count
 };
-// [sine_cosine.reduced]
 
-// [sine_cosine.quarters]
+
+
 constexpr double k_quarters_per_radian = 0x1.45f306dc9c883p-1; // 2/pi
 
 /// Added to a number below 2^51, it pushes the fraction out of the last place and leaves the nearest whole number
 /// there.
 constexpr double k_rounder = 0x1.8p52;
-// [sine_cosine.quarters]
 
-// [sine_cosine.near]
+
+
 /// Reduction for |angle| <= 2^20. The two first parts of pi/2 have 33 bits, so that their products with the number of
 /// quarters, of 20 bits at most, are exact.
 ReducedAngle reduce_near(double angle)
@@ -50,9 +50,9 @@ ReducedAngle reduce_near(double angle)
     const Exact rest = two_sum(fine.rounded, tail);
     return {rest.rounded, rest.error, std::bit_cast<std::uint64_t>(pushed)};
 }
-// [sine_cosine.near]
 
-// [sine_cosine.far]
+
+
 /// Reduction for any positive angle up to 2^53, and for those that lie so near a multiple of pi/2 that the short way
 /// runs out of digits. Four parts of 53 bits, exact products, and a sum that carries its errors along (Ogita, Rump,
 /// Oishi, "Accurate sum and dot product", 2005).
@@ -90,9 +90,9 @@ ReducedAngle reduce_far(double angle)
         quarters += more;
     }
 }
-// [sine_cosine.far]
 
-// [sine_cosine.series]
+
+
 /// 1, -1/(3 2), 1/(5 4 3 2), ...: the Taylor series of the sine over x, in powers of x^2, after its first term.
 constexpr std::array<double, 8> k_sine = {
     -1.0 / 6.0,        1.0 / 120.0,        -1.0 / 5040.0,          1.0 / 362880.0,
@@ -130,9 +130,9 @@ SineCosine series(double x, double tail)
     const double cosine = most + (lost + (x4 * c - x * tail));
     return {sine, cosine};
 }
-// [sine_cosine.series]
 
-// [sine_cosine.turn]
+
+
 /// Turns (cosine, sine) by a number of quarters.
 SineCosine turned(const SineCosine& sc, std::uint64_t quarters)
 {
@@ -146,9 +146,9 @@ SineCosine turned(const SineCosine& sc, std::uint64_t quarters)
     return {std::bit_cast<double>(std::bit_cast<std::uint64_t>(sine) ^ sine_sign),
             std::bit_cast<double>(std::bit_cast<std::uint64_t>(cosine) ^ cosine_sign)};
 }
-// [sine_cosine.turn]
 
-// [sine_cosine.distant]
+
+
 /// The long way round, for what is rare. Positive angles only, so that the sine is odd to the bit.
 SineCosine sine_cosine_far(double angle)
 {
@@ -156,11 +156,11 @@ SineCosine sine_cosine_far(double angle)
     const SineCosine sc = turned(series(reduced.rest, reduced.rest_tail), reduced.quarters);
     return {angle < 0.0 ? -sc.sine : sc.sine, sc.cosine};
 }
-// [sine_cosine.distant]
+
 
 } // namespace
 
-// [sine_cosine]
+
 SineCosine sine_cosine(double angle)
 {
     constexpr double k_eighth_turn = 0x1.921fb54442d18p-1; // pi/4
@@ -181,6 +181,6 @@ SineCosine sine_cosine(double angle)
     constexpr double k_unknown = std::numeric_limits<double>::quiet_NaN();
     return {k_unknown, k_unknown};
 }
-// [sine_cosine]
+
 
 } // namespace flying

@@ -2,7 +2,7 @@
 
 namespace flying {
 
-// [sine_cosine.declared]
+
 /// Sine and cosine of one angle.
 struct SineCosine
 {
@@ -17,6 +17,6 @@ struct SineCosine
 ///        1 ulp of the result for |angle| <= 2^53, near its zeros too. Beyond that, and for values that are not finite,
 ///        both results are NaN.
 [[nodiscard]] SineCosine sine_cosine(double angle);
-// [sine_cosine.declared]
+
 
 } // namespace flying

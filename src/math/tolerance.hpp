@@ -2,7 +2,7 @@
 
 #include <limits>
 
-// [math.tolerance]
+
 /// Every tolerance of the engine, each with its unit and its reason. All are pure numbers: each is multiplied by a
 /// length, time or speed taken from the shapes at hand, so that no scale is built in.
 namespace flying::tolerance {
@@ -61,6 +61,6 @@ inline constexpr double k_least_coordinate = 1e-140;
 
 /// [units of length] The fourth power of this length, with twice the digits, is a double still.
 inline constexpr double k_least_size = 1e-72;
-// [math.tolerance]
+
 
 } // namespace flying::tolerance

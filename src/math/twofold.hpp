@@ -4,7 +4,7 @@
 
 namespace flying {
 
-// [math.twofold]
+
 /// A number carried with twice the digits, as a double and the much smaller rest: relative
 /// error of a sum, product or quotient below 2^-100, given that the products' bounds of
 /// math/exact.hpp hold. Sums of terms with both signs keep their digits where plain doubles
@@ -21,7 +21,7 @@ struct Twofold
     /// The nearest double.
     [[nodiscard]] double rounded() const { return upper + lower; }
 
-    // [math.twofold.negative]
+
     friend Twofold operator-(const Twofold& a)
     {
         Twofold negative;
@@ -29,9 +29,9 @@ struct Twofold
         negative.lower = -a.lower;
         return negative;
     }
-    // [math.twofold.negative]
 
-    // [math.twofold.sum]
+
+
     friend Twofold operator+(const Twofold& a, const Twofold& b)
     {
         const Exact upper_sum = two_sum(a.upper, b.upper);
@@ -40,22 +40,22 @@ struct Twofold
             two_sum_ordered(upper_sum.rounded, upper_sum.error + lower_sum.rounded);
         return two_sum_ordered(sum.rounded, sum.error + lower_sum.error);
     }
-    // [math.twofold.sum]
 
-    // [math.twofold.difference]
+
+
     friend Twofold operator-(const Twofold& a, const Twofold& b) { return a + -b; }
-    // [math.twofold.difference]
 
-    // [math.twofold.product]
+
+
     friend Twofold operator*(const Twofold& a, const Twofold& b)
     {
         const Exact product = two_product(a.upper, b.upper);
         const double crossed = a.upper * b.lower + a.lower * b.upper;
         return two_sum_ordered(product.rounded, product.error + crossed);
     }
-    // [math.twofold.product]
 
-    // [math.twofold.quotient]
+
+
     /// b not zero.
     friend Twofold operator/(const Twofold& a, const Twofold& b)
     {
@@ -67,8 +67,8 @@ struct Twofold
         return Twofold(two_sum_ordered(first, second)) +
                Twofold(left_after.upper / b.upper);
     }
-    // [math.twofold.quotient]
+
 };
-// [math.twofold]
+
 
 } // namespace flying

@@ -5,12 +5,12 @@
 
 namespace flying {
 
-// [math.vec2]
+
 /// A point or a free vector of the plane: x to the right, y up. Unit: that of the quantity.
 using Vec2 = Eigen::Vector2d;
-// [math.vec2]
 
-// [math.cross]
+
+
 /// z component of a x b: positive where b lies counter-clockwise of a. [product of units]
 [[nodiscard]] inline double cross(const Vec2& a, const Vec2& b)
 {
@@ -24,16 +24,16 @@ using Vec2 = Eigen::Vector2d;
 {
     return Vec2(-omega * r.y(), omega * r.x());
 }
-// [math.cross]
 
-// [math.perp]
+
+
 /// `a` turned a quarter counter-clockwise.
 [[nodiscard]] inline Vec2 perp(const Vec2& a) { return Vec2(-a.y(), a.x()); }
-// [math.perp]
 
-// [math.is_finite]
+
+
 /// x and y both finite.
 [[nodiscard]] inline bool is_finite(const Vec2& a) { return std::isfinite(a.x()) && std::isfinite(a.y()); }
-// [math.is_finite]
+
 
 } // namespace flying

@@ -5,7 +5,7 @@
 
 namespace flying {
 
-// [motion.state]
+
 /// How a body moves, at one moment of its own.
 struct BodyState
 {
@@ -15,37 +15,37 @@ struct BodyState
     double spin = 0.0;            ///< angular velocity [rad/s]
     double time = 0.0;            ///< the moment at which all this holds [s]
 };
-// [motion.state]
 
-// [motion.inertia]
+
+
 /// What resists a push. A static body has infinite mass: both inverses are zero.
 struct Inertia
 {
     double inv_mass = 0.0;              ///< [1/kg]
     double inv_moment_of_inertia = 0.0; ///< about the centre of mass [1/(kg m^2)]
 };
-// [motion.inertia]
 
-// [motion.material]
+
+
 /// What decides how two bodies part after an impact.
 struct Material
 {
     double restitution = 1.0; ///< e, 0 ... 1 [-]
     double friction = 0.0;    ///< mu, >= 0 [-]
 };
-// [motion.material]
 
-// [motion.velocity_at]
+
+
 /// Velocity of the body's point that lies at r from its centre of mass.  [m/s]
 [[nodiscard]] inline Vec2 velocity_at(const BodyState& body, const Vec2& r)
 {
     return body.velocity + cross(body.spin, r);
 }
-// [motion.velocity_at]
 
-// [motion.pose_of]
+
+
 /// Where the body's own frame lies at its moment.
 [[nodiscard]] inline Pose pose_of(const BodyState& body) { return {body.position, Rotation::of(body.angle)}; }
-// [motion.pose_of]
+
 
 } // namespace flying

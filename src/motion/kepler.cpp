@@ -14,7 +14,7 @@ namespace flying {
 
 namespace {
 
-// [kepler.exponential]
+
 /// e^x for x >= 0, with the same bits everywhere; infinite beyond the range of doubles.
 [[nodiscard]] double exponential(double x)
 {
@@ -34,9 +34,9 @@ namespace {
     const double series = 1.0 + (rest + 0.5 * rest * rest * (1.0 + tail));
     return series * std::bit_cast<double>(static_cast<std::uint64_t>(doublings + 1023.0) << 52);
 }
-// [kepler.exponential]
 
-// [kepler.universal]
+
+
 /// The four functions of which flights are made: G0 = 1 - beta G2, G1 = s - beta G3, and each is the derivative of the
 /// next by s. On an ellipse they are made of sine and cosine, on a hyperbola of their hyperbolic sisters; on a parabola
 /// they are 1, s, s^2/2, s^3/6.
@@ -104,9 +104,9 @@ constexpr std::array<double, 11> k_third = {1.0 / 6.0,
     const double versed = 2.0 * sine * sine;
     return {1.0 + versed, g1, versed / -beta, (g1 - s) / -beta};
 }
-// [kepler.universal]
 
-// [kepler.twofold]
+
+
 /// Square root with twice the digits; a > 0.
 [[nodiscard]] Twofold square_root(const Twofold& a)
 {
@@ -119,11 +119,11 @@ constexpr std::array<double, 11> k_third = {1.0 / 6.0,
 {
     return Twofold(two_product(a.x(), a.x())) + Twofold(two_product(a.y(), a.y()));
 }
-// [kepler.twofold]
+
 
 } // namespace
 
-// [kepler.come]
+
 /// How far a flight has come.
 struct KeplerFlight::Progress
 {
@@ -132,9 +132,9 @@ struct KeplerFlight::Progress
     double distance;      ///< from the centre [m]
     double distance_rate; ///< its derivative by s [m^2/s]
 };
-// [kepler.come]
 
-// [kepler.start]
+
+
 KeplerFlight::KeplerFlight(const PointMotion& start, double mu) : start_(start), mu_(mu)
 {
     // The two terms of the binding nearly cancel on long orbits, whose period needs all of its digits
@@ -146,9 +146,9 @@ KeplerFlight::KeplerFlight(const PointMotion& start, double mu) : start_(start),
     binding_tail_ = binding.lower;
     root_ = std::sqrt(std::abs(binding_));
 }
-// [kepler.start]
 
-// [kepler.bounds]
+
+
 /// Eccentricity, rounded upwards: it is the root of a difference that vanishes on a circle.
 double KeplerFlight::greatest_eccentricity() const
 {
@@ -178,9 +178,9 @@ double KeplerFlight::greatest_speed(double r) const
     const double speed2 = 2.0 * mu_ / r - binding_;
     return speed2 > 0.0 ? k_upwards * std::sqrt(speed2) : 0.0;
 }
-// [kepler.bounds]
 
-// [kepler.progress]
+
+
 /// s          grows along the flight by dt / r [s/m]
 /// direction  +1 into the future, -1 into the past
 KeplerFlight::Progress KeplerFlight::progress(double s, double direction) const
@@ -193,9 +193,9 @@ KeplerFlight::Progress KeplerFlight::progress(double s, double direction) const
     now.distance_rate = outward * g.g0 + (mu_ - binding_ * distance_) * g.g1;
     return now;
 }
-// [kepler.progress]
 
-// [kepler.whole-turns]
+
+
 /// What is left of t > 0 after the nearest whole number of turns; t itself off the ellipse, or within half a turn.
 double KeplerFlight::less_whole_turns(double t) const
 {
@@ -211,9 +211,9 @@ double KeplerFlight::less_whole_turns(double t) const
     const Twofold period = Twofold(two_sum_ordered(k_turn, k_turn_tail)) * Twofold(mu_) / (beta * square_root(beta));
     return (Twofold(t) - Twofold(turns) * period).rounded();
 }
-// [kepler.whole-turns]
 
-// [kepler.guess]
+
+
 /// Where to look for the s at which the time is t > 0.
 double KeplerFlight::first_guess(double t, double outward) const
 {
@@ -252,9 +252,9 @@ double KeplerFlight::first_guess(double t, double outward) const
     }
     return guess;
 }
-// [kepler.guess]
 
-// [kepler.solve]
+
+
 /// The s at which the time is t > 0. The time grows with s, for its derivative is the distance: steps of third order
 /// (Halley), kept between the last s that was too early and the last that was too late.
 double KeplerFlight::solve(double t, double direction) const
@@ -290,9 +290,9 @@ double KeplerFlight::solve(double t, double direction) const
     }
     return s;
 }
-// [kepler.solve]
 
-// [kepler.after]
+
+
 PointMotion KeplerFlight::after(double t) const
 {
     // Backwards is forwards with the velocity turned round
@@ -318,9 +318,9 @@ PointMotion KeplerFlight::after(double t) const
     const Vec2 v = direction * start_.velocity;
     return {x + (f_less_1 * x + g * v), direction * (v + (f_rate * x + g_rate_less_1 * v))};
 }
-// [kepler.after]
 
-// [kepler.body]
+
+
 BodyState flight(const BodyState& body, const CentralField& field, double time)
 {
     const double t = time - body.time;
@@ -339,6 +339,6 @@ BodyState flight(const BodyState& body, const Field& field, double time)
     const auto* central = std::get_if<CentralField>(&field);
     return central ? flight(body, *central, time) : flight(body, uniform_acceleration(field), time);
 }
-// [kepler.body]
+
 
 } // namespace flying

@@ -5,16 +5,16 @@
 
 namespace flying {
 
-// [kepler.point]
+
 /// Where a point is and how it moves, as seen from the centre of a central field.
 struct PointMotion
 {
     Vec2 position = Vec2::Zero(); ///< [m]
     Vec2 velocity = Vec2::Zero(); ///< [m/s]
 };
-// [kepler.point]
 
-// [kepler.flight]
+
+
 /// A point's flight under the pull -mu x / |x|^3 of a centre that stays where it is. One closed form for every regime:
 /// ellipse, parabola, hyperbola, straight in and straight out (universal variables: Stiefel, Scheifele, "Linear and
 /// regular celestial mechanics", 1971). Times scale as 2^b and lengths as 2^a, with mu as 2^(3a - 2b), bit for bit;
@@ -58,9 +58,9 @@ private:
     double binding_tail_; // what the binding lost when it was rounded
     double root_;         // of |binding| [m/s]
 };
-// [kepler.flight]
 
-// [kepler.declared]
+
+
 /// The body at another moment, under the pull of a centre. Its spin stays as it is: the
 /// pull acts at the centre of mass.
 /// body  not at the centre; time  any moment [s]
@@ -70,6 +70,6 @@ private:
 /// The body at another moment, in any field.
 /// body  one that moves freely: static bodies feel no field; time  any moment [s]
 [[nodiscard]] BodyState flight(const BodyState& body, const Field& field, double time);
-// [kepler.declared]
+
 
 } // namespace flying

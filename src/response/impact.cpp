@@ -9,23 +9,23 @@
 
 namespace flying {
 
-// [impulse.combine]
+
 Material combine(const Material& a, const Material& b)
 {
     return {std::max(a.restitution, b.restitution), std::sqrt(a.friction * b.friction)};
 }
-// [impulse.combine]
+
 
 namespace {
 
-// [impulse.round_limits]
+
 // After this many rounds the points are stopped instead of thrown back. Two frictionless corners need pi over the angle
 // between their normals, measured with the masses: a handful for any body that isn't a needle
 constexpr int k_rounds = 64;
 constexpr int k_closing_rounds = 16;
-// [impulse.round_limits]
 
-// [impulse.speeds]
+
+
 // All speeds at hand, of which rounding takes its share [m/s]
 double speed_at_hand(std::span<const PointFrame> points, const PairMotion& motion)
 {
@@ -38,9 +38,9 @@ double speed_at_hand(std::span<const PointFrame> points, const PairMotion& motio
     const double shift = motion.velocity_a.cwiseAbs().sum() + motion.velocity_b.cwiseAbs().sum();
     return shift + (std::abs(motion.spin_a) * arm_a + std::abs(motion.spin_b) * arm_b);
 }
-// [impulse.speeds]
 
-// [impulse.one]
+
+
 // The push at one point that approaches
 PairPush push_at_one(const PointFrame& point, const PairMotion& motion, const PairInertia& inertia,
                      const Material& material)
@@ -54,16 +54,16 @@ PairPush push_at_one(const PointFrame& point, const PairMotion& motion, const Pa
     if (impulse.tangent != 0.0) push.add(point.tangent, impulse.tangent);
     return push;
 }
-// [impulse.one]
 
-// [impulse.result_of]
+
+
 ImpactResult result_of(const PairMotion& motion, bool any_push, bool ended)
 {
     return {motion.velocity_a, motion.velocity_b, motion.spin_a, motion.spin_b, any_push, ended};
 }
-// [impulse.result_of]
 
-// [impulse.rounds]
+
+
 ImpactResult resolve_rounds(std::span<const PointFrame> points, PairMotion motion, const PairInertia& inertia,
                             const Material& material)
 {
@@ -100,9 +100,9 @@ ImpactResult resolve_rounds(std::span<const PointFrame> points, PairMotion motio
     const auto approaches = [&](const PointFrame& point) { return speed_along(point.normal, motion) < -threshold; };
     return result_of(motion, true, std::none_of(points.begin(), points.end(), approaches));
 }
-// [impulse.rounds]
 
-// [impulse.single]
+
+
 ImpactResult resolve_single(const PointFrame& point, const PairMotion& motion, const PairInertia& inertia,
                             const Material& material)
 {
@@ -118,11 +118,11 @@ ImpactResult resolve_single(const PointFrame& point, const PairMotion& motion, c
     // A jam of extreme proportions may leave more than rounding: end it as other impacts are
     return resolve_rounds({&point, 1}, after, inertia, material);
 }
-// [impulse.single]
+
 
 } // namespace
 
-// [impulse.resolve]
+
 ImpactResult resolve_impact(const ImpactBody& a, const ImpactBody& b, std::span<const ImpactPoint> points,
                             const Material& material)
 {
@@ -135,6 +135,6 @@ ImpactResult resolve_impact(const ImpactBody& a, const ImpactBody& b, std::span<
     for (const ImpactPoint& point : points) frames.push_back(frame_at(point));
     return resolve_rounds(frames, motion, inertia, material);
 }
-// [impulse.resolve]
+
 
 } // namespace flying

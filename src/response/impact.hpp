@@ -6,7 +6,7 @@
 
 namespace flying {
 
-// [impulse.point]
+
 /// One point at which two bodies A and B touch at the moment of an impact.
 struct ImpactPoint
 {
@@ -14,9 +14,9 @@ struct ImpactPoint
     Vec2 r_b = Vec2::Zero();    ///< from B's centre of mass to the point [m]
     Vec2 normal = Vec2::Zero(); ///< unit vector from A to B
 };
-// [impulse.point]
 
-// [impulse.body]
+
+
 /// Spin and velocity of one body, and what resists their change.
 struct ImpactBody
 {
@@ -24,9 +24,9 @@ struct ImpactBody
     double spin = 0.0;            ///< [rad/s]
     Inertia inertia;
 };
-// [impulse.body]
 
-// [impulse.result]
+
+
 /// What an impact did.
 struct ImpactResult
 {
@@ -37,14 +37,14 @@ struct ImpactResult
     bool any_push = false;          ///< some point was approaching and was pushed
     bool ended = true;              ///< no point still approaches; false where rounds ran out
 };
-// [impulse.result]
 
-// [impulse.combine.declared]
+
+
 /// A pair's material: the larger restitution and the geometric mean of the frictions.
 [[nodiscard]] Material combine(const Material& a, const Material& b);
-// [impulse.combine.declared]
 
-// [impulse.resolve.declared]
+
+
 /// The velocities after two bodies struck each other at one or several points at once.
 ///
 /// Only approaching points are pushed; contact never pulls. One approaching point: Coulomb's friction in the course of
@@ -58,6 +58,6 @@ struct ImpactResult
 /// material  of the pair: restitution 0 ... 1, friction >= 0
 [[nodiscard]] ImpactResult resolve_impact(const ImpactBody& a, const ImpactBody& b, std::span<const ImpactPoint> points,
                                           const Material& material);
-// [impulse.resolve.declared]
+
 
 } // namespace flying

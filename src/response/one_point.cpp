@@ -6,7 +6,7 @@
 
 namespace flying {
 
-// [impulse.response_at]
+
 PointResponse response_at(const PointFrame& frame, const PairInertia& inertia)
 {
     const PushLine& n = frame.normal;
@@ -27,9 +27,9 @@ PointResponse response_at(const PointFrame& frame, const PairInertia& inertia)
         inv_m * (inv_m + (turn_a + turn_b)) + inv_i_a * inv_i_b * (minor * minor);
     return response;
 }
-// [impulse.response_at]
 
-// [impulse.normal]
+
+
 double newton_impulse(double v_n, double w_n, double e)
 {
     // Leave separating points alone: contact pushes, it never pulls. Nor do two immovable
@@ -38,11 +38,11 @@ double newton_impulse(double v_n, double w_n, double e)
 
     return -(1.0 + e) * v_n / w_n;
 }
-// [impulse.normal]
+
 
 namespace {
 
-// [impulse.friction.uncoupled]
+
 // Friction that leaves the normal alone: stop the slip if the cone allows
 PointImpulse uncoupled_impulse(const PointResponse& w, double v_n, double v_t, const Material& material)
 {
@@ -50,9 +50,9 @@ PointImpulse uncoupled_impulse(const PointResponse& w, double v_n, double v_t, c
     const double most = material.friction * j;
     return {j, std::clamp(-v_t / w.w_t, -most, most)};
 }
-// [impulse.friction.uncoupled]
 
-// [impulse.friction.course]
+
+
 // The two stretches of a coupled impact, over the normal impulse: first slip as it came in,
 // then what follows its end
 struct Course
@@ -64,9 +64,9 @@ struct Course
     double rate_step; // rate_first - rate_then, without cancellation where it sticks [1/kg]
     bool sticks;      // after the slip has ended; else it slips back
 };
-// [impulse.friction.course]
 
-// [impulse.friction.phases]
+
+
 Course course_of(const PointResponse& w, double v_t, double mu)
 {
     Course course{};
@@ -94,9 +94,9 @@ Course course_of(const PointResponse& w, double v_t, double mu)
     // [impulse.friction.then]
     return course;
 }
-// [impulse.friction.phases]
 
-// [impulse.friction.end]
+
+
 // Normal impulse at which restitution has given back e^2 of the work that compression took
 double final_impulse(const Course& course, double v_n, double e)
 {
@@ -123,11 +123,11 @@ double final_impulse(const Course& course, double v_n, double e)
     const double out = e * std::sqrt(v_s * v_s - k_then * (j_s * (v_n + v_s)));
     return j_s + (out - v_s) / k_then;
 }
-// [impulse.friction.end]
+
 
 } // namespace
 
-// [impulse.friction]
+
 PointImpulse one_point_impulse(const PointResponse& w, double v_n, double v_t, const Material& material)
 {
     // Leave separating points alone
@@ -151,6 +151,6 @@ PointImpulse one_point_impulse(const PointResponse& w, double v_n, double v_t, c
     const double q_first = -course.slip_sign * (mu * course.slip_end);
     return {j, q_first - back_sign * (mu * (j - course.slip_end))};
 }
-// [impulse.friction]
+
 
 } // namespace flying

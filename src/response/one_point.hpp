@@ -4,7 +4,7 @@
 
 namespace flying {
 
-// [impulse.point_response]
+
 /// How a point gives way: changes of normal and tangential speed per unit of impulse.
 ///
 ///     d v_n = w_n d j + w_nt d q          j normal, q tangential impulse          [N s]
@@ -16,32 +16,32 @@ struct PointResponse
     double w_nt = 0.0;        ///< couples friction into the normal [1/kg]
     double determinant = 0.0; ///< w_n w_t - w_nt^2 > 0, without the cancellation [1/kg^2]
 };
-// [impulse.point_response]
 
-// [impulse.point_impulse]
+
+
 /// Impulses at one point.
 struct PointImpulse
 {
     double normal = 0.0;  ///< >= 0 [N s]
     double tangent = 0.0; ///< at most mu times the normal one in size [N s]
 };
-// [impulse.point_impulse]
 
-// [impulse.response_at.declared]
+
+
 /// The response of two bodies at a point.
 [[nodiscard]] PointResponse response_at(const PointFrame& frame, const PairInertia& inertia);
-// [impulse.response_at.declared]
 
-// [impulse.normal.declared]
+
+
 /// Normal impulse that ends an approach without friction, by Newton's law.  [N s]
 ///
 /// v_n  normal speed of B relative to A, negative when approaching          [m/s]
 /// w_n  inverse of the effective mass along the normal, > 0                 [1/kg]
 /// e    restitution, 0 ... 1                                                [-]
 [[nodiscard]] double newton_impulse(double v_n, double w_n, double e);
-// [impulse.normal.declared]
 
-// [impulse.friction.declared]
+
+
 /// Impulses of a planar impact with Coulomb's friction at one point, in closed form.
 ///
 /// v_n, v_t  normal and tangential speed of B relative to A before         [m/s]
@@ -51,6 +51,6 @@ struct PointImpulse
 /// Nothing happens where the point is not approaching. The work of both impulses together is never positive.
 [[nodiscard]] PointImpulse one_point_impulse(const PointResponse& response, double v_n, double v_t,
                                              const Material& material);
-// [impulse.friction.declared]
+
 
 } // namespace flying

@@ -7,7 +7,7 @@
 
 namespace flying {
 
-// [impulse.motion]
+
 /// The velocities of the two bodies of an impact.
 struct PairMotion
 {
@@ -16,9 +16,9 @@ struct PairMotion
     double spin_a = 0.0;            ///< [rad/s]
     double spin_b = 0.0;            ///< [rad/s]
 };
-// [impulse.motion]
 
-// [impulse.inertia]
+
+
 /// What resists a push between the two bodies of an impact.
 struct PairInertia
 {
@@ -28,9 +28,9 @@ struct PairInertia
     /// 1/m_a + 1/m_b, what a push through both centres would meet  [1/kg]
     [[nodiscard]] double inv_mass() const { return a.inv_mass + b.inv_mass; }
 };
-// [impulse.inertia]
 
-// [impulse.line]
+
+
 /// The line along which two bodies push each other: a direction and two arms.
 struct PushLine
 {
@@ -38,18 +38,18 @@ struct PushLine
     double arm_a = 0.0;            ///< r_a x direction [m]
     double arm_b = 0.0;            ///< r_b x direction [m]
 };
-// [impulse.line]
 
-// [impulse.point_frame]
+
+
 /// Normal and tangent at one point. The tangent is the normal, turned a quarter counter-clockwise.
 struct PointFrame
 {
     PushLine normal;
     PushLine tangent;
 };
-// [impulse.point_frame]
 
-// [impulse.arm]
+
+
 /// Arm of a push along unit vector n at r. [m]
 ///
 /// A normal that goes through the centre of mass has no arm; rounding gives it one. Such an
@@ -60,9 +60,9 @@ struct PointFrame
     const double depth = r.dot(n);
     return std::abs(arm) <= tolerance::k_central * std::abs(depth) ? 0.0 : arm;
 }
-// [impulse.arm]
 
-// [impulse.frame]
+
+
 /// Normal and tangent at a point, with the arms of pushes along them. r x perp(n) is r.n.
 [[nodiscard]] inline PointFrame frame_at(const ImpactPoint& point)
 {
@@ -70,9 +70,9 @@ struct PointFrame
     return {{n, normal_arm(point.r_a, n), normal_arm(point.r_b, n)},
             {perp(n), point.r_a.dot(n), point.r_b.dot(n)}};
 }
-// [impulse.frame]
 
-// [impulse.speed]
+
+
 /// Speed of B's point relative to A's, seen along a line.  [m/s]
 ///
 /// Along a normal it is negative when they approach.
@@ -84,9 +84,9 @@ struct PointFrame
     const double turn = motion.spin_b * line.arm_b - motion.spin_a * line.arm_a;
     return shift + turn;
 }
-// [impulse.speed]
 
-// [impulse.inverse_mass]
+
+
 /// Change of the speed along `seen` for one N s along `pushed`; symmetric.  [1/kg]
 ///
 /// For one line: the inverse of its effective mass,
@@ -99,9 +99,9 @@ struct PointFrame
     const double turn_b = inertia.b.inv_moment_of_inertia * (seen.arm_b * pushed.arm_b);
     return shift + (turn_a + turn_b);
 }
-// [impulse.inverse_mass]
 
-// [impulse.push]
+
+
 /// A sum of pushes: impulse on B, and moments about both centres. A takes the opposite.
 struct PairPush
 {
@@ -117,9 +117,9 @@ struct PairPush
         moment_b += j * line.arm_b;
     }
 };
-// [impulse.push]
 
-// [impulse.apply]
+
+
 /// The motion after a push.
 [[nodiscard]] inline PairMotion pushed(const PairMotion& motion, const PairPush& push,
                                        const PairInertia& inertia)
@@ -129,6 +129,6 @@ struct PairPush
             motion.spin_a - inertia.a.inv_moment_of_inertia * push.moment_a,
             motion.spin_b + inertia.b.inv_moment_of_inertia * push.moment_b};
 }
-// [impulse.apply]
+
 
 } // namespace flying

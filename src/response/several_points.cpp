@@ -6,7 +6,7 @@
 
 namespace flying {
 
-// [impulse.outermost]
+
 namespace {
 
 bool share_normal(const PointFrame& a, const PointFrame& b)
@@ -41,11 +41,11 @@ std::vector<int> outermost(std::span<const PointFrame> points, std::span<const i
     }
     return kept;
 }
-// [impulse.outermost]
+
 
 namespace {
 
-// [impulse.edges]
+
 // One edge of a point's friction cone: the normal and, against the slip along +t or -t, a share of the tangent
 struct Edge
 {
@@ -69,9 +69,9 @@ std::vector<Edge> cone_edges(std::span<const PointFrame> points, double mu)
     }
     return edges;
 }
-// [impulse.edges]
 
-// [impulse.solve]
+
+
 using Three = std::array<double, 3>;
 using Square = std::array<Three, 3>;
 
@@ -101,18 +101,18 @@ Three solve(const Square& a, const Three& b, int size)
     }
     return x;
 }
-// [impulse.solve]
 
-// [impulse.trial]
+
+
 // Up to three edges that may carry the whole compression
 struct Trial
 {
     std::array<int, 3> edge{};
     int size = 0;
 };
-// [impulse.trial]
 
-// [impulse.outcome]
+
+
 // What a trial came to
 struct Outcome
 {
@@ -120,9 +120,9 @@ struct Outcome
     double work = 0.0;     // of all impulses, negative [J]
     bool possible = false; // pushes only, ends every approach, friction against slip
 };
-// [impulse.outcome]
 
-// [impulse.stopped]
+
+
 // The speeds that a trial brings to zero: the normal one of each point, and the tangential one where both edges of a
 // point are in use, which is to stick
 std::array<const PushLine*, 3> stopped_lines(const Trial& trial, std::span<const Edge> edges,
@@ -136,9 +136,9 @@ std::array<const PushLine*, 3> stopped_lines(const Trial& trial, std::span<const
     }
     return lines;
 }
-// [impulse.stopped]
 
-// [impulse.motion_after]
+
+
 PairMotion motion_after(const Trial& trial, const Three& amount, std::span<const Edge> edges, const PairMotion& motion,
                         const PairInertia& inertia)
 {
@@ -146,13 +146,13 @@ PairMotion motion_after(const Trial& trial, const Three& amount, std::span<const
     for (int i = 0; i < trial.size; ++i) push.add(edges[trial.edge[i]].line, amount[i]);
     return pushed(motion, push, inertia);
 }
-// [impulse.motion_after]
 
-// [impulse.try]
+
+
 Outcome try_edges(const Trial& trial, std::span<const Edge> edges, std::span<const PointFrame> points,
                   const PairMotion& motion, const PairInertia& inertia, double rounding)
 {
-    // [impulse.try.amounts]
+
     // Find the amounts that stop the chosen lines
     const std::array<const PushLine*, 3> lines = stopped_lines(trial, edges, points);
     Square response{};
@@ -171,9 +171,9 @@ Outcome try_edges(const Trial& trial, std::span<const Edge> edges, std::span<con
     for (int i = 0; i < trial.size; ++i) left[i] = -speed_along(*lines[i], nearly);
     const Three more = solve(response, left, trial.size);
     for (int i = 0; i < trial.size; ++i) outcome.amount[i] += more[i];
-    // [impulse.try.amounts]
 
-    // [impulse.try.possible]
+
+
     // Contact pushes only
     for (int i = 0; i < trial.size; ++i)
         if (!(outcome.amount[i] >= 0.0)) return outcome;
@@ -190,7 +190,7 @@ Outcome try_edges(const Trial& trial, std::span<const Edge> edges, std::span<con
                           (i + 1 < trial.size && edges[trial.edge[i + 1]].point == edge.point);
         if (!both && edge.lean * speed_along(point.tangent, after) > std::abs(edge.lean) * rounding) return outcome;
     }
-    // [impulse.try.possible]
+
 
     // Impulse times the mean of the speeds before and after is work
     for (int i = 0; i < trial.size; ++i) {
@@ -200,9 +200,9 @@ Outcome try_edges(const Trial& trial, std::span<const Edge> edges, std::span<con
     outcome.possible = true;
     return outcome;
 }
-// [impulse.try]
 
-// [impulse.trials]
+
+
 // All choices of `size` edges, in order
 std::vector<Trial> choices(int edges, int size)
 {
@@ -216,9 +216,9 @@ std::vector<Trial> choices(int edges, int size)
     }
     return trials;
 }
-// [impulse.trials]
 
-// [impulse.at_each_point]
+
+
 // Impulses at each point
 struct Impulses
 {
@@ -226,9 +226,9 @@ struct Impulses
     std::vector<double> tangent; // [N s]
     bool found = false;
 };
-// [impulse.at_each_point]
 
-// [impulse.compression]
+
+
 // The impulses that end the approach; none where no trial succeeds.
 //
 // The motion of one body relative to another has three dimensions, so three edges of the friction cones span every push
@@ -269,9 +269,9 @@ Impulses compression(std::span<const PointFrame> points, const PairMotion& motio
     }
     return sum;
 }
-// [impulse.compression]
 
-// [impulse.one_after_another]
+
+
 // Where rounding lets no choice of three succeed, push the points in turn, without friction, half of what each
 // asks for: slower, safe, and the next round goes on from there
 Impulses cautious_push(std::span<const PointFrame> points, const PairMotion& motion, const PairInertia& inertia)
@@ -285,11 +285,11 @@ Impulses cautious_push(std::span<const PointFrame> points, const PairMotion& mot
     }
     return impulses;
 }
-// [impulse.one_after_another]
+
 
 } // namespace
 
-// [impulse.several]
+
 PairPush push_at_several(std::span<const PointFrame> points, const PairMotion& motion, const PairInertia& inertia,
                          const Material& material, double speed, Rebound rebound)
 {
@@ -329,6 +329,6 @@ PairPush push_at_several(std::span<const PointFrame> points, const PairMotion& m
     push.moment_b += part * rough.moment_b;
     return push;
 }
-// [impulse.several]
+
 
 } // namespace flying

@@ -9,7 +9,6 @@
 namespace flying {
 namespace {
 
-// [rest.block.product]
 /// target -= a b, a row at a time: four numbers that the processor handles as one
 void subtract_product(Block& target, const Block& a, const Block& b)
 {
@@ -31,9 +30,7 @@ void subtract_product(double* x, const Block& a, const double* y)
     const double third = y[2];
     for (int i = 0; i < 3; ++i) x[i] -= (a.at[i][0] * first + a.at[i][1] * second) + a.at[i][2] * third;
 }
-// [rest.block.product]
 
-// [rest.block.eliminate]
 /// Replaces a block by its factors: below the diagonal those of the elimination, on and above it what is left. An
 /// explicit inverse would lose what rounding leaves of blocks that hold both masses and stiff points.
 [[nodiscard]] bool eliminate(Block& m)
@@ -76,11 +73,9 @@ void divide_left(const Block& m, double* x)
     x[1] = (x[1] - at[1][2] * x[2]) / at[1][1];
     x[0] = ((x[0] - at[0][1] * x[1]) - at[0][2] * x[2]) / at[0][0];
 }
-// [rest.block.eliminate]
 
 } // namespace
 
-// [rest.block.order]
 void BlockSystem::order(int count, std::span<const Edge> edges)
 {
     rank_.resize(count);
@@ -109,9 +104,7 @@ void BlockSystem::order(int count, std::span<const Edge> edges)
         rank_[body_[k]] = k;
     }
 }
-// [rest.block.order]
 
-// [rest.block.fill]
 void BlockSystem::fill_in(int count, std::span<const Edge> edges)
 {
     // Start from who touches whom
@@ -137,9 +130,7 @@ void BlockSystem::fill_in(int count, std::span<const Edge> edges)
         heir.insert(heir.end(), column.begin() + 1, column.end());
     }
 }
-// [rest.block.fill]
 
-// [rest.block.pattern]
 int BlockSystem::find(int column, int row) const
 {
     const auto begin = row_.begin() + start_[column];
@@ -169,9 +160,7 @@ void BlockSystem::clear()
     std::fill(diagonal_.begin(), diagonal_.end(), Block{});
     std::fill(blocks_.begin(), blocks_.end(), Block{});
 }
-// [rest.block.pattern]
 
-// [rest.block.factorise]
 bool BlockSystem::factorise()
 {
     const int count = static_cast<int>(diagonal_.size());
@@ -193,9 +182,7 @@ bool BlockSystem::factorise()
     }
     return true;
 }
-// [rest.block.factorise]
 
-// [rest.block.orientation]
 double BlockSystem::orientation() const
 {
     bool is_negative = false;
@@ -204,9 +191,7 @@ double BlockSystem::orientation() const
     }
     return is_negative ? -1.0 : 1.0;
 }
-// [rest.block.orientation]
 
-// [rest.block.solve]
 void BlockSystem::solve(std::span<double> x)
 {
     const int count = static_cast<int>(diagonal_.size());
@@ -232,6 +217,5 @@ void BlockSystem::solve(std::span<double> x)
         for (int i = 0; i < 3; ++i) x[3 * body_[k] + i] = work_[3 * k + i];
     }
 }
-// [rest.block.solve]
 
 } // namespace flying

@@ -5,15 +5,12 @@
 
 namespace flying {
 
-// [rest.block.block]
 /// A 3 x 3 matrix, row by row; the fourth number of each row is zero.
 struct Block
 {
     double at[3][4] = {};
 };
-// [rest.block.block]
 
-// [rest.block.class]
 /// Square systems of equations whose unknowns come in threes, one three for each body of a group, and whose blocks
 /// couple only those bodies that touch. Factorised without pivoting between blocks (the blocks on the diagonal hold the
 /// masses and dominate), in an order that keeps the factors sparse.
@@ -74,6 +71,5 @@ private:
     std::vector<std::vector<int>> columns_; // workspace of the symbolic part
     std::vector<int> mark_;
 };
-// [rest.block.class]
 
 } // namespace flying

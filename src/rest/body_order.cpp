@@ -11,7 +11,6 @@
 namespace flying {
 namespace {
 
-// [rest.order.curve]
 /// Columns, and rows, into which all that there is is divided.
 constexpr std::uint32_t k_divisions = 1u << 16;
 
@@ -34,11 +33,9 @@ constexpr std::uint32_t k_divisions = 1u << 16;
     const Vec2 part = (point - all.min).cwiseQuotient(size);
     return spread(division(part.x())) | spread(division(part.y())) << 1;
 }
-// [rest.order.curve]
 
 } // namespace
 
-// [rest.order]
 std::vector<int> order_in_memory(std::span<const RestBody> bodies, int few)
 {
     std::vector<int> order(bodies.size());
@@ -62,6 +59,5 @@ std::vector<int> order_in_memory(std::span<const RestBody> bodies, int few)
     std::stable_sort(order.begin(), order.end(), [&](int one, int two) { return places[one] < places[two]; });
     return order;
 }
-// [rest.order]
 
 } // namespace flying

@@ -11,7 +11,6 @@
 
 namespace flying {
 
-// [rest.bounds]
 /// What bears goes on to bear. What is apart may come as near as to touch when the step ends; where impacts have
 /// moments of their own only what is all but closed is held like that, since the step ends where anything else closes.
 void set_bounds(const RestData& data, const Island& island)
@@ -23,9 +22,7 @@ void set_bounds(const RestData& data, const Island& island)
         if (island.in_turn && gap > hardly_open(data, c)) c.bound = -std::numeric_limits<double>::infinity();
     }
 }
-// [rest.bounds]
 
-// [rest.solve]
 void ContactForces::find_impulses(RestData& data, Island& island, std::span<const Mover> start, double time)
 {
     set_free(data, island, start, time);
@@ -38,9 +35,7 @@ void ContactForces::find_impulses(RestData& data, Island& island, std::span<cons
                                           rest_tolerance::k_content * top_speed(data, island), effort);
     if (!island.is_content && !is_heap(island) && stood(data, island)) keep_loads(data, island, start, time);
 }
-// [rest.solve]
 
-// [rest.solve.keep]
 /// Of an island that stands, and whose impulses no solve makes right: those of the step before remain, unless the new
 /// ones are much better. So they stop changing, and the island falls asleep. Where any were known and little is wrong
 /// they count as right: parts of the step would find none better.
@@ -62,9 +57,7 @@ void ContactForces::keep_loads(RestData& data, Island& island, std::span<const M
     std::copy(found_.begin(), found_.end(), points.begin());
     (void)complaint();
 }
-// [rest.solve.keep]
 
-// [rest.calm]
 void calm(RestData& data, const Island& island)
 {
     const double rounding = solve_rounding(island);
@@ -87,6 +80,5 @@ void calm(RestData& data, const Island& island)
         if (std::abs(mover.spin) * data.bodies.radius[member] <= limit) mover.spin = 0.0;
     }
 }
-// [rest.calm]
 
 } // namespace flying

@@ -7,7 +7,6 @@
 
 namespace flying {
 
-// [rest.forces.class]
 /// Finds the impulses of an island's contacts over a length of time, and the velocities that they lead to.
 class ContactForces
 {
@@ -22,13 +21,10 @@ private:
 
     std::vector<ContactPoint> found_; // points with new impulses, while the old ones are tried
 };
-// [rest.forces.class]
 
-// [rest.forces.declared]
 /// Sets the least normal velocities with which the step may end.
 void set_bounds(const RestData& data, const Island& island);
 /// Takes for standing still what the solve's rounding alone moves.
 void calm(RestData& data, const Island& island);
-// [rest.forces.declared]
 
 } // namespace flying

@@ -5,7 +5,6 @@
 
 namespace flying {
 
-// [rest.mover]
 /// What the solver knows of a body: how it moves, and how it resists. A static body has
 /// both inverses zero and never moves, so that no push needs to ask.
 struct Mover
@@ -16,9 +15,7 @@ struct Mover
     double inv_mass = 0.0;   ///< [1/kg]
     double inv_moment = 0.0; ///< about the centre of mass [1/(kg m^2)]
 };
-// [rest.mover]
 
-// [rest.contact_point]
 /// One point at which two bodies lean on each other, or might before the step ends. Normal n from A to B; tangent: n
 /// turned a quarter counter-clockwise. The arm of a push along n is r x n, that of one along the tangent r . n.
 struct ContactPoint
@@ -45,9 +42,7 @@ struct ContactPoint
         std::numeric_limits<double>::infinity(); ///< when its pair is expected to close, after the start [s]
     double closing_speed = 0.0;                  ///< with which it is expected to do so [m/s]
 };
-// [rest.contact_point]
 
-// [rest.speeds]
 /// Normal velocity of B relative to A.  [m/s]
 [[nodiscard]] inline double normal_speed(const ContactPoint& c, const Mover& a, const Mover& b)
 {
@@ -61,9 +56,7 @@ struct ContactPoint
     const double shift = c.n_x * (b.v_y - a.v_y) - c.n_y * (b.v_x - a.v_x);
     return shift + (b.spin * c.tangent_arm_b - a.spin * c.tangent_arm_a);
 }
-// [rest.speeds]
 
-// [rest.push]
 /// Push B by j along the normal and q along the tangent, and A by as much the other
 /// way.  [N s]
 inline void push(const ContactPoint& c, double j, double q, Mover& a, Mover& b)
@@ -77,6 +70,5 @@ inline void push(const ContactPoint& c, double j, double q, Mover& a, Mover& b)
     b.v_y += b.inv_mass * p_y;
     b.spin += b.inv_moment * (j * c.normal_arm_b + q * c.tangent_arm_b);
 }
-// [rest.push]
 
 } // namespace flying

@@ -7,7 +7,6 @@
 
 namespace flying {
 
-// [rest.problem]
 /// One island as the direct solvers see it: impulses are sought from none.
 struct ContactProblem
 {
@@ -25,6 +24,5 @@ struct ContactProblem
     std::vector<double>
         slip; ///< normal speed less the bound, and tangential speed, of each point without contacts [m/s]
 };
-// [rest.problem]
 
 } // namespace flying

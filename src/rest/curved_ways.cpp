@@ -9,7 +9,6 @@
 namespace flying {
 namespace {
 
-// [rest.curves.lines]
 /// Lines as the mean of three: at the start of a way, halfway, and at its end.
 void set_mean_lines(ContactPoint& mean, const ContactPoint& start, const ContactPoint& half, const ContactPoint& end,
                     const Mover& a, const Mover& b)
@@ -52,9 +51,7 @@ void set_mean_lines(ContactPoint& mean, const ContactPoint& start, const Contact
 {
     return c.gap > 0.5 * touch ? 0.0 : c.gap;
 }
-// [rest.curves.lines]
 
-// [rest.curves.may]
 /// The greatest velocity with which the step begins or ends.  [m/s]
 [[nodiscard]] double top_motion(const RestData& data, const Island& island)
 {
@@ -94,9 +91,7 @@ void forget_ways(RestData& data, const Island& island)
         data.motion.turn[member] = 0.0;
     }
 }
-// [rest.curves.may]
 
-// [rest.curves.same]
 /// The contact that continues a point further along the ways: the one of its name, or, where names have changed, the
 /// one nearest to its place; null where there is none.
 [[nodiscard]] const Contact* same_contact(const RestData& data, const ContactPoint& c, const Manifold& manifold)
@@ -122,11 +117,9 @@ void forget_ways(RestData& data, const Island& island)
     }
     return best;
 }
-// [rest.curves.same]
 
 } // namespace
 
-// [rest.curves]
 bool CurvedWays::follow(RestData& data, Island& island)
 {
     const std::span<ContactPoint> points = island.points;
@@ -161,9 +154,7 @@ bool CurvedWays::follow(RestData& data, Island& island)
     island.has_ways = true;
     return true;
 }
-// [rest.curves]
 
-// [rest.curves.look]
 /// Where the points are at a part of the ways; those not seen there are not followed.
 void CurvedWays::look_along(RestData& data, const Island& island, double part, std::vector<ContactPoint>& there)
 {
@@ -192,9 +183,7 @@ void CurvedWays::look_along(RestData& data, const Island& island, double part, s
                              found->point - data.motion.end_poses[c.b].position);
     }
 }
-// [rest.curves.look]
 
-// [rest.curves.bend]
 CurvedWays::Bend CurvedWays::bend_lines(RestData& data, const Island& island, bool is_corrected)
 {
     const std::span<const ContactPoint> points = island.points;
@@ -235,9 +224,7 @@ CurvedWays::Bend CurvedWays::bend_lines(RestData& data, const Island& island, bo
     }
     return any ? Bend::some : Bend::none;
 }
-// [rest.curves.bend]
 
-// [rest.curves.mean]
 bool CurvedWays::find_mean_velocities(RestData& data, const Island& island)
 {
     const std::span<const ContactPoint> points = island.points;
@@ -288,9 +275,7 @@ bool CurvedWays::all_close(const RestData& data) const
     }
     return true;
 }
-// [rest.curves.mean]
 
-// [rest.curves.end]
 bool CurvedWays::end_velocities(RestData& data, const Island& island)
 {
     // As far beyond the mean as the start was before it
@@ -330,6 +315,5 @@ bool CurvedWays::end_velocities(RestData& data, const Island& island)
     }
     return content;
 }
-// [rest.curves.end]
 
 } // namespace flying

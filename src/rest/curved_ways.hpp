@@ -6,7 +6,6 @@
 
 namespace flying {
 
-// [rest.curves.class]
 /// Small islands whose lines of push turn within a step are solved along the ways that they go: to the second order of
 /// the step, with no gap or overlap at its end.
 class CurvedWays
@@ -38,6 +37,5 @@ private:
     std::vector<ContactPoint> at_end_; // of those at the end, the ones that bear
     std::vector<Mover> straight_;      // bodies as straight lines leave them
 };
-// [rest.curves.class]
 
 } // namespace flying

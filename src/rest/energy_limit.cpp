@@ -8,7 +8,6 @@
 
 namespace flying {
 
-// [rest.energy.gain]
 EnergyGain gain_of(const RestData& data, const Island& island)
 {
     EnergyGain gain;
@@ -29,11 +28,9 @@ EnergyGain gain_of(const RestData& data, const Island& island)
     }
     return gain;
 }
-// [rest.energy.gain]
 
 namespace {
 
-// [rest.energy.rigid]
 /// A motion of an island as one rigid body.
 struct RigidMotion
 {
@@ -41,9 +38,7 @@ struct RigidMotion
     Vec2 velocity = Vec2::Zero(); ///< of the centre [m/s]
     double spin = 0.0;            ///< [rad/s]
 };
-// [rest.energy.rigid]
 
-// [rest.energy.kept]
 /// The motion of an island as one rigid body that no contact with something static resists: all of it where there is
 /// none, what goes along a wall where the normals of all lead the same way, and none otherwise. Slowing an island down
 /// relative to that changes no momentum that is its own.
@@ -83,9 +78,7 @@ struct RigidMotion
     rigid.spin = turning / moment;
     return rigid;
 }
-// [rest.energy.kept]
 
-// [rest.energy.slow]
 /// Takes energy out of an island's motion relative to a rigid one, as much as there is. What remains to be taken.  [J]
 [[nodiscard]] double slow_down(RestData& data, const Island& island, const RigidMotion& rigid, double by)
 {
@@ -103,13 +96,11 @@ struct RigidMotion
         energy += 0.5 * (own.squaredNorm() / now.inv_mass + spin * spin / now.inv_moment);
         mixed += common.dot(own) / now.inv_mass + rigid.spin * spin / now.inv_moment;
     }
-    // [rest.energy.slow.share]
     // With a share s of the relative motion its energy is  energy s^2 + mixed s
     const double left = energy + mixed - by;
     const double root = mixed * mixed + 4.0 * energy * left;
     const double share =
         energy > 0.0 && root > 0.0 ? std::clamp((std::sqrt(root) - mixed) / (2.0 * energy), 0.0, 1.0) : 0.0;
-    // [rest.energy.slow.share]
     for (const int member : members) {
         Mover& now = data.motion.now[member];
         const Vec2 common = velocity_of(member);
@@ -119,11 +110,9 @@ struct RigidMotion
     }
     return by - ((energy + mixed) - (energy * share + mixed) * share);
 }
-// [rest.energy.slow]
 
 } // namespace
 
-// [rest.energy.limit]
 /// The one limit of energy: what a step has gained beyond the field's work is taken from the motion of bodies relative
 /// to each other; where that isn't enough from all motion, and then from the way that they rise. Counted, since it
 /// changes the motion.
@@ -148,6 +137,5 @@ void limit_energy(RestData& data, const Island& island)
         data.motion.turn[member] *= part;
     }
 }
-// [rest.energy.limit]
 
 } // namespace flying

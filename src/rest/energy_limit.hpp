@@ -4,7 +4,6 @@
 
 namespace flying {
 
-// [rest.energy.declared]
 /// What an island has gained in a step, or a part of one, beyond the field's work.
 struct EnergyGain
 {
@@ -17,6 +16,5 @@ struct EnergyGain
 /// to each other; where that isn't enough from all motion, and then from the way that they rise. Counted, since it
 /// changes the motion.
 void limit_energy(RestData& data, const Island& island);
-// [rest.energy.declared]
 
 } // namespace flying

@@ -9,7 +9,6 @@
 namespace flying {
 namespace {
 
-// [rest.time_to_close]
 /// Time until a gap closes that changes at speed u and acceleration a; more than `within` where it doesn't by then. [s]
 [[nodiscard]] double time_to_close(double gap, double u, double a, double within)
 {
@@ -18,9 +17,7 @@ namespace {
     const double root = std::sqrt(std::max(square, 0.0));
     return root > u ? 2.0 * gap / (root - u) : 2.0 * within;
 }
-// [rest.time_to_close]
 
-// [rest.known]
 /// The point of the last look that a point continues: the nearest at the same place, whatever the names of the
 /// features, which change with rounding where corners lie on corners; or else that of the same features. -1 where there
 /// is none.
@@ -47,9 +44,7 @@ namespace {
     }
     return false;
 }
-// [rest.known]
 
-// [rest.find.closing]
 /// The points of a pair that were open when the step began, and below which gap they count as closed.
 struct Closing
 {
@@ -58,9 +53,7 @@ struct Closing
     double closed; // [m]
     double speed;  ///< with which the first one closes [m/s]
 };
-// [rest.find.closing]
 
-// [rest.find.ahead]
 /// Where a body's centre will be at a moment of the step, if it goes on as it did.
 Vec2 place_at(const RestData& data, int body, double moment)
 {
@@ -138,9 +131,7 @@ double next_closing(const RestData& data, const RestPair& pair, const Manifold& 
     }
     return wait;
 }
-// [rest.find.ahead]
 
-// [rest.find.again]
 /// Where a body is when a step or a part of one begins: what the last such look has found may answer.
 Manifold look_again(RestData& data, RestPair& pair, double margin)
 {
@@ -161,9 +152,7 @@ Manifold look_again(RestData& data, RestPair& pair, double margin)
     ++data.counts.manifolds;
     return data.looks.look_with_memory(data.bodies, data.pairs, pair, margin);
 }
-// [rest.find.again]
 
-// [rest.points]
 void add_points(RestData& data, int index, const Manifold& manifold, double closes_at, double closing_speed,
                 std::vector<ContactPoint>& found)
 {
@@ -200,11 +189,8 @@ void add_points(RestData& data, int index, const Manifold& manifold, double clos
     static_cast<PairLoads&>(pair) = now;
 }
 
-// [rest.points]
-
 } // namespace
 
-// [rest.find]
 bool find_contacts(RestData& data, int index, std::vector<ContactPoint>& found)
 {
     RestPair& pair = data.pairs.pairs()[index];
@@ -249,6 +235,5 @@ bool find_contacts(RestData& data, int index, std::vector<ContactPoint>& found)
     add_points(data, index, manifold, closes_at, closing.speed, found);
     return true;
 }
-// [rest.find]
 
 } // namespace flying

@@ -8,16 +8,13 @@
 namespace flying {
 namespace {
 
-// [rest.path.limits]
 using rest_tolerance::k_stiffness;
 
 /// 2^32 over the golden section: multiples of it, modulo 2^32, lie far from each other.
 constexpr std::uint32_t k_golden = 2654435769U;
-// [rest.path.limits]
 
 } // namespace
 
-// [rest.path.shift]
 /// Shifts of speeds with which the impulses that are there are right; or, from none, with which no point closes.
 /// Returns how many times those shifts the path begins with.
 double GroupSolver::shift_speeds(std::span<const ContactPoint> points, PathStart start)
@@ -43,9 +40,7 @@ double GroupSolver::shift_speeds(std::span<const ContactPoint> points, PathStart
     }
     return 1.0;
 }
-// [rest.path.shift]
 
-// [rest.path]
 /// The speeds of all points are shifted at first, so that a solution is known; the shift shrinks to nothing, and the
 /// solution goes with it. From piece to piece one point changes what it does; where that turns the path round, which
 /// the sign of the determinant tells, the shift grows again for a while. A path from nothing has nowhere else to end
@@ -178,9 +173,7 @@ void GroupSolver::take_springs(std::span<const ContactPoint> points)
         impulse_[2 * k + 1] = std::clamp(springs_[k].tangent, -most, most);
     }
 }
-// [rest.path]
 
-// [rest.group.members]
 void GroupSolver::push_members(const ContactPoint& c, double normal, double tangent, std::span<double> force) const
 {
     const Line n = normal_line(c);
@@ -196,6 +189,5 @@ void GroupSolver::push_members(const ContactPoint& c, double normal, double tang
         add(&force[3 * b], tangent, t.b);
     }
 }
-// [rest.group.members]
 
 } // namespace flying

@@ -11,7 +11,6 @@
 namespace flying {
 namespace {
 
-// [rest.group.rounding]
 /// The most that an impulse changes the velocity of the lightest it pushes.  [m/s]
 [[nodiscard]] double greatest_push(std::span<const ContactPoint> points)
 {
@@ -20,26 +19,19 @@ namespace {
     return greatest;
 }
 
-// [rest.group.rounding]
-
 } // namespace
 
-// [rest.group.rounding_of]
 double rounding_of(std::span<const ContactPoint> points, std::size_t members)
 {
     return rest_tolerance::k_content * static_cast<double>(members) * greatest_push(points);
 }
-// [rest.group.rounding_of]
 
-// [rest.group.start]
 void GroupSolver::set_start(std::span<ContactPoint> points) const
 {
     if (warm_) return;
     for (ContactPoint& c : points) c.normal = c.tangent = 0.0;
 }
-// [rest.group.start]
 
-// [rest.group.prepare]
 void GroupSolver::prepare(std::span<const int> members, std::span<const ContactPoint> points, std::size_t movers)
 {
     // Number the members, and find who is coupled to whom
@@ -65,9 +57,7 @@ void GroupSolver::prepare(std::span<const int> members, std::span<const ContactP
     mode_factorised_.resize(points.size());
     factorised_ = false;
 }
-// [rest.group.prepare]
 
-// [rest.group.settle]
 void GroupSolver::restore_free(std::span<Mover> movers, std::span<const int> members) const
 {
     for (std::size_t k = 0; k < members.size(); ++k) movers[members[k]] = free_[k];
@@ -101,9 +91,7 @@ void GroupSolver::settle_for_sweeps(std::span<Mover> movers, std::span<ContactPo
         points[k].tangent = sweep_points_[k].tangent;
     }
 }
-// [rest.group.settle]
 
-// [rest.group.solve]
 bool GroupSolver::solve(std::span<Mover> movers, std::span<const int> members, std::span<ContactPoint> points,
                         double tolerance, Effort effort)
 {
@@ -228,10 +216,7 @@ void GroupSolver::take_impulses(const Island& island)
     restore_free(island.movers, island.members);
     warm_start(island.points, island.movers);
 }
-// [rest.group.solve]
 
-// [rest.group.newton]
-// [rest.group.slips]
 void GroupSolver::measure_slips(std::span<const Mover> movers, std::span<const ContactPoint> points)
 {
     // All that follows is in changes from here, so that rounding takes its share of
@@ -242,9 +227,7 @@ void GroupSolver::measure_slips(std::span<const Mover> movers, std::span<const C
         slip_[2 * k + 1] = tangent_speed(c, movers[c.a], movers[c.b]);
     }
 }
-// [rest.group.slips]
 
-// [rest.group.guess]
 void GroupSolver::guess(std::span<const ContactPoint> points)
 {
     // A point that does not part clearly may bear, and holds; it is easier to let go of some than to find all one by
@@ -260,7 +243,6 @@ void GroupSolver::guess(std::span<const ContactPoint> points)
         if (bears && -c.tangent >= c.friction * c.normal && c.tangent < 0.0) mode_[k] = Mode::slips_forwards;
     }
 }
-// [rest.group.guess]
 
 bool GroupSolver::newton(std::span<const Mover> movers, std::span<const ContactPoint> points)
 {
@@ -276,9 +258,7 @@ bool GroupSolver::newton(std::span<const Mover> movers, std::span<const ContactP
     }
     return false;
 }
-// [rest.group.newton]
 
-// [rest.group.trial]
 std::size_t GroupSolver::try_points(std::span<const ContactPoint> points)
 {
     static constexpr double k_still[3] = {0.0, 0.0, 0.0};
@@ -319,9 +299,7 @@ std::size_t GroupSolver::try_points(std::span<const ContactPoint> points)
     }
     return changes;
 }
-// [rest.group.trial]
 
-// [rest.group.assemble]
 void GroupSolver::assemble_masses(std::span<const Mover> movers)
 {
     system_.clear();
@@ -372,9 +350,7 @@ bool GroupSolver::assemble(std::span<const Mover> movers, std::span<const Contac
     factorised_ = system_.factorise();
     return factorised_;
 }
-// [rest.group.assemble]
 
-// [rest.group.imbalance]
 void GroupSolver::imbalance(std::span<const ContactPoint> points)
 {
     // What the pieces push at the speeds before the trial, beyond the impulses that are there
@@ -391,6 +367,5 @@ void GroupSolver::imbalance(std::span<const ContactPoint> points)
         push_members(c, normal, tangent, delta_);
     }
 }
-// [rest.group.imbalance]
 
 } // namespace flying

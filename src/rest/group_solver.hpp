@@ -14,7 +14,6 @@
 
 namespace flying {
 
-// [rest.group.counts]
 /// What a solve took.
 struct SolveCounts
 {
@@ -25,23 +24,17 @@ struct SolveCounts
     std::int64_t sweeps = 0;   ///< over all points of a group
     std::int64_t factorisations = 0;
 };
-// [rest.group.counts]
 
-// [rest.group.tolerance]
 /// What rounding leaves of the content of a group: in proportion to what its greatest impulse does to the lightest it
 /// pushes, for each body through which the load goes.  [m/s]
 [[nodiscard]] double rounding_of(std::span<const ContactPoint> points, std::size_t members);
-// [rest.group.tolerance]
 
-// [rest.group.effort]
 enum class Effort
 {
     full,
     brief
 };
-// [rest.group.effort]
 
-// [rest.group.class]
 /// Finds the impulses of one group of bodies that lean on each other, so that every point is content:
 ///
 ///     normal    0 <= j,  u_n >= bound,  and j > 0 only where u_n = bound
@@ -87,7 +80,7 @@ private:
     void sweep_far(std::span<ContactPoint> points, std::span<Mover> movers);
     void push_apart(std::span<const int> members, std::span<const ContactPoint> points, const SweepPlan& plan,
                     std::span<Mover> pushed);
-    // [rest.group.mode]
+
     /// What a point does under the next trial.
     enum class Mode : unsigned char
     {
@@ -96,7 +89,6 @@ private:
         slips_forwards,
         slips_backwards
     };
-    // [rest.group.mode]
 
     /// How the pieces are looked for.
     enum class Way
@@ -187,6 +179,5 @@ private:
     double best_ = 0.0;
     std::vector<ContactPoint> kept_; // the best that was met
 };
-// [rest.group.class]
 
 } // namespace flying

@@ -6,7 +6,6 @@
 
 namespace flying {
 
-// [rest.group.sweeps]
 void GroupSolver::sweep_group(std::span<Mover> movers, std::span<const int> members, std::span<ContactPoint> points,
                               const SweepPlan& plan, std::span<Mover> pushed)
 {
@@ -52,9 +51,7 @@ void GroupSolver::sweep_far(std::span<ContactPoint> points, std::span<Mover> mov
         c.tangent = point.tangent;
     }
 }
-// [rest.group.sweeps]
 
-// [rest.group.push]
 /// Push overlap apart, for the places alone: from the velocities that were found, and with impulses of its own, so that
 /// no load remembers it.
 void GroupSolver::push_apart(std::span<const int> members, std::span<const ContactPoint> points, const SweepPlan& plan,
@@ -69,6 +66,5 @@ void GroupSolver::push_apart(std::span<const int> members, std::span<const Conta
     batches_.sweep_to_and_fro(plan.push_sweeps);
     batches_.get_velocities(pushed, members);
 }
-// [rest.group.push]
 
 } // namespace flying

@@ -11,7 +11,6 @@
 namespace flying {
 namespace {
 
-// [rest.swept.scales]
 /// What free fall through one step brings, from rest, twice over; infinite without a field, where nothing presses on.
 [[nodiscard]] double energy_of_fall(const RestData& data, const Island& island)
 {
@@ -21,11 +20,9 @@ namespace {
     }
     return sum > 0.0 ? sum : std::numeric_limits<double>::infinity();
 }
-// [rest.swept.scales]
 
 } // namespace
 
-// [rest.swept]
 /// A group too large to be solved whole: each step goes on with the sweeps of the last.
 void HeapSweeps::sweep_large(RestData& data, Island& island)
 {
@@ -69,9 +66,7 @@ void HeapSweeps::sweep_large(RestData& data, Island& island)
     bear_less(data, island);
     move_as_swept(data, island);
 }
-// [rest.swept]
 
-// [rest.swept.approaches]
 /// How much deeper points come to overlap in the step than they may.  [sizes]
 double HeapSweeps::approaches_left(const RestData& data, std::span<const ContactPoint> points) const
 {
@@ -98,14 +93,11 @@ void HeapSweeps::end_approaches_whole(RestData& data, const Island& island, Grou
     data.solver.solve(data.motion.now, members, points, rest_tolerance::k_content * top_speed(data, island));
     for (const int member : members) pushed_[member] = data.motion.now[member];
 }
-// [rest.swept.approaches]
 
-// [rest.swept.less]
 /// Sweeps that go on from what bore too much lift a heap. With no impulses it would fall through the step, and lose
 /// energy by that; with some share of them it neither gains nor loses any.
 void HeapSweeps::bear_less(RestData& data, const Island& island)
 {
-    // [rest.swept.less.share]
     // With a share s of the impulses the energy grows by  square s^2 + linear s + constant
     double square = 0.0;   // [J]
     double linear = 0.0;   // [J]
@@ -128,7 +120,6 @@ void HeapSweeps::bear_less(RestData& data, const Island& island)
     if (!(square + linear + constant > rest_tolerance::k_rounding * scale)) return;
     const double root = std::sqrt(linear * linear - 4.0 * square * constant);
     const double share = linear > 0.0 ? -2.0 * constant / (linear + root) : (root - linear) / (2.0 * square);
-    // [rest.swept.less.share]
 
     for (ContactPoint& c : island.points) {
         c.normal *= share;
@@ -148,9 +139,7 @@ void HeapSweeps::bear_less(RestData& data, const Island& island)
         pushed.spin += now.spin - all.spin;
     }
 }
-// [rest.swept.less]
 
-// [rest.swept.move]
 void HeapSweeps::move_as_swept(RestData& data, const Island& island)
 {
     const std::span<const int> members = island.members;
@@ -177,9 +166,7 @@ Vec2 HeapSweeps::push_of(const RestData& data, int member) const
     const Mover& pushed = pushed_[member];
     return Vec2(pushed.v_x - now.v_x, pushed.v_y - now.v_y);
 }
-// [rest.swept.move]
 
-// [rest.swept.bounds]
 void HeapSweeps::bound_swept(const RestData& data, const Island& island, bool is_calm) const
 {
     const double field = field_speed(data, island);
@@ -190,9 +177,7 @@ void HeapSweeps::bound_swept(const RestData& data, const Island& island, bool is
         if (is_calm && c.normal > 0.0 && -c.bound <= rest_tolerance::k_calm * field) c.bound = 0.0;
     }
 }
-// [rest.swept.bounds]
 
-// [rest.swept.heap]
 /// Sweeps over what the direct solve rarely finds where a heap moves, for all its factorisations.
 ///
 /// tolerance  where no point asks for a greater change, impulses stay as they are; below 0 they never do [m/s]
@@ -207,6 +192,5 @@ void HeapSweeps::sweep_heap(RestData& data, const Island& island, std::span<Move
     work_.resize(data.motion.now.size());
     data.solver.sweep_group(movers, members, points, plan, work_);
 }
-// [rest.swept.heap]
 
 } // namespace flying

@@ -7,7 +7,6 @@
 
 namespace flying {
 
-// [rest.swept.class]
 /// Islands that are too large to be solved whole: each step goes on with the sweeps of the last.
 class HeapSweeps
 {
@@ -32,6 +31,5 @@ private:
     std::vector<Mover> pushed_; // velocities by which places move
     std::vector<Mover> work_;
 };
-// [rest.swept.class]
 
 } // namespace flying

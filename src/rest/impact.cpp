@@ -9,7 +9,6 @@
 namespace flying {
 namespace {
 
-// [rest.impact.two]
 /// A contact as the law of two bodies wants it: its place from both centres, from the arms of its pushes.
 [[nodiscard]] ImpactPoint impact_point(const ContactPoint& c)
 {
@@ -29,11 +28,9 @@ void set_velocity(Mover& body, const Vec2& velocity, double spin)
     body.v_y = velocity.y();
     body.spin = spin;
 }
-// [rest.impact.two]
 
 } // namespace
 
-// [rest.impact]
 int throw_back(std::span<Mover> velocities, std::span<const ContactPoint> points, std::span<const double> slowest)
 {
     int impacts = 0;
@@ -66,6 +63,5 @@ int throw_back(std::span<Mover> velocities, std::span<const ContactPoint> points
     }
     return impacts;
 }
-// [rest.impact]
 
 } // namespace flying

@@ -6,7 +6,6 @@
 
 namespace flying {
 
-// [rest.impact.declared]
 /// Throw back what arrives at contacts that are closed, by the law of two bodies that the event engine has, too
 /// (response/impact.hpp): one pair after the other in the order of the points, round after round, until no point
 /// approaches faster than it may. What one pair passes on, the next passes on again, so that a row of balls answers a
@@ -18,6 +17,5 @@ namespace flying {
 ///
 /// Returns how many impacts there were. What approaches after the last round is left to a solve without rebound.
 int throw_back(std::span<Mover> velocities, std::span<const ContactPoint> points, std::span<const double> slowest);
-// [rest.impact.declared]
 
 } // namespace flying

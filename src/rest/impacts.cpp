@@ -11,7 +11,6 @@
 namespace flying {
 namespace {
 
-// [rest.strike.rebound]
 /// An approach that the field alone would bring about in a small part of the step is left to the load, but where
 /// nothing may be lost.  [m/s]
 [[nodiscard]] double slowest_blow(const RestData& data, const Island& island)
@@ -35,11 +34,9 @@ namespace {
         -std::min(data.motion.fall_of(c), data.motion.weight_of(c)) * (data.motion.span + data.motion.after);
     return std::max({by_load, by_fall, 0.0}) / (2.0 * c.restitution);
 }
-// [rest.strike.rebound]
 
 } // namespace
 
-// [rest.strike.when]
 /// A gap this small isn't worth a moment of its own, unless it closes fast.  [m]
 double hardly_open(const RestData& data, const ContactPoint& c)
 {
@@ -72,9 +69,7 @@ double missed_impact(const RestData& data, const Island& island)
     }
     return first < data.motion.span ? std::max(first, rest_tolerance::k_at_once * data.motion.span) : 0.0;
 }
-// [rest.strike.when]
 
-// [rest.strike]
 /// Impacts of an island, at the moment at which the step, or the part of one, begins: first those that throw back, then
 /// the rest of the approaches, all at once and without rebound. True where there were any; `before` is what they
 /// leave. Where impacts have no moments of their own, all that closes within the step counts as closed.
@@ -119,6 +114,5 @@ void Impacts::end_approaches(RestData& data, const Island& island, HeapSweeps& s
     if (is_heap(island)) sweeps.sweep_heap(data, island, data.motion.before, struck_);
     else data.solver.solve(data.motion.before, members, struck_, rest_tolerance::k_content * top_speed(data, island));
 }
-// [rest.strike]
 
 } // namespace flying

@@ -7,7 +7,6 @@
 
 namespace flying {
 
-// [rest.strike.moments]
 /// A gap this small isn't worth a moment of its own, unless it closes fast.  [m]
 [[nodiscard]] double hardly_open(const RestData& data, const ContactPoint& c);
 /// The moment of an island's first impact after the beginning, as its contacts foresee it; 0 where there is none.  [s]
@@ -15,9 +14,7 @@ namespace flying {
 /// When an impact comes that was not foreseen, since bodies sped up otherwise than they did before: the first moment at
 /// which a gap closes on the ways that were found; 0 where none does.  [s]
 [[nodiscard]] double missed_impact(const RestData& data, const Island& island);
-// [rest.strike.moments]
 
-// [rest.strike.class]
 /// Ends the approaches of an island with which the step, or the part of one, begins.
 class Impacts
 {
@@ -33,6 +30,5 @@ private:
     std::vector<ContactPoint> struck_; // what is closed, or closes
     std::vector<double> slowest_;      // of each of them: the slowest approach that brings a rebound [m/s]
 };
-// [rest.strike.class]
 
 } // namespace flying

@@ -10,17 +10,14 @@
 namespace flying {
 namespace {
 
-// [rest.interior.until]
 /// Part of a change after which a positive number is zero; 2 where it does not shrink.
 [[nodiscard]] double part_until_zero(double value, double change)
 {
     return change < 0.0 ? -value / change : 2.0;
 }
-// [rest.interior.until]
 
 } // namespace
 
-// [rest.interior.start]
 void InteriorPoint::start(const ContactProblem& problem)
 {
     unit_ = 0.0;
@@ -72,9 +69,6 @@ void InteriorPoint::start(const ContactProblem& problem)
     }
 }
 
-// [rest.interior.start]
-
-// [rest.interior.assemble]
 bool InteriorPoint::assemble(const ContactProblem& problem, BlockSystem& system)
 {
     system.clear();
@@ -123,9 +117,6 @@ bool InteriorPoint::assemble(const ContactProblem& problem, BlockSystem& system)
     return system.factorise();
 }
 
-// [rest.interior.assemble]
-
-// [rest.interior.step]
 void InteriorPoint::step_towards(const ContactProblem& problem, BlockSystem& system, const Aim& aim)
 {
     static constexpr double k_none[3] = {0.0, 0.0, 0.0};
@@ -197,9 +188,6 @@ void InteriorPoint::step_towards(const ContactProblem& problem, BlockSystem& sys
     }
 }
 
-// [rest.interior.step]
-
-// [rest.interior.take]
 double InteriorPoint::longest_step() const
 {
     double most = 2.0;
@@ -247,9 +235,6 @@ void InteriorPoint::take(double step, double closed)
     }
 }
 
-// [rest.interior.take]
-
-// [rest.interior.solve]
 bool InteriorPoint::solve(const ContactProblem& problem, BlockSystem& system, std::span<double> impulse,
                           std::int64_t& factorisations)
 {
@@ -298,6 +283,5 @@ bool InteriorPoint::solve(const ContactProblem& problem, BlockSystem& system, st
     }
     return small;
 }
-// [rest.interior.solve]
 
 } // namespace flying

@@ -9,7 +9,6 @@
 
 namespace flying {
 
-// [rest.interior.class]
 /// Coulomb's conditions at all points of an island, approached from within. Four pairs of numbers at each point must
 /// each hold a zero when all is solved:
 ///
@@ -73,6 +72,5 @@ private:
     std::vector<double> delta_; // of the members' velocities
     double unit_ = 1.0;         // speed [m/s]
 };
-// [rest.interior.class]
 
 } // namespace flying

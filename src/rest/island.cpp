@@ -7,7 +7,6 @@
 
 namespace flying {
 
-// [rest.island.size.made]
 bool is_heap(const Island& island)
 {
     return island.member_count() > rest_tolerance::k_most_whole;
@@ -30,9 +29,7 @@ bool is_solved_whole(const RestData& data, const Island& island)
     const bool is_tall = pairs <= rest_tolerance::k_tall * island.member_count();
     return is_tall && top_speed(data, island) <= rest_tolerance::k_standing * field_speed(data, island);
 }
-// [rest.island.size.made]
 
-// [rest.island.scales.made]
 double greatest_speed(std::span<const Mover> movers, std::span<const double> radius, std::span<const int> members)
 {
     double top = 0.0;
@@ -65,9 +62,7 @@ double solve_rounding(const Island& island)
 
 double still_speed(const RestData& data, const Island& island)
 {
-    // [rest.calm.still]
     return rest_tolerance::k_still * field_speed(data, island) + solve_rounding(island);
-    // [rest.calm.still]
 }
 
 bool stood(const RestData& data, const Island& island)
@@ -85,9 +80,7 @@ bool any_slip_ended(const Island& island, std::span<const Mover> before, std::sp
     }
     return false;
 }
-// [rest.island.scales.made]
 
-// [rest.island.impulses.made]
 void scale_impulses(const Island& island, double factor)
 {
     for (ContactPoint& c : island.points) {
@@ -106,6 +99,5 @@ void recall_load(const RestData& data, ContactPoint& c)
         c.tangent = pair.tangent[i];
     }
 }
-// [rest.island.impulses.made]
 
 } // namespace flying

@@ -6,7 +6,6 @@
 
 namespace flying {
 
-// [rest.island]
 /// Bodies that lean on each other, by whatever chain of bodies that move, and the points between them.
 struct Island
 {
@@ -21,9 +20,7 @@ struct Island
     [[nodiscard]] int member_count() const { return static_cast<int>(members.size()); }
     [[nodiscard]] int point_count() const { return static_cast<int>(points.size()); }
 };
-// [rest.island]
 
-// [rest.island.size]
 /// Too large to be solved whole however it moves, and whatever it takes.
 [[nodiscard]] bool is_heap(const Island& island);
 /// So large that all impacts which a step brings come at its start.
@@ -31,9 +28,7 @@ struct Island
 /// All its impulses are found at once, to rounding: small islands; and tall ones in which each body leans on hardly
 /// more than one other, whose equations stay sparse, as long as they stand or begin to fall.
 [[nodiscard]] bool is_solved_whole(const RestData& data, const Island& island);
-// [rest.island.size]
 
-// [rest.island.scales]
 /// The greatest velocity of any of these bodies, its rim's included.  [m/s]
 [[nodiscard]] double greatest_speed(std::span<const Mover> movers, std::span<const double> radius,
                                     std::span<const int> members);
@@ -51,12 +46,9 @@ struct Island
 /// still  slip below this has ended [m/s]
 [[nodiscard]] bool any_slip_ended(const Island& island, std::span<const Mover> before, std::span<const Mover> after,
                                   double still);
-// [rest.island.scales]
 
-// [rest.island.impulses]
 void scale_impulses(const Island& island, double factor);
 /// What a point bore at the end of the step before.
 void recall_load(const RestData& data, ContactPoint& c);
-// [rest.island.impulses]
 
 } // namespace flying

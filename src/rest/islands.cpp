@@ -7,7 +7,6 @@
 
 namespace flying {
 
-// [rest.islands.join]
 int Islands::root_of(int body)
 {
     while (parent_[body] != body) body = parent_[body] = parent_[parent_[body]];
@@ -22,9 +21,7 @@ bool Islands::join(const ContactPoint& point)
     parent_[std::max(one, two)] = std::min(one, two);
     return one != two;
 }
-// [rest.islands.join]
 
-// [rest.islands.split]
 void Islands::split(const RestData& data, std::span<const int> bodies, std::vector<ContactPoint>& found)
 {
     const StepMotion& motion = data.motion;
@@ -84,9 +81,7 @@ void Islands::split(const RestData& data, std::span<const int> bodies, std::vect
         islands_[k].points = std::span(points_).subspan(first_point_[k], first_point_[k + 1] - first_point_[k]);
     }
 }
-// [rest.islands.split]
 
-// [rest.islands.part]
 /// A large island that hardly moves is made of bodies that bear on each other, or come to: one that rolls beside the
 /// others, and touches none, would keep all of them awake.
 void Islands::part_slow(const RestData& data, std::span<const int> bodies, std::vector<ContactPoint>& found)
@@ -125,6 +120,5 @@ void Islands::part_slow(const RestData& data, std::span<const int> bodies, std::
     }
     for (const int k : parts_) is_inside_[k] = 0;
 }
-// [rest.islands.part]
 
 } // namespace flying

@@ -7,7 +7,6 @@
 
 namespace flying {
 
-// [rest.islands.class]
 /// Splits bodies and the points between them into islands, each in the order of its bodies and pairs.
 class Islands
 {
@@ -36,6 +35,5 @@ private:
     std::vector<int> parts_; // bodies of islands that may part
     std::vector<char> is_inside_;
 };
-// [rest.islands.class]
 
 } // namespace flying

@@ -10,14 +10,11 @@
 namespace flying {
 namespace {
 
-// [rest.looks.side]
 [[nodiscard]] NearSide side_of(const RestBodies& bodies, int body, int part, const Pose& pose)
 {
     return {bodies.shapes[body].parts[part].shape, pose, bodies.real_edges[body][part]};
 }
-// [rest.looks.side]
 
-// [rest.seams.find]
 // Where surfaces of neighbours act as one (collide/seams.hpp): who neighbours whom.
 
 /// Adds the seams of a part with a part of another body, or of its own.
@@ -71,9 +68,6 @@ void find_notches(const RestBodies& bodies, int body, std::vector<std::vector<Se
     }
 }
 
-// [rest.seams.find]
-
-// [rest.seams.moving]
 /// Adds those of one body of a pair with others that go with it, beside it, while the other body of the pair passes a
 /// corner of its.
 void find_moving_seams(const RestBodies& bodies, const PairList& list, const RestPair& pair, Owner owner,
@@ -110,23 +104,15 @@ void find_moving_seams(const RestBodies& bodies, const PairList& list, const Res
             find_seams_with(bodies, body, part, other, others_part, seams);
         };
         const std::span<const RestPair> pairs = list.pairs();
-        if (list.starts().empty()) {
-            // Pairs from a memory have no index until the first step
-            for (const RestPair& next : pairs) if (next.a == body) look_at(next);
-            for (const RestPair& next : pairs) if (next.b == body) look_at(next);
-            break;
-        }
         for (int next = list.starts()[body]; next < list.starts()[body + 1]; ++next) look_at(pairs[next]);
         for (const int next : list.pairs_of_second(body)) look_at(pairs[next]);
         break;
     }
     for (Seam& seam : seams) seam.is_loose = true;
 }
-// [rest.seams.moving]
 
 } // namespace
 
-// [rest.seams.fixed]
 /// Those that last: of parts of one body, and of what never moves.
 Looks::Looks(const RestBodies& bodies)
 {
@@ -166,9 +152,7 @@ Looks::Looks(const RestBodies& bodies)
         add(two.body, one.body);
     });
 }
-// [rest.seams.fixed]
 
-// [rest.seams.mend]
 /// Puts right what the two of a pair would touch of sides that neighbours hide.
 void Looks::mend(const RestBodies& bodies, const PairList& pairs, const RestPair& pair, const Pose& pose_a,
                  const Pose& pose_b, double margin, Manifold& manifold) const
@@ -192,9 +176,7 @@ void Looks::mend(const RestBodies& bodies, const PairList& pairs, const RestPair
         if (!moving.empty()) mend_at_seams(*polygon, pose, moving, owner, other, other_pose, near, margin, manifold);
     }
 }
-// [rest.seams.mend]
 
-// [rest.looks.look]
 Manifold Looks::look(const RestBodies& bodies, const PairList& pairs, const RestPair& pair, const Pose& pose_a,
                      const Pose& pose_b, double margin) const
 {
@@ -213,6 +195,5 @@ Manifold Looks::look_with_memory(const RestBodies& bodies, const PairList& pairs
     if (manifold.count > 0) mend(bodies, pairs, pair, pose_a, pose_b, margin, manifold);
     return manifold;
 }
-// [rest.looks.look]
 
 } // namespace flying

@@ -9,7 +9,6 @@
 
 namespace flying {
 
-// [rest.looks]
 /// Where pairs touch, as the surfaces of their bodies really are: without cuts (rest/near_points.hpp), and with
 /// neighbours that lie flush taken as one surface (collide/seams.hpp).
 class Looks
@@ -32,6 +31,5 @@ private:
 
     std::vector<std::vector<std::vector<Seam>>> seams_; // of each body and part, with what never moves against it
 };
-// [rest.looks]
 
 } // namespace flying

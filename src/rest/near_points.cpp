@@ -12,7 +12,6 @@
 namespace flying {
 namespace {
 
-// [rest.near.cut]
 /// A normal that leads out of a part through a cut.
 [[nodiscard]] bool leads_through_cut(const NearSide& side, const Vec2& outwards)
 {
@@ -25,9 +24,7 @@ namespace {
     }
     return false;
 }
-// [rest.near.cut]
 
-// [rest.near.out]
 /// The way out of `side` over one of its real sides that is the shortest for the other part; separation -infinity where
 /// the part has no real side. The normal leads from the side to the other.
 [[nodiscard]] Contact shortest_way_out(const NearSide& side, const NearSide& other)
@@ -65,9 +62,7 @@ namespace {
     out_of_b.feature |= 1u;
     return out_of_b.separation > out_of_a.separation ? out_of_b : out_of_a;
 }
-// [rest.near.out]
 
-// [rest.near.nearest]
 /// Where two parts that are apart are nearest to each other, if it is no cut.
 struct Nearest
 {
@@ -115,9 +110,7 @@ void look_at_corners(const NearSide& side, const NearSide& other, std::uint32_t 
     if (nearest.square < least) nearest.contact.normal = -nearest.contact.normal;
     return nearest;
 }
-// [rest.near.nearest]
 
-// [rest.near.sides]
 /// Leaves of a manifold of two parts what doesn't stand on cuts, and adds what is near beside it.
 void keep_to_sides(const NearSide& a, const NearSide& b, double margin, Manifold& manifold)
 {
@@ -153,20 +146,16 @@ void keep_to_sides(const NearSide& a, const NearSide& b, double margin, Manifold
     const Contact best = shortest_way_apart(a, b);
     if (depth >= -rest_tolerance::k_hardly_over_cut * best.separation) manifold.contacts[manifold.count++] = best;
 }
-// [rest.near.sides]
 
 } // namespace
 
-// [rest.near]
 Manifold near_points(const NearSide& a, const NearSide& b, double margin)
 {
     Manifold manifold = make_manifold(a.shape, a.pose, b.shape, b.pose, margin);
     keep_to_sides(a, b, margin, manifold);
     return manifold;
 }
-// [rest.near]
 
-// [rest.near.memory]
 Manifold near_points(const NearSide& a, const NearSide& b, double margin, NearMemory& memory)
 {
     const auto* polygon_a = std::get_if<Polygon>(&a.shape);
@@ -185,6 +174,5 @@ Manifold near_points(const NearSide& a, const NearSide& b, double margin, NearMe
     keep_to_sides(a, b, margin, manifold);
     return manifold;
 }
-// [rest.near.memory]
 
 } // namespace flying

@@ -9,7 +9,6 @@
 
 namespace flying {
 
-// [rest.near.side]
 /// One of the two convex parts that may meet: part of a body, or all of it.
 struct NearSide
 {
@@ -17,9 +16,7 @@ struct NearSide
     const Pose& pose;
     std::span<const char> real; ///< for each edge, whether it is a side of the body and no cut; empty where all are
 };
-// [rest.near.side]
 
-// [rest.near.declared]
 /// The points at which two convex parts touch, overlap, or might touch soon. What `make_manifold` finds, and beyond it
 /// - what is nearest of two parts where no edge of theirs faces the other within its ends, or a cut alone does: corners
 ///   near each other, which make a point along the line between them, or a corner over an edge;
@@ -42,6 +39,5 @@ struct NearMemory
 /// The same to the bit, faster where `memory` knows the edges, which must then be the best still. What it finds is
 /// remembered.
 [[nodiscard]] Manifold near_points(const NearSide& a, const NearSide& b, double margin, NearMemory& memory);
-// [rest.near.declared]
 
 } // namespace flying

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -11,7 +12,6 @@
 namespace flying {
 namespace {
 
-// [rest.pairs.room]
 [[nodiscard]] auto key(const RestPair& pair)
 {
     return std::tie(pair.a, pair.b, pair.part_a, pair.part_b);
@@ -25,11 +25,9 @@ namespace {
     const double height = wall.normal.x() * x + wall.normal.y() * y;
     return height <= wall.offset;
 }
-// [rest.pairs.room]
 
 } // namespace
 
-// [rest.pairs.inside]
 bool PairList::all_inside(std::span<const RestBody> bodies, std::span<const double> radius,
                           std::span<const double> reach) const
 {
@@ -42,9 +40,14 @@ bool PairList::all_inside(std::span<const RestBody> bodies, std::span<const doub
     }
     return true;
 }
-// [rest.pairs.inside]
 
-// [rest.pairs.update]
+void PairList::remember(std::vector<RestPair> pairs, int bodies)
+{
+    pairs_ = std::move(pairs);
+    make_index(bodies);
+    valid_ = false;
+}
+
 bool PairList::update(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes,
                       std::span<const double> radius, std::span<const double> reach)
 {
@@ -63,13 +66,11 @@ bool PairList::update(std::span<const RestBody> bodies, std::span<const Collisio
     }
     find_partners(bodies);
     add_pairs(bodies, shapes);
-    sort_by_second(static_cast<int>(bodies.size()));
+    make_index(static_cast<int>(bodies.size()));
     valid_ = true;
     return true;
 }
-// [rest.pairs.update]
 
-// [rest.pairs.partners]
 void PairList::find_partners(std::span<const RestBody> bodies)
 {
     // Sort the boxes of all that have one into cells
@@ -108,17 +109,13 @@ void PairList::find_partners(std::span<const RestBody> bodies)
         std::sort(partners_.begin() + partner_start_[k], partners_.begin() + partner_start_[k + 1]);
     }
 }
-// [rest.pairs.partners]
 
-// [rest.pairs.merge]
 void PairList::add_pairs(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes)
 {
     old_.swap(pairs_);
     pairs_.clear();
-    starts_.clear();
     std::size_t next = 0;
     for (int a = 0; a < static_cast<int>(bodies.size()); ++a) {
-        starts_.push_back(static_cast<int>(pairs_.size()));
         for (int i = partner_start_[a]; i < partner_start_[a + 1]; ++i) {
             RestPair pair;
             pair.a = a;
@@ -136,13 +133,13 @@ void PairList::add_pairs(std::span<const RestBody> bodies, std::span<const Colli
             }
         }
     }
-    starts_.push_back(static_cast<int>(pairs_.size()));
 }
-// [rest.pairs.merge]
 
-// [rest.pairs.second]
-void PairList::sort_by_second(int bodies)
+void PairList::make_index(int bodies)
 {
+    starts_.assign(bodies + 1, 0);
+    for (const RestPair& pair : pairs_) ++starts_[pair.a + 1];
+    std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
     second_starts_.assign(bodies + 1, 0);
     for (const RestPair& pair : pairs_) ++second_starts_[pair.b + 1];
     for (int k = 0; k < bodies; ++k) second_starts_[k + 1] += second_starts_[k];
@@ -151,6 +148,5 @@ void PairList::sort_by_second(int bodies)
     for (int k = bodies; k > 0; --k) second_starts_[k] = second_starts_[k - 1];
     second_starts_[0] = 0;
 }
-// [rest.pairs.second]
 
 } // namespace flying

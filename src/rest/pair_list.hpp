@@ -12,7 +12,6 @@
 
 namespace flying {
 
-// [rest.pairs.pair]
 /// The points at which two parts touched when they were looked at last, and what these bore.
 struct PairLoads
 {
@@ -36,9 +35,7 @@ struct RestPair : PairLoads
     double shift = 0.0; ///< that the two had made by then, in all [m]
     double turn = 0.0;
 };
-// [rest.pairs.pair]
 
-// [rest.pairs.class]
 /// Which pairs may touch soon, kept from step to step. Every body has a box with room to spare; as long as all stay
 /// within theirs, the list stays as it is. Pairs are in the order of (a, b, part of a, part of b).
 class PairList
@@ -52,11 +49,7 @@ public:
 
     void invalidate() { valid_ = false; }
     /// Pairs of another list, in order, to look for anew with what they remember.
-    void remember(std::vector<RestPair> pairs)
-    {
-        pairs_ = std::move(pairs);
-        valid_ = false;
-    }
+    void remember(std::vector<RestPair> pairs, int bodies);
 
     [[nodiscard]] std::span<RestPair> pairs() { return pairs_; }
     [[nodiscard]] std::span<const RestPair> pairs() const { return pairs_; }
@@ -74,7 +67,7 @@ private:
                                   std::span<const double> reach) const;
     void find_partners(std::span<const RestBody> bodies);
     void add_pairs(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes);
-    void sort_by_second(int bodies);
+    void make_index(int bodies);
 
     struct Home
     {
@@ -95,6 +88,5 @@ private:
     std::vector<int> second_starts_; // the same in `by_second_`
     std::vector<int> by_second_;     // pairs, by their second body
 };
-// [rest.pairs.class]
 
 } // namespace flying

@@ -9,7 +9,6 @@
 namespace flying {
 namespace {
 
-// [rest.overlap.may]
 /// How far its turn may bring any point of a body.  [m]
 [[nodiscard]] double arc_of(const RestData& data, int body)
 {
@@ -30,9 +29,7 @@ namespace {
     const double nearer = (data.motion.shift[b] - data.motion.shift[a]).norm() + arc_of(data, a) + arc_of(data, b);
     return nearer > rest_tolerance::k_deep * std::min(data.bodies.radius[a], data.bodies.radius[b]);
 }
-// [rest.overlap.may]
 
-// [rest.overlap.at_end]
 /// How two polygons part by the shortest way where they overlap as the step ends; separation 0 where they don't.
 [[nodiscard]] Contact overlap_at_end(const RestData& data, const RestPair& pair)
 {
@@ -56,11 +53,9 @@ namespace {
     contact.point = of_a ? pose_b * b->vertices()[axis.vertex] : pose_a * a->vertices()[axis.vertex];
     return contact;
 }
-// [rest.overlap.at_end]
 
 } // namespace
 
-// [rest.overlap.look]
 double Projection::look_at_end(RestData& data, const Island& island)
 {
     points_.clear();
@@ -136,9 +131,7 @@ double Projection::look_at_pair(RestData& data, int index)
     if (clipped.separation < 0.0) add(clipped);
     return worst;
 }
-// [rest.overlap.look]
 
-// [rest.overlap.apart]
 /// Moves bodies out of what they overlap: the same conditions for places as for velocities, least by the masses,
 /// without friction. It adds no velocity.
 void Projection::put_apart(RestData& data, const Island& island, double overlap, HeapSweeps& sweeps)
@@ -187,6 +180,5 @@ void Projection::find_pushes(RestData& data, const Island& island, double tolera
     if (is_heap(island)) sweeps.sweep_heap(data, island, pushes_, points_, tolerance);
     else data.solver.solve(pushes_, members, points_, tolerance);
 }
-// [rest.overlap.apart]
 
 } // namespace flying

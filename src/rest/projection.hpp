@@ -8,7 +8,6 @@
 
 namespace flying {
 
-// [rest.overlap.class]
 /// Takes off the overlap that a step would end with.
 class Projection
 {
@@ -31,6 +30,5 @@ private:
     std::vector<Vec2> shift_before_;
     std::vector<double> turn_before_;
 };
-// [rest.overlap.class]
 
 } // namespace flying

@@ -5,7 +5,6 @@
 
 namespace flying {
 
-// [rest.push_lines]
 /// A push on both bodies as six numbers: force and moment on A, the same on B.
 struct Line
 {
@@ -32,9 +31,7 @@ inline void add(double* target, double factor, const double* line)
 {
     for (int i = 0; i < 3; ++i) target[i] += factor * line[i];
 }
-// [rest.push_lines]
 
-// [rest.group.product]
 /// block += factor p q^T for the change of a body's motion by a push along each of two lines
 inline void add_product(Block& block, double factor, const double* p, const double* q)
 {
@@ -43,6 +40,5 @@ inline void add_product(Block& block, double factor, const double* p, const doub
         for (int j = 0; j < 3; ++j) block.at[i][j] += row * q[j];
     }
 }
-// [rest.group.product]
 
 } // namespace flying

@@ -10,7 +10,6 @@
 namespace flying {
 namespace {
 
-// [rest.bodies.real_edges]
 /// For each convex part, which of its edges are sides of the shape, and not cuts through it; empty where all are.
 [[nodiscard]] std::vector<std::vector<char>> real_edges_of(const Shape& shape, const CollisionShape& parts)
 {
@@ -26,11 +25,9 @@ namespace {
     }
     return result;
 }
-// [rest.bodies.real_edges]
 
 } // namespace
 
-// [rest.bodies.setup]
 RestBodies::RestBodies(std::vector<RestBody> bodies, std::vector<int> numbers, double time) : order(std::move(numbers))
 {
     place.resize(bodies.size());
@@ -49,9 +46,7 @@ RestBodies::RestBodies(std::vector<RestBody> bodies, std::vector<int> numbers, d
     travel.assign(list.size(), Travel{});
     in_crowd.assign(list.size(), 0);
 }
-// [rest.bodies.setup]
 
-// [rest.bodies.pose]
 void RestBodies::set_pose(int body, const Pose& pose)
 {
     const Pose& old = poses[body];
@@ -66,9 +61,7 @@ Vec2 RestBodies::velocity_of(int body, const Vec2& point) const
     const BodyState& s = list[body].state;
     return list[body].is_static ? Vec2(Vec2::Zero()) : velocity_at(s, point - poses[body].position);
 }
-// [rest.bodies.pose]
 
-// [rest.bodies.touch_gap]
 double RestBodies::touch_gap(int a, int b) const
 {
     return touch_gap(a, list[a].state.position, b, list[b].state.position);
@@ -79,6 +72,5 @@ double RestBodies::touch_gap(int a, const Vec2& place_a, int b, const Vec2& plac
     const double coordinates = place_a.cwiseAbs().maxCoeff() + place_b.cwiseAbs().maxCoeff();
     return rest_tolerance::k_touch * std::min(radius[a], radius[b]) + tolerance::coordinate_rounding(coordinates);
 }
-// [rest.bodies.touch_gap]
 
 } // namespace flying

@@ -7,7 +7,6 @@
 
 namespace flying {
 
-// [rest.bodies]
 /// The bodies of an engine, as arrays in the order in which they lie in memory (rest/body_order.hpp).
 struct RestBodies
 {
@@ -43,6 +42,5 @@ struct RestBodies
     std::vector<Travel> travel;
     std::vector<char> in_crowd; ///< the body's island was a large one in the last step
 };
-// [rest.bodies]
 
 } // namespace flying

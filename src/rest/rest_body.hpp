@@ -5,7 +5,6 @@
 
 namespace flying {
 
-// [rest.body]
 /// One body as the resting integrator knows it.
 struct RestBody
 {
@@ -17,6 +16,5 @@ struct RestBody
     bool is_static = false;           ///< never moves
     bool is_active = true;            ///< false: not here for now; touches nothing, and keeps its state
 };
-// [rest.body]
 
 } // namespace flying

@@ -11,7 +11,6 @@
 
 namespace flying {
 
-// [rest.data]
 /// What the stages of a step share: bodies, how they move, and what they bear on each other. Each stage keeps what it
 /// needs for its own work to itself.
 struct RestData
@@ -31,9 +30,7 @@ struct RestData
     RestCounts counts;
     double max_overlap = 0.0; ///< the deepest that any step has begun with [m]
 };
-// [rest.data]
 
-// [rest.data.look]
 /// The points at which a pair touches or might soon touch, with the two bodies at these poses.
 /// margin  points further apart than this make no contact [m]
 [[nodiscard]] inline Manifold look(const RestData& data, const RestPair& pair, const Pose& pose_a, const Pose& pose_b,
@@ -41,6 +38,5 @@ struct RestData
 {
     return data.looks.look(data.bodies, data.pairs, pair, pose_a, pose_b, margin);
 }
-// [rest.data.look]
 
 } // namespace flying

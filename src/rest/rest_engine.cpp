@@ -11,7 +11,6 @@
 #include "rest/step_field.hpp"
 
 namespace flying {
-// [rest.engine.setup]
 RestEngine::RestEngine(std::vector<RestBody> bodies, const RestOptions& options, double time)
     : RestEngine(bodies, options, time, order_in_memory(bodies, options.most_solved))
 {
@@ -26,18 +25,14 @@ RestEngine::RestEngine(std::vector<RestBody> bodies, const RestOptions& options,
 {
     for (int k = 0; k < data_.bodies.count(); ++k) expect_flight(data_, k, data_.bodies.list[k].state.position);
 }
-// [rest.engine.setup]
 
-// [rest.engine.advance]
 void RestEngine::advance(double time)
 {
     // A step whose end is `time` but for rounding still fits
     const double last = time + 0.5 * tolerance::coordinate_rounding(std::abs(time));
     while (start_ + static_cast<double>(steps_ + 1) * data_.options.step <= last) step();
 }
-// [rest.engine.advance]
 
-// [rest.engine.change]
 void RestEngine::set_state(int number, const BodyState& state)
 {
     const int body = data_.bodies.place[number];
@@ -69,9 +64,7 @@ void RestEngine::wake_all_with(int body)
         sleepers_.wake(sleepers_.island_of(pair.b));
     }
 }
-// [rest.engine.change]
 
-// [rest.engine.contacts]
 std::vector<RestContact> RestEngine::contacts() const
 {
     std::vector<RestContact> result;
@@ -99,9 +92,7 @@ std::vector<RestContact> RestEngine::contacts() const
     });
     return result;
 }
-// [rest.engine.contacts]
 
-// [rest.engine.groups]
 std::vector<int> RestEngine::groups() const
 {
     std::vector<int> group(data_.bodies.list.size());
@@ -124,9 +115,7 @@ std::vector<int> RestEngine::groups() const
     }
     return group;
 }
-// [rest.engine.groups]
 
-// [rest.engine.hash]
 std::uint64_t RestEngine::hash() const
 {
     Hash hash;
@@ -137,9 +126,7 @@ std::uint64_t RestEngine::hash() const
     }
     return hash.value();
 }
-// [rest.engine.hash]
 
-// [rest.step_by]
 void RestEngine::step_by(double length, double end)
 {
     const double whole = data_.options.step;
@@ -185,9 +172,7 @@ void RestEngine::set_time(double time)
     start_ = time;
     steps_ = 0;
 }
-// [rest.step_by]
 
-// [rest.clear]
 void RestEngine::find_clear(double within, std::vector<char>& clear) const
 {
     clear.assign(data_.bodies.list.size(), 0);
@@ -251,9 +236,7 @@ bool RestEngine::stays_apart(const RestPair& pair, double within) const
     }
     return true;
 }
-// [rest.clear]
 
-// [rest.memory]
 RestEngine::Memory RestEngine::memory() const
 {
     Memory memory{
@@ -276,8 +259,7 @@ void RestEngine::go_on_from(const Memory& memory)
     set_time(memory.time);
     none_awake_ = false;
     data_.max_overlap = memory.max_overlap;
-    data_.pairs = PairList();
-    data_.pairs.remember(memory.pairs);
+    data_.pairs.remember(memory.pairs, data_.bodies.count());
     for (RestPair& pair : data_.pairs.pairs()) pair.memory = {}; // ways are counted from another beginning
     for (std::size_t k = 0; k < data_.bodies.list.size(); ++k) {
         const Memory::Body& body = memory.bodies[k];
@@ -299,9 +281,7 @@ void RestEngine::go_on_from(const Memory& memory)
         data_.motion.before[k] = mover;
     }
 }
-// [rest.memory]
 
-// [rest.way.foresee]
 std::vector<std::vector<Leg>> RestEngine::foresee(double length, double end)
 {
     const Memory before = memory();
@@ -316,6 +296,5 @@ std::vector<std::vector<Leg>> RestEngine::foresee(double length, double end)
     none_awake_ = none_awake;
     return legs;
 }
-// [rest.way.foresee]
 
 } // namespace flying

@@ -17,7 +17,6 @@
 
 namespace flying {
 
-// [rest.contact]
 /// One point of contact as the last step left it.
 struct RestContact
 {
@@ -28,9 +27,7 @@ struct RestContact
     double normal_force = 0.0;  ///< mean over the step [N]
     double tangent_force = 0.0; ///< mean over the step, along the normal turned a quarter counter-clockwise [N]
 };
-// [rest.contact]
 
-// [rest.engine]
 /// Moves bodies that lean on each other, by steps of one length. What happens depends on the bodies and the step alone:
 /// not on who looks, when, or where the bodies lie in memory.
 ///
@@ -43,13 +40,11 @@ class RestEngine
 public:
     /// bodies  not overlapping, beyond touching
     /// time    of their states [s]
-    // [rest.engine.doors]
     explicit RestEngine(std::vector<RestBody> bodies, const RestOptions& options = {}, double time = 0.0);
 
     /// Step as long as whole steps fit before `time`.  [s]
     void advance(double time);
     void step();
-    // [rest.engine.doors]
 
     /// One step of another length, which ends at a moment that is known better than as a sum.  [s]
     void step_by(double length, double end);
@@ -165,7 +160,6 @@ private:
     void note_legs(const Island& island);
     [[nodiscard]] bool stays_apart(const RestPair& pair, double within) const;
 
-    // [rest.engine.data]
     RestData data_;
     double start_ = 0.0; // [s]
     std::int64_t steps_ = 0;
@@ -192,8 +186,6 @@ private:
     std::vector<int> part_of_; // of each body, while pairs are sorted out; -1 for none
     RestSeconds seconds_;
     std::vector<std::vector<Leg>>* legs_ = nullptr; // of each body, as it is known outside, while they are noted
-    // [rest.engine.data]
 };
-// [rest.engine]
 
 } // namespace flying

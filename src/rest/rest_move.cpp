@@ -8,7 +8,6 @@
 namespace flying {
 namespace {
 
-// [rest.move.expect]
 void expect_same(RestData& data, int body)
 {
     const Mover& old = data.motion.before[body];
@@ -28,11 +27,9 @@ void expect(RestData& data, const Island& island)
         if (data.motion.is_moved(c.b)) expect_same(data, c.b);
     }
 }
-// [rest.move.expect]
 
 } // namespace
 
-// [rest.way.note]
 /// Write down how a group goes through a step, or a part of one, that has been found but not yet gone.
 void RestEngine::note_legs(const Island& island)
 {
@@ -56,9 +53,7 @@ void RestEngine::note_legs(const Island& island)
         (*legs_)[data_.bodies.order[member]].push_back(leg);
     }
 }
-// [rest.way.note]
 
-// [rest.move]
 /// A body had no motion when the step began either, and what is expected of it now was expected then.
 bool RestEngine::stood_alike(int member) const
 {
@@ -107,6 +102,5 @@ void RestEngine::move_island(const Island& island)
         if (same && data_.options.sleeps) sleepers_.set(member, island.members.front());
     }
 }
-// [rest.move]
 
 } // namespace flying

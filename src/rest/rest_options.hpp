@@ -7,7 +7,6 @@
 
 namespace flying {
 
-// [rest.options]
 struct RestOptions
 {
     double step = 1.0 / 60.0; ///< > 0 [s]
@@ -20,9 +19,7 @@ struct RestOptions
     std::optional<CentralField> centre = {}; ///< round which all are pulled that move, in place of their accelerations
     double (*seconds)() = nullptr;           ///< a clock, lent to measure the stages; null to measure nothing [s]
 };
-// [rest.options]
 
-// [rest.counts]
 /// Work done so far.
 struct RestCounts
 {
@@ -38,9 +35,7 @@ struct RestCounts
     std::int64_t limited = 0;    ///< islands slowed down, so that they have no more energy than before
     double energy_limited = 0.0; ///< the energy that this took [J]
 };
-// [rest.counts]
 
-// [rest.seconds]
 /// Seconds spent, where a clock was lent.
 struct RestSeconds
 {
@@ -49,6 +44,5 @@ struct RestSeconds
     double solve = 0.0;
     double move = 0.0;
 };
-// [rest.seconds]
 
 } // namespace flying

@@ -11,7 +11,6 @@
 namespace flying {
 namespace {
 
-// [rest.overlap.fair]
 /// Deepest overlap that the step has begun with.  [sizes]
 double overlap_at_start(const RestData& data, const Island& island)
 {
@@ -53,9 +52,7 @@ bool is_fair(const RestData& data, const Island& island, double overlap)
     const EnergyGain gain = gain_of(data, island);
     return gain.gained <= rest_tolerance::k_fair_rise * gain.scale;
 }
-// [rest.overlap.fair]
 
-// [rest.places]
 /// Ways of an island whose velocities are found.
 void find_places(RestData& data, const Island& island)
 {
@@ -73,23 +70,18 @@ void find_places(RestData& data, const Island& island)
     }
     // [rest.places.mean]
 }
-// [rest.places]
 
 } // namespace
 
-// [rest.step]
 void RestEngine::step()
 {
-    // [rest.step.asleep]
     if (none_awake_) {
         data_.counts.asleep += sleepers_.count();
         ++steps_;
         ++data_.counts.steps;
         return;
     }
-    // [rest.step.asleep]
     Stopwatch watch(data_.options.seconds);
-    // [rest.step.begin]
     data_.motion.span = data_.options.step;
     data_.motion.after = 0.0;
     list_awake();
@@ -97,7 +89,6 @@ void RestEngine::step()
     if (data_.pairs.update(data_.bodies.list, data_.bodies.shapes, data_.bodies.radius, data_.motion.reach))
         ++data_.counts.looks;
     watch.stop(seconds_.pairs);
-    // [rest.step.begin]
 
     // [rest.step.find]
     do find_all_contacts();
@@ -105,21 +96,17 @@ void RestEngine::step()
     watch.stop(seconds_.collide);
     // [rest.step.find]
 
-    // [rest.step.end]
     parts_made_ = 0;
     split_and_solve(awake_, 0);
     watch.stop(seconds_.solve);
     finish_islands(0, {});
     make_parts(0);
     watch.stop(seconds_.move);
-    // [rest.step.end]
     ++steps_;
     ++data_.counts.steps;
     none_awake_ = awake_.empty();
 }
-// [rest.step]
 
-// [rest.step.awake]
 void RestEngine::list_awake()
 {
     awake_.clear();
@@ -149,9 +136,7 @@ bool RestEngine::wake_touched()
     }
     return any;
 }
-// [rest.step.awake]
 
-// [rest.reach]
 /// Begins a step, or a part of one, for some bodies: how far each may get in it, and what is expected to act.
 void RestEngine::measure_reach(std::span<const int> bodies)
 {
@@ -178,9 +163,7 @@ void RestEngine::measure_reach(std::span<const int> bodies)
         motion.turn[k] = 0.0;
     }
 }
-// [rest.reach]
 
-// [rest.step.contacts]
 void RestEngine::find_all_contacts()
 {
     found_.clear();
@@ -190,9 +173,7 @@ void RestEngine::find_all_contacts()
         if (wakes_[pairs[k].a] || wakes_[pairs[k].b]) is_near_[k] = find_contacts(data_, k, found_) ? 1 : 0;
     }
 }
-// [rest.step.contacts]
 
-// [rest.solve]
 void RestEngine::split_and_solve(std::span<const int> bodies, int depth)
 {
     islands_.split(data_, bodies, found_);
@@ -237,9 +218,7 @@ void RestEngine::solve_island(Island& island, int depth)
         slip_ends_.part(data_, island, forces_);
     calm(data_, island);
 }
-// [rest.solve]
 
-// [rest.step.finish]
 void RestEngine::finish_islands(int depth, std::span<const int> pairs)
 {
     again_.resize(rest_tolerance::k_step_parts + 1);
@@ -279,9 +258,7 @@ double RestEngine::end_early(Island& island, int depth)
     projection_.put_apart(data_, island, overlap, sweeps_);
     return 0.0;
 }
-// [rest.step.finish]
 
-// [rest.step.again]
 bool RestEngine::may_be_cut(const Island& island, int depth) const
 {
     const int most = strikes_at_start(island) ? rest_tolerance::k_step_parts_of_many : rest_tolerance::k_step_parts;
@@ -329,9 +306,7 @@ void RestEngine::find_pairs_of(Again& again, std::span<const int> pairs)
     each([&](int pair, Again::Part& part) { again.pairs[part.first_pair + part.pair_count++] = pair; });
     for (const int member : again.members) part_of_[member] = -1;
 }
-// [rest.step.again]
 
-// [rest.step.parts]
 /// The steps of islands that end early, at a moment each: the part up to there, and what is left.
 void RestEngine::make_parts(int depth)
 {
@@ -380,6 +355,5 @@ void RestEngine::scale_loads(std::span<const int> pairs, double factor)
         }
     }
 }
-// [rest.step.parts]
 
 } // namespace flying

@@ -2,12 +2,9 @@
 
 #include "math/tolerance.hpp"
 
-// [rest.tolerance.note]
 /// The pure numbers of the resting integrator, each with its unit and its reason.
-// [rest.tolerance.note]
 namespace flying::rest_tolerance {
 
-// [rest.tolerance]
 /// [speeds of a group, or those that its impulses bring] What rounding leaves of the content of a point: a velocity is
 /// a sum of a handful of impulses over a mass.
 inline constexpr double k_content = 16.0 * tolerance::k_epsilon;
@@ -20,7 +17,7 @@ inline constexpr double k_stagnant = 16.0;
 /// is below a hundredth of the stack's own; corrections take what it leaves to rounding.
 inline constexpr double k_stiffness = 0x1p32;
 
-/// [speeds that the field gives in a step] Slower is still: what the solve leaves of a island that nothing moves, with
+/// [speeds that the field gives in a step] Slower is still: what the solve leaves of an island that nothing moves, with
 /// room; and a hundredth of what a slope gives that is 1e-9 too steep.
 inline constexpr double k_still = 0x1p-36;
 
@@ -178,7 +175,7 @@ inline constexpr double k_slow_island = 0x1p-4;
 inline constexpr double k_ahead = 4.0;
 
 // ---- Projection, and the verdict on a step (projection, rest_step)
-/// [rad] Turn within a step that a island with contacts may make.
+/// [rad] Turn within a step that an island with contacts may make.
 inline constexpr double k_fair_turn = 0.25;
 
 /// [radii] Push that may take off overlap.
@@ -231,15 +228,13 @@ inline constexpr int k_step_parts = 64;
 inline constexpr int k_step_parts_of_many = 8;
 
 // ---- Impacts (impacts)
-// [rest.strike.limits]
 /// Bodies of the largest island whose impacts have moments of their own; in larger ones all that a step brings come at
 /// its start.
 inline constexpr int k_most_in_turn = 12;
-// [rest.strike.limits]
 
 // ---- Heaps (heap_sweeps)
-/// [speeds that the field gives in a step] An island that was slower and stays so is at rest: what it was about to do is
-/// the price of its sleep. Its bodies would speed up by twice as much of the field's acceleration at most.
+/// [speeds that the field gives in a step] An island that was slower and stays so is at rest: what it was about to do
+/// is the price of its sleep. Its bodies would speed up by twice as much of the field's acceleration at most.
 inline constexpr double k_calm = 0x1p-8;
 
 /// [k_calm] Where no point asks for a greater change, impulses stay as they are, to the bit.
@@ -267,6 +262,5 @@ inline constexpr double k_push_share = 0.25;
 
 /// Sweeps that end the impacts of a heap, and that push its overlap apart.
 inline constexpr int k_heap_sweeps = 16;
-// [rest.tolerance]
 
 } // namespace flying::rest_tolerance

@@ -6,7 +6,6 @@
 namespace flying {
 namespace {
 
-// [rest.way.cubic]
 /// The number at a share s of a leg that grows by `way` in all: the cubic with the slopes of its ends, for a whole leg.
 [[nodiscard]] double cubic(double s, double way, double slope_start, double slope_end)
 {
@@ -20,11 +19,9 @@ namespace {
     const double t = 1.0 - s;
     return 6.0 * s * t * way + t * (1.0 - 3.0 * s) * slope_start + s * (3.0 * s - 2.0) * slope_end;
 }
-// [rest.way.cubic]
 
 } // namespace
 
-// [rest.way.along]
 BodyState along(const std::vector<Leg>& legs, double time)
 {
     // Find the leg; what rounding leaves beyond the last belongs to it
@@ -55,6 +52,5 @@ BodyState along(const std::vector<Leg>& legs, double time)
     }
     return state;
 }
-// [rest.way.along]
 
 } // namespace flying

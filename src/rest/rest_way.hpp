@@ -6,7 +6,6 @@
 
 namespace flying {
 
-// [rest.way.leg]
 /// A stretch of a body's way through a step: no impact within it, one at its start perhaps.
 struct Leg
 {
@@ -24,12 +23,9 @@ struct Leg
     };
     Kind kind = Kind::bent;
 };
-// [rest.way.leg]
 
-// [rest.way.declared]
 /// Where a body is on its way, and how it moves, a time after the step began.  [s]
 /// legs  of one body, in order, at least one
 [[nodiscard]] BodyState along(const std::vector<Leg>& legs, double time);
-// [rest.way.declared]
 
 } // namespace flying

@@ -5,7 +5,6 @@
 
 namespace flying {
 
-// [rest.sleepers]
 /// Which bodies sleep, and with which others: an island falls asleep as a whole, and wakes as one.
 class Sleepers
 {
@@ -37,6 +36,5 @@ private:
     std::vector<int> island_;
     int count_ = 0;
 };
-// [rest.sleepers]
 
 } // namespace flying

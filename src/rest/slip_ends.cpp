@@ -6,7 +6,6 @@
 #include "rest/rest_tolerance.hpp"
 
 namespace flying {
-// [rest.slip_ends]
 void SlipEnds::part(RestData& data, Island& island, ContactForces& forces)
 {
     const double still = rest_tolerance::k_slip * field_speed(data, island);
@@ -71,6 +70,5 @@ void SlipEnds::add_part(RestData& data, const Island& island, double time)
         start_[member] = now;
     }
 }
-// [rest.slip_ends]
 
 } // namespace flying

@@ -6,7 +6,6 @@
 
 namespace flying {
 
-// [rest.slip_ends.class]
 /// Parts a small island's step where slip ends: friction that a slip has asked for ends with it, and what sticks from
 /// there on needs another.
 class SlipEnds
@@ -21,6 +20,5 @@ private:
 
     std::vector<Mover> start_; // of the part that is being made
 };
-// [rest.slip_ends.class]
 
 } // namespace flying

@@ -7,7 +7,6 @@
 
 namespace flying {
 
-// [rest.field.mean]
 /// The acceleration by which the field acts on a body that goes from one place to another.  [m/s^2]
 ///
 /// Round a centre, with r and s the distances of the two places x and y from it, it is -mu (x + y) / (r s (r + s)). Its
@@ -38,9 +37,7 @@ double work_of_field(const RestData& data, int body)
     const Vec2& from = data.bodies.list[body].state.position;
     return mean_field(data, body, from, from + data.motion.shift[body]).dot(data.motion.shift[body]);
 }
-// [rest.field.mean]
 
-// [rest.field.aim]
 /// Set the acceleration for a step, or a part of one, by where the body is expected to get in it.
 void aim_field(RestData& data, int body)
 {
@@ -67,17 +64,13 @@ double greatest_field(const RestData& data, int body, double within)
     const double least = std::max(distance - way, 0.5 * distance);
     return least > 0.0 ? data.options.centre->mu / (least * least) : here;
 }
-// [rest.field.aim]
 
-// [rest.field.expect]
 void expect_flight(RestData& data, int body, const Vec2& place)
 {
     data.motion.pull[body] = data.motion.is_moved(body) ? field_at(data, body, place) : Vec2(Vec2::Zero());
     data.motion.turn_pull[body] = 0.0;
 }
-// [rest.field.expect]
 
-// [rest.field.free]
 void set_free(RestData& data, const Island& island, std::span<const Mover> start, double time)
 {
     for (const int member : island.members) {
@@ -87,9 +80,7 @@ void set_free(RestData& data, const Island& island, std::span<const Mover> start
         mover.v_y += time * data.motion.field[member].y();
     }
 }
-// [rest.field.free]
 
-// [rest.field.fly]
 /// Bodies that no point holds fly: round a centre by the closed form, as everywhere.
 void fly(RestData& data, Island& island)
 {
@@ -107,6 +98,5 @@ void fly(RestData& data, Island& island)
         island.has_ways = true;
     }
 }
-// [rest.field.fly]
 
 } // namespace flying

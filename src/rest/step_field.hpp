@@ -6,7 +6,6 @@
 
 namespace flying {
 
-// [rest.field.declared]
 /// The acceleration by which the field acts on a body that goes from one place to another, such that its work along the
 /// way is just what the potential loses.  [m/s^2]
 [[nodiscard]] Vec2 mean_field(const RestData& data, int body, const Vec2& from, const Vec2& to);
@@ -26,6 +25,5 @@ void expect_flight(RestData& data, int body, const Vec2& place);
 void set_free(RestData& data, const Island& island, std::span<const Mover> start, double time);
 /// Bodies that no point holds fly: round a centre by the closed form, as everywhere.
 void fly(RestData& data, Island& island);
-// [rest.field.declared]
 
 } // namespace flying

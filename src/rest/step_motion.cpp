@@ -3,16 +3,13 @@
 #include "response/push_line.hpp"
 
 namespace flying {
-// [rest.motion.mover_of]
 Mover mover_of(const RestBody& body)
 {
     if (body.is_static) return {};
     const BodyState& s = body.state;
     return {s.velocity.x(), s.velocity.y(), s.spin, body.inertia.inv_mass, body.inertia.inv_moment_of_inertia};
 }
-// [rest.motion.mover_of]
 
-// [rest.motion.setup]
 StepMotion::StepMotion(const RestBodies& bodies, double length) : span(length)
 {
     const std::size_t count = bodies.list.size();
@@ -29,9 +26,7 @@ StepMotion::StepMotion(const RestBodies& bodies, double length) : span(length)
     pull.assign(count, Vec2::Zero());
     turn_pull.assign(count, 0.0);
 }
-// [rest.motion.setup]
 
-// [rest.motion.arms]
 void StepMotion::set_arms(ContactPoint& c, const Vec2& n, const Vec2& r_a, const Vec2& r_b) const
 {
     const Mover& a = now[c.a];
@@ -49,6 +44,5 @@ void StepMotion::set_arms(ContactPoint& c, const Vec2& n, const Vec2& r_a, const
     c.tangent_mass = 1.0 / (mass + (a.inv_moment * (c.tangent_arm_a * c.tangent_arm_a) +
                                     b.inv_moment * (c.tangent_arm_b * c.tangent_arm_b)));
 }
-// [rest.motion.arms]
 
 } // namespace flying

@@ -8,12 +8,9 @@
 
 namespace flying {
 
-// [rest.motion.mover]
 /// A body as the solver sees it.
 [[nodiscard]] Mover mover_of(const RestBody& body);
-// [rest.motion.mover]
 
-// [rest.motion]
 /// How all bodies go through a step, or a part of one: where it begins, what acts, and where it leads.
 struct StepMotion
 {
@@ -56,6 +53,5 @@ struct StepMotion
     /// r_a, r_b  from the centres of the two bodies to it [m]
     void set_arms(ContactPoint& c, const Vec2& normal, const Vec2& r_a, const Vec2& r_b) const;
 };
-// [rest.motion]
 
 } // namespace flying

@@ -2,7 +2,6 @@
 
 namespace flying {
 
-// [rest.stopwatch]
 /// Measures the stages of a step, one after another, with a clock that is lent; without one it costs nothing.
 class Stopwatch
 {
@@ -22,6 +21,5 @@ private:
     double (*seconds_)();
     double since_;
 };
-// [rest.stopwatch]
 
 } // namespace flying

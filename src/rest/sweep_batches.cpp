@@ -7,26 +7,21 @@
 namespace flying {
 namespace {
 
-// [rest.batches.all]
 /// All four alike. (Handed over by reference: how a function returns four numbers depends on the processor.)
 inline void set_all(Four& four, double x)
 {
     four = Four{x, x, x, x};
 }
-// [rest.batches.all]
 
-// [rest.batches.colours]
 /// Bodies have a bit for each. A pair that finds none left, on a body that more than so many lean on, gets one of its
 /// own.
 constexpr int k_colours = 64;
 /// Pairs that are coloured together. The more, the fuller the batches; the fewer, the less is swept out of the list's
 /// order.
 constexpr std::size_t k_part = 512;
-// [rest.batches.colours]
 
 } // namespace
 
-// [rest.batches.colour]
 /// The first colour that neither body has a pair of.
 int SweepBatches::colour_of(const Run& run)
 {
@@ -58,9 +53,7 @@ void SweepBatches::colour_part(std::span<const ContactPoint> points, std::size_t
         k += count;
     }
 }
-// [rest.batches.colour]
 
-// [rest.batches.add]
 /// Batches for so many pairs of so many points each.
 void SweepBatches::add_batches(int pairs, int count)
 {
@@ -92,9 +85,7 @@ void SweepBatches::clear(Batch& batch)
         set_all(points_[k].tangent_mass, 1.0);
     }
 }
-// [rest.batches.add]
 
-// [rest.batches.lay]
 void SweepBatches::lay_out(std::span<const ContactPoint> points, std::span<const int> which,
                            std::span<const Mover> movers, std::span<const int> members)
 {
@@ -168,9 +159,7 @@ void SweepBatches::set_lane(Batch& batch, int pair, std::span<const ContactPoint
         to.tangent[lane] = from.tangent;
     }
 }
-// [rest.batches.lay]
 
-// [rest.batches.velocities]
 void SweepBatches::set_velocities(std::span<const Mover> movers, std::span<const int> members)
 {
     for (std::size_t k = 0; k < members.size(); ++k) {
@@ -198,9 +187,7 @@ void SweepBatches::get_impulses(std::span<ContactPoint> points) const
         points[which_[k]].tangent = from.tangent[lane_of_[k] % 4];
     }
 }
-// [rest.batches.velocities]
 
-// [rest.batches.content]
 struct SweepBatches::Motion
 {
     Four v_x;
@@ -246,9 +233,7 @@ struct SweepBatches::Motion
     change.normal = j;
     change.tangent = q;
 }
-// [rest.batches.content]
 
-// [rest.batches.sweep]
 // (Without loops, so that what is fetched need not be put down in between.)
 inline void SweepBatches::fetch(const int (&who)[4], Motion& motion) const
 {
@@ -304,9 +289,7 @@ void SweepBatches::sweep_to_and_fro(int sweeps)
 {
     for (int k = 0; k < sweeps; ++k) sweep(k % 2 == 1);
 }
-// [rest.batches.sweep]
 
-// [rest.batches.ahead]
 /// Of what one sweep takes off little, many would take off alike. Wherever a sweep changes more than the last, the
 /// directions are forgotten (Silcowitz, Niebe and Erleben, A nonsmooth nonlinear conjugate gradient method, 2010).
 int SweepBatches::sweep_ahead(const Ahead& ahead)
@@ -364,9 +347,7 @@ void SweepBatches::go_ahead(const Four& share)
         drift.old = motion;
     }
 }
-// [rest.batches.ahead]
 
-// [rest.batches.push]
 void SweepBatches::begin_push(std::span<const ContactPoint> points, double share, double time)
 {
     for (Batch& batch : std::span(batches_).first(batch_count_))
@@ -377,6 +358,5 @@ void SweepBatches::begin_push(std::span<const ContactPoint> points, double share
         if (c.gap < 0.0) points_[lane_of_[k] / 4].bound[lane_of_[k] % 4] = share * -c.gap / time;
     }
 }
-// [rest.batches.push]
 
 } // namespace flying

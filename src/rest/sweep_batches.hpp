@@ -9,7 +9,6 @@
 
 namespace flying {
 
-// [rest.batches.class]
 /// The points of a group that is swept, in batches of pairs that are swept side by side: two rows of four. Pairs that
 /// share a moving body have different colours; all of one colour are swept before any of the next, in any order, as
 /// none of them knows of another. (A long list is coloured in parts, and swept part by part.) The bits are those of the
@@ -144,6 +143,5 @@ private:
     std::vector<Way> way_;
     std::vector<Drift> drift_;
 };
-// [rest.batches.class]
 
 } // namespace flying

@@ -6,7 +6,6 @@
 namespace flying {
 namespace {
 
-// [rest.sweep.point]
 void content(SweepPoint& c, std::span<Mover> movers)
 {
     Mover& a = movers[c.a];
@@ -45,11 +44,9 @@ void content(SweepPoint& c, std::span<Mover> movers)
     b.v_y += b.inv_mass * p_y;
     b.spin = spin_b + b.inv_moment * (q * c.tangent_arm_b);
 }
-// [rest.sweep.point]
 
 } // namespace
 
-// [rest.sweep.copy]
 SweepPoint sweep_point(const ContactPoint& c)
 {
     return {c.a,
@@ -67,9 +64,7 @@ SweepPoint sweep_point(const ContactPoint& c)
             c.normal,
             c.tangent};
 }
-// [rest.sweep.copy]
 
-// [rest.sweep]
 void warm_start(std::span<const ContactPoint> points, std::span<Mover> movers)
 {
     for (const ContactPoint& c : points) push(c, c.normal, c.tangent, movers[c.a], movers[c.b]);
@@ -84,7 +79,6 @@ void sweep_back(std::span<SweepPoint> points, std::span<Mover> movers)
 {
     for (std::size_t k = points.size(); k > 0; --k) content(points[k - 1], movers);
 }
-// [rest.sweep]
 
 // [rest.complaint]
 namespace {

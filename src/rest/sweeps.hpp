@@ -7,19 +7,14 @@
 
 namespace flying {
 
-// [rest.warm_start.declared]
 /// Apply the impulses that the points already hold, from the step before.
 void warm_start(std::span<const ContactPoint> points, std::span<Mover> movers);
-// [rest.warm_start.declared]
 
-// [rest.complaint.declared]
 /// How far the worst point is from content: the change of its velocity that it would ask for.  [m/s]
 [[nodiscard]] double worst_complaint(std::span<const ContactPoint> points, std::span<const Mover> movers);
 /// None asks for more than `tolerance`.  [m/s]
 [[nodiscard]] bool are_content(std::span<const ContactPoint> points, std::span<const Mover> movers, double tolerance);
-// [rest.complaint.declared]
 
-// [rest.sweep_point]
 /// The part of a point that sweeps go over, again and again: small, so that many fit where the processor reaches them
 /// fast.
 struct SweepPoint
@@ -39,9 +34,7 @@ struct SweepPoint
     double normal;
     double tangent;
 };
-// [rest.sweep_point]
 
-// [rest.sweep.declared]
 [[nodiscard]] SweepPoint sweep_point(const ContactPoint& c);
 
 /// One sweep over all points in their order: each in turn takes the impulse with which it alone would be content, the
@@ -50,6 +43,5 @@ void sweep(std::span<SweepPoint> points, std::span<Mover> movers);
 
 /// The same, in the opposite order.
 void sweep_back(std::span<SweepPoint> points, std::span<Mover> movers);
-// [rest.sweep.declared]
 
 } // namespace flying

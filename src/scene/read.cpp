@@ -73,7 +73,7 @@ std::string label_of_body(const std::string& name, std::size_t index)
     return name.empty() ? "body " + std::to_string(index) : "body " + quoted(name);
 }
 
-// [scene.read-shape]
+
 ShapeDef read_shape(TableReader shape)
 {
     constexpr const char* k_length = "a positive length [m]";
@@ -118,7 +118,7 @@ ShapeDef read_shape(TableReader shape)
     if (!kind.empty()) shape.refuse_unknown_keys();
     return def;
 }
-// [scene.read-shape]
+
 
 BodyDef read_body(FaultList& faults, const toml::table& table, std::size_t index)
 {
@@ -208,7 +208,7 @@ struct Reading
     std::vector<Part> bodies;
 };
 
-// [scene.read]
+
 Reading read_all(FaultList& faults, const toml::table& root)
 {
     Reading reading;
@@ -234,7 +234,7 @@ Reading read_all(FaultList& faults, const toml::table& root)
     top.refuse_unknown_keys();
     return reading;
 }
-// [scene.read]
+
 
 /// A place in a scene, such as `body[3].shape.vertices[2]`, and where it stands in the text.
 struct Located
@@ -287,8 +287,8 @@ Located locate(const toml::table& root, const Scene& scene, const std::string& p
     return located;
 }
 
-// [scene.check]
-// [scene.check.alone]
+
+
 /// Whether a fault of body k is one of what could not be read, or hangs on it.
 bool hangs_on_lost(const FaultList& faults, const Reading& reading, std::size_t k, const std::string& label)
 {
@@ -322,9 +322,9 @@ void check_alone(FaultList& faults, const toml::table& root, const Reading& read
         faults.add(located.at, located.label, std::move(fault.found), std::move(fault.expected));
     }
 }
-// [scene.check.alone]
 
-// [scene.check.whole]
+
+
 /// The world's own faults with the parts that could be read: nothing is reported of numbers that the file doesn't have.
 void check(FaultList& faults, const toml::table& root, const Reading& reading)
 {
@@ -348,12 +348,12 @@ void check(FaultList& faults, const toml::table& root, const Reading& reading)
         if (!reading.bodies[k].is_whole()) check_alone(faults, root, reading, k);
     }
 }
-// [scene.check.whole]
-// [scene.check]
+
+
 
 } // namespace
 
-// [scene.read_text]
+
 Expected<Scene> read_scene_text(std::string_view text, const std::string& filename)
 {
     if (text.size() > k_largest_scene) {
@@ -378,6 +378,6 @@ Expected<Scene> read_scene_text(std::string_view text, const std::string& filena
     if (faults.size() > 0) return faults.in_order();
     return std::move(reading.scene);
 }
-// [scene.read_text]
+
 
 } // namespace flying

@@ -6,7 +6,7 @@
 
 namespace flying {
 
-// [toi.bend]
+
 /// Bound on the second derivative of a gap: of a point of body P over a line that turns
 /// with body Q.  [m/s^2]
 ///
@@ -26,6 +26,6 @@ namespace flying {
     const double turn = spin_p - spin_q;
     return (of_flight + turn * turn * arm) * (1.0 + tolerance::k_bend_margin);
 }
-// [toi.bend]
+
 
 } // namespace flying

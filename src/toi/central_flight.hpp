@@ -9,7 +9,7 @@
 
 namespace flying {
 
-// [toi.central-path]
+
 /// The path of one body as seen from a centre: round it where the body moves, or one place where it is static.
 class CentralPath
 {
@@ -20,12 +20,12 @@ public:
         if (flyer.central) orbit_.emplace(PointMotion{still_.position, flyer.state.velocity}, field.mu);
     }
 
-    // [toi.central-path.at]
+
     /// time  of the world's clock [s]
     [[nodiscard]] PointMotion at(double time) const { return orbit_ ? orbit_->after(time - time_) : still_; }
-    // [toi.central-path.at]
 
-    // [toi.outlook.answer]
+
+
     /// What can be said of the near future without following the path.
     struct Outlook
     {
@@ -33,9 +33,9 @@ public:
         double nearest = 0.0;      ///< bound on the distance from the centre [m]
         double acceleration = 0.0; ///< bound [m/s^2]
     };
-    // [toi.outlook.answer]
 
-    // [toi.outlook]
+
+
     /// From a place on, the body needs a while to come half as near, however it flies; and
     /// nearer than the nearest point of its orbit it never comes. The pull is no greater than
     /// at the farther of the two.
@@ -50,15 +50,15 @@ public:
         const bool always = least >= half || speed == 0.0;
         return {always ? k_never : time + half / speed, nearest, mu_ / (nearest * nearest)};
     }
-    // [toi.outlook]
 
-    // [toi.central-path.rings]
+
+
     /// Distances from the centre between which the whole path lies.  [m]
     [[nodiscard]] double nearest() const { return orbit_ ? orbit_->nearest() : still_.position.norm(); }
     [[nodiscard]] double farthest() const { return orbit_ ? orbit_->farthest() : still_.position.norm(); }
     /// Distance from the centre at the state from which the path is known.  [m]
     [[nodiscard]] double start_distance() const { return still_.position.norm(); }
-    // [toi.central-path.rings]
+
 
 private:
     PointMotion still_; // a static body's; of one that moves, only the place counts, at its own time
@@ -66,9 +66,9 @@ private:
     double mu_;         // [m^3/s^2]
     std::optional<KeplerFlight> orbit_;
 };
-// [toi.central-path]
 
-// [toi.central-pair]
+
+
 /// How body A flies as seen from body B, where at least one of them flies round a centre. Its acceleration isn't
 /// constant: there is a bound on it that holds for a while.
 class CentralPairFlight
@@ -76,7 +76,7 @@ class CentralPairFlight
 public:
     CentralPairFlight(const Flyer& a, const Flyer& b, const CentralField& field) : a_(a, field), b_(b, field) {}
 
-    // [toi.central-pair.seen]
+
     [[nodiscard]] Vec2 offset_at(double time) const
     {
         look(time);
@@ -98,18 +98,18 @@ public:
         look(time);
         return seen_b_.position;
     }
-    // [toi.central-pair.seen]
+
     [[nodiscard]] const CentralPath& a() const { return a_; }
     [[nodiscard]] const CentralPath& b() const { return b_; }
 
-    // [toi.central-pair.bound]
+
     /// The bound on the acceleration that counts from now on.  [m/s^2]
     void set_bound(double bound) { bound_ = bound; }
     [[nodiscard]] double bound() const { return bound_; }
-    // [toi.central-pair.bound]
+
 
 private:
-    // [toi.central-pair.look]
+
     /// Follow both paths to a moment. Offset and rate are asked for one after the other: the
     /// last answer is kept.
     void look(double time) const
@@ -119,7 +119,7 @@ private:
         seen_b_ = b_.at(time);
         seen_time_ = time;
     }
-    // [toi.central-pair.look]
+
 
     CentralPath a_;
     CentralPath b_;
@@ -128,9 +128,9 @@ private:
     mutable PointMotion seen_a_;
     mutable PointMotion seen_b_;
 };
-// [toi.central-pair]
 
-// [toi.central-pair.bounds]
+
+
 [[nodiscard]] inline double acceleration_bound(const CentralPairFlight& relative)
 {
     return relative.bound();
@@ -139,6 +139,6 @@ private:
 {
     return relative.bound();
 }
-// [toi.central-pair.bounds]
+
 
 } // namespace flying

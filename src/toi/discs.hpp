@@ -7,7 +7,7 @@
 
 namespace flying {
 
-// [toi.two-discs]
+
 /// When two discs meet that fly under the same acceleration: the smaller root of a
 /// quadratic, for discs that approach.  [s] from now; infinite where they don't meet
 ///
@@ -33,9 +33,9 @@ namespace flying {
     const double outside = offset.dot(offset) - reach * reach;
     return std::max(outside / (std::sqrt(discriminant) + approach), 0.0);
 }
-// [toi.two-discs]
 
-// [toi.disc-on-wall]
+
+
 /// When a height above a wall, a parabola in time, falls through zero.
 /// [s] from now; infinite where it doesn't
 ///
@@ -44,6 +44,6 @@ namespace flying {
 {
     return falling_root(std::max(height, 0.0), rate, acceleration);
 }
-// [toi.disc-on-wall]
+
 
 } // namespace flying

@@ -8,7 +8,7 @@
 
 namespace flying {
 
-// [toi.gap-tolerance.kinds]
+
 /// What rounding leaves undecided about a pair in flight.
 struct GapTolerance
 {
@@ -16,9 +16,9 @@ struct GapTolerance
     double noise = 0.0;    ///< gap that can't be told from zero: rounding of coordinates and times [m]
     double approach = 0.0; ///< approach slower than this is rounding [m/s]
 };
-// [toi.gap-tolerance.kinds]
 
-// [toi.gap-tolerance]
+
+
 /// smaller, larger  radii of the two bodies; equal where one of them is a half-plane [m]
 /// reach            distance from the world's origin to where they might meet [m]
 /// speed            bound on the speed of any point of either [m/s]
@@ -31,6 +31,6 @@ struct GapTolerance
     const double noise = k_epsilon * (of_places + 2.0 * (speed * std::abs(time)));
     return {k_touch * smaller + noise, 0.25 * noise, k_approach * speed};
 }
-// [toi.gap-tolerance]
+
 
 } // namespace flying

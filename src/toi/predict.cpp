@@ -12,7 +12,7 @@
 namespace flying {
 namespace {
 
-// [toi.window]
+
 /// How far the bodies' points may travel in one window, in radii of the smaller body: long
 /// windows make bounds on the bend loose, short ones are looked at more often.
 constexpr double k_window_travel = 1.0;
@@ -24,9 +24,9 @@ constexpr double k_window_travel = 1.0;
     const double denominator = speed + std::sqrt(speed * speed + 2.0 * acceleration * travel);
     return denominator > 0.0 ? 2.0 * travel / denominator : k_never;
 }
-// [toi.window]
 
-// [toi.search]
+
+
 /// The two bodies of a search, the parts of it that don't change.
 struct Search
 {
@@ -41,26 +41,26 @@ struct Search
     std::span<const Seam> seams_a = {};
     std::span<const Seam> seams_b = {};
 };
-// [toi.search]
 
-// [toi.search.make]
+
+
 [[nodiscard]] Search make_search(const Flyer& a, double radius_a, const Flyer& b, double radius_b, double tip_speed)
 {
     Search search{a, b, relative_flight(a, b, common_start(a, b)), radius_a, radius_b, 0.0, tip_speed, true, {}, {}};
     search.acceleration = search.relative.acceleration.norm();
     return search;
 }
-// [toi.search.make]
 
-// [toi.search.tips]
+
+
 /// Speed of a body's farthest vertex about its centre.  [m/s]
 [[nodiscard]] double tip_speed(const Polygon& polygon, const Flyer& flyer)
 {
     return std::abs(flyer.state.spin) * polygon.radius();
 }
-// [toi.search.tips]
 
-// [toi.next-window]
+
+
 /// The next window of turning features, no longer than to `latest`.
 [[nodiscard]] Window next_window(const Search& search, double time, double latest)
 {
@@ -77,7 +77,7 @@ struct Search
     window.speed = speed;
     if (search.acceleration > 0.0) window.speed += search.acceleration * (window.until - time);
 
-    // [toi.next-window.rounding]
+
     // Take rounding from the coordinates and speeds in this window
     const Vec2 position = flight(search.flyer_a.state, search.flyer_a.acceleration, time).position;
     const bool b_is_wall = search.radius_b == k_never;
@@ -86,17 +86,17 @@ struct Search
     const double reach = std::max(position.norm(), other_reach) + window.speed * (window.until - time);
     const double top_speed = window.speed + search.tip_speed;
     window.tolerance = gap_tolerance(smaller, larger, reach, top_speed, window.until);
-    // [toi.next-window.rounding]
+
     return window;
 }
-// [toi.next-window]
 
-// [toi.answers]
+
+
 [[nodiscard]] Prediction impact(const Strike& strike) { return {Prediction::Kind::impact, strike.time, strike.feature}; }
 [[nodiscard]] Prediction not_before(double time) { return {Prediction::Kind::not_before, time, {}}; }
-// [toi.answers]
 
-// [toi.look]
+
+
 /// Look through one window. Returns an answer, or nothing where the search goes on after it.
 template <typename Look>
 [[nodiscard]] std::optional<Prediction> look_through(const Look& look, const Window& window)
@@ -106,9 +106,9 @@ template <typename Look>
     if (strike.kind == MarchEnd::Kind::tired) return not_before(strike.time);
     return std::nullopt;
 }
-// [toi.look]
 
-// [toi.look.windows]
+
+
 /// Window after window from `from` to `until`.
 template <typename Look>
 [[nodiscard]] std::optional<Prediction> look_from(const Search& search, const Look& look, double from, double until,
@@ -124,9 +124,9 @@ template <typename Look>
     }
     return std::nullopt;
 }
-// [toi.look.windows]
 
-// [toi.straight]
+
+
 /// Two bodies under one acceleration: their circles overlap in one interval, which a quadratic gives.
 template <typename Look>
 [[nodiscard]] Prediction search_straight(const Search& search, const Look& look, double from,
@@ -147,9 +147,9 @@ template <typename Look>
     if (const auto answer = look_from(search, look, std::max(from, enter), start + passage.leave, windows)) return *answer;
     return {};
 }
-// [toi.straight]
 
-// [toi.curved]
+
+
 /// One of the two falls and the other doesn't: safe steps until the circles meet, then windows.
 template <typename Look>
 [[nodiscard]] Prediction search_curved(const Search& search, const Look& look, double from,
@@ -163,7 +163,7 @@ template <typename Look>
         const Vec2 offset = search.relative.offset_at(time);
         const double distance = offset.norm();
         if (distance > radius) {
-            // [toi.curved.wait]
+
             const double rate = offset.dot(search.relative.rate_at(time)) / distance;
             const double clear = time + safe_step(distance - radius * (1.0 - 0.5 * k_close), rate, search.acceleration);
             if (clear == k_never) return {};
@@ -175,7 +175,7 @@ template <typename Look>
             }
             time = clear;
             continue;
-            // [toi.curved.wait]
+
         }
         if (windows-- <= 0) return not_before(time);
         const Window window = next_window(search, time, k_never);
@@ -183,18 +183,18 @@ template <typename Look>
         time = window.until;
     }
 }
-// [toi.curved]
 
-// [toi.search.pair]
+
+
 template <typename Look>
 [[nodiscard]] Prediction search_pair(const Search& search, const Look& look, double from, const PredictOptions& options)
 {
     return search.acceleration == 0.0 ? search_straight(search, look, from, options)
                                       : search_curved(search, look, from, options);
 }
-// [toi.search.pair]
 
-// [toi.search.discs]
+
+
 [[nodiscard]] Prediction search(const Disc& a, const Flyer& flyer_a, const Disc& b, const Flyer& flyer_b, double from,
                                 const PredictOptions& options)
 {
@@ -208,9 +208,9 @@ template <typename Look>
     const auto look = [&](const Window& window) { return first_strike(a, b, pair.relative, window); };
     return search_curved(pair, look, from, options);
 }
-// [toi.search.discs]
 
-// [toi.search.disc-polygon]
+
+
 [[nodiscard]] Prediction search(const Disc& a, const Flyer& flyer_a, const Polygon& b, const Flyer& flyer_b, double from,
                                 const PredictOptions& options)
 {
@@ -220,9 +220,9 @@ template <typename Look>
     const auto look = [&](const Window& window) { return first_strike(a, b, turning_b, pair.relative, window); };
     return search_pair(pair, look, from, options);
 }
-// [toi.search.disc-polygon]
 
-// [toi.search.polygons]
+
+
 [[nodiscard]] Prediction search(const Polygon& a, const Flyer& flyer_a, const Polygon& b, const Flyer& flyer_b,
                                 double from, const PredictOptions& options)
 {
@@ -238,9 +238,9 @@ template <typename Look>
     };
     return search_pair(pair, look, from, options);
 }
-// [toi.search.polygons]
 
-// [toi.wall.disc]
+
+
 [[nodiscard]] Prediction search(const Disc& a, const Flyer& flyer_a, const HalfPlane& b, const Flyer&, double,
                                 const PredictOptions&)
 {
@@ -249,13 +249,13 @@ template <typename Look>
     const double wait = time_to_fall(height, b.normal.dot(state.velocity), b.normal.dot(flyer_a.acceleration));
     return wait == k_never ? Prediction{} : impact({MarchEnd::Kind::strike, state.time + wait, {}});
 }
-// [toi.wall.disc]
 
-// [toi.wall.polygon]
+
+
 [[nodiscard]] Prediction search(const Polygon& a, const Flyer& flyer_a, const HalfPlane& b, const Flyer&, double from,
                                 const PredictOptions& options)
 {
-    // [toi.wall.polygon.motion]
+
     // Along the wall nothing matters: keep the motion along its normal
     const Flyer ground;
     Search pair = make_search(flyer_a, a.radius(), ground, k_never, tip_speed(a, flyer_a));
@@ -266,12 +266,12 @@ template <typename Look>
     const double bend = b.normal.dot(flyer_a.acceleration);
     const double radius = bounding_reach(a.radius());
     const auto look = [&](const Window& window) { return first_strike(a, turning_a, b, pair.relative, window); };
-    // [toi.wall.polygon.motion]
+
 
     int windows = options.windows;
     double time = from;
     for (;;) {
-        // [toi.wall.polygon.wait]
+
         // Wait until the bounding circle comes down to the wall; it may rise and fall once more
         const double height = b.normal.dot(pair.relative.offset_at(time)) - b.offset - radius;
         const double rate = b.normal.dot(pair.relative.rate_at(time));
@@ -286,7 +286,7 @@ template <typename Look>
             const double later = time + fall;
             time = later > time ? later : next_after(time);
         }
-        // [toi.wall.polygon.wait]
+
         if (windows-- <= 0) return not_before(time);
 
         // Within reach, or leaving: windows as short as the body's own motion asks
@@ -296,16 +296,16 @@ template <typename Look>
         time = window.until;
     }
 }
-// [toi.wall.polygon]
 
-// [toi.ordered]
+
+
 template <typename A, typename B>
 concept Ordered = requires(const A& a, const B& b, const Flyer& flyer) { search(a, flyer, b, flyer, 0.0, PredictOptions{}); };
-// [toi.ordered]
+
 
 } // namespace
 
-// [toi.predict]
+
 Prediction predict(const Shape& a, const Flyer& flyer_a, const Shape& b, const Flyer& flyer_b, double from,
                    const PredictOptions& options)
 {
@@ -322,6 +322,6 @@ Prediction predict(const Shape& a, const Flyer& flyer_a, const Shape& b, const F
     };
     return std::visit(visit, a, b);
 }
-// [toi.predict]
+
 
 } // namespace flying

@@ -9,7 +9,7 @@
 
 namespace flying {
 
-// [toi.predict.options]
+
 /// Options of a prediction that cost time and change no bit; and what is known of the two bodies beside their shapes.
 struct PredictOptions
 {
@@ -20,22 +20,22 @@ struct PredictOptions
     std::span<const Seam> seams_a = {}; ///< where A's surface goes on over what lies beside it
     std::span<const Seam> seams_b = {}; ///< the same of B
 };
-// [toi.predict.options]
 
-// [toi.predict.start]
+
+
 /// Moment from which a pair can be predicted: the later of the two states' own.  [s]
 [[nodiscard]] inline double common_start(const Flyer& a, const Flyer& b)
 {
     return a.state.time > b.state.time ? a.state.time : b.state.time;
 }
-// [toi.predict.start]
 
-// [toi.predict.bounding]
+
+
 /// Sum of two bounding radii, with room for the rounding of the times at which it is entered and left.  [m]
 [[nodiscard]] inline double bounding_reach(double reach) { return reach * (1.0 + tolerance::k_bounding_margin); }
-// [toi.predict.bounding]
 
-// [toi.predict.declared]
+
+
 /// When two bodies first touch, approaching.
 ///
 /// a, b             not overlapping at common_start(flyer_a, flyer_b), though they may touch; not both static
@@ -46,6 +46,6 @@ struct PredictOptions
 /// An impact is found when its gap is down to the rounding of the coordinates; touching without approach is no impact.
 [[nodiscard]] Prediction predict(const Shape& a, const Flyer& flyer_a, const Shape& b, const Flyer& flyer_b, double from,
                                  const PredictOptions& options = {});
-// [toi.predict.declared]
+
 
 } // namespace flying

@@ -10,15 +10,15 @@
 namespace flying {
 namespace {
 
-// [toi.central.constants]
+
 /// How far the bodies' points may travel in one window, in radii of the smaller body.
 constexpr double k_window_travel = 1.0;
 
 /// [radii] Circles this close count as met: steps shrink with the gap.
 constexpr double k_close = 1e-6;
-// [toi.central.constants]
 
-// [toi.central.search]
+
+
 /// Two bodies of a search.
 struct CentralSearch
 {
@@ -31,9 +31,9 @@ struct CentralSearch
     double reach = 0.0;         ///< of the coordinates from which the paths are known [m]
     bool skips_far_vertices = true;
 };
-// [toi.central.search]
 
-// [toi.central.sizes]
+
+
 [[nodiscard]] double radius_of(const Disc& disc)
 {
     return disc.radius;
@@ -56,9 +56,9 @@ struct CentralSearch
 {
     return std::abs(flyer.state.spin) * polygon.radius();
 }
-// [toi.central.sizes]
 
-// [toi.central.make]
+
+
 template <typename A, typename B>
 [[nodiscard]] CentralSearch make_search(const A& a, const Flyer& flyer_a, const B& b, const Flyer& flyer_b)
 {
@@ -72,9 +72,9 @@ template <typename A, typename B>
         field.centre.norm() + std::max(search.relative.a().start_distance(), search.relative.b().start_distance());
     return search;
 }
-// [toi.central.make]
 
-// [toi.central-bound]
+
+
 /// Set the bound on the relative acceleration that holds from `time` on.
 /// Returns until when.  [s]
 double look_ahead(CentralSearch& search, double time)
@@ -85,9 +85,9 @@ double look_ahead(CentralSearch& search, double time)
     relative.set_bound(a.acceleration + b.acceleration);
     return std::min(a.until, b.until);
 }
-// [toi.central-bound]
 
-// [toi.central-window]
+
+
 /// The next window of features, no longer than to `latest`, up to which the bound that is set holds.
 [[nodiscard]] Window next_window(const CentralSearch& search, double time, double latest)
 {
@@ -103,28 +103,28 @@ double look_ahead(CentralSearch& search, double time)
     window.until = std::max(std::min(latest, time + length), next_after(time));
     window.speed = speed + bound * (window.until - time);
 
-    // [toi.central-window.rounding]
+
     // Take rounding from the coordinates and speeds in this window
     const double place = std::max(search.relative.place_a(time).norm(), search.relative.place_b(time).norm());
     const double way = window.speed * (window.until - time);
     const double reach = std::max(search.reach, search.centre.norm() + place + way);
     const double larger = std::max(search.radius_a, search.radius_b);
     window.tolerance = gap_tolerance(search.smaller, larger, reach, window.speed + search.tip_speed, window.until);
-    // [toi.central-window.rounding]
+
     return window;
 }
-// [toi.central-window]
 
-// [toi.central-apart]
+
+
 /// How far apart two bounding circles are, and how fast that changes.
 struct Apart
 {
     double gap = 0.0;  ///< [m]
     double rate = 0.0; ///< [m/s]
 };
-// [toi.central-apart]
 
-// [toi.central-rings]
+
+
 /// Two bodies that keep to rings round the centre that don't overlap never meet.
 [[nodiscard]] bool never_meet(const CentralSearch& search)
 {
@@ -134,9 +134,9 @@ struct Apart
     const double rounding = tolerance::k_bounding_margin * search.reach;
     return a.nearest() - b.farthest() > reach + rounding || b.nearest() - a.farthest() > reach + rounding;
 }
-// [toi.central-rings]
 
-// [toi.central-circles]
+
+
 [[nodiscard]] Apart circles_apart(const CentralSearch& search, double time)
 {
     const Vec2 offset = search.relative.offset_at(time);
@@ -144,9 +144,9 @@ struct Apart
     const double reach = (search.radius_a + search.radius_b) * (1.0 + 0.5 * k_close);
     return {distance - reach, offset.dot(search.relative.rate_at(time)) / distance};
 }
-// [toi.central-circles]
 
-// [toi.central-wall]
+
+
 /// A body that stays within a ring round the centre may never come down to a wall.
 [[nodiscard]] bool never_meet(const CentralSearch& search, const HalfPlane& wall)
 {
@@ -160,9 +160,9 @@ struct Apart
     const double height = wall.normal.dot(search.relative.offset_at(time)) - wall.offset;
     return {height - search.radius_a * (1.0 + 0.5 * k_close), wall.normal.dot(search.relative.rate_at(time))};
 }
-// [toi.central-wall]
 
-// [toi.central]
+
+
 /// Safe steps until the bounding circles meet, then windows; each no longer than its bound on the acceleration holds.
 template <typename Gap, typename Look>
 [[nodiscard]] Prediction search_central(CentralSearch& search, const Gap& apart, const Look& look, double from,
@@ -176,15 +176,15 @@ template <typename Gap, typename Look>
         const bool is_far = now.gap > 0.5 * k_close * (search.radius_a + search.radius_b);
         if (windows-- <= 0) return {Prediction::Kind::not_before, time, {}};
         double until = latest;
-        // [toi.central.wait]
+
         if (is_far) {
             const double clear = time + safe_step(now.gap, now.rate, search.relative.bound());
             until = std::max(std::min(latest, clear), next_after(time));
             if (until == k_never) return {};
         }
-        // [toi.central.wait]
 
-        // [toi.central.look]
+
+
         // With the skip off, see for ourselves that nothing happens before the circles meet
         while (time < until && !(is_far && options.skips_far_features)) {
             const Window window = next_window(search, time, until);
@@ -195,13 +195,13 @@ template <typename Gap, typename Look>
             if (strike.kind == MarchEnd::Kind::tired) return {Prediction::Kind::not_before, strike.time, {}};
             break;
         }
-        // [toi.central.look]
+
         if (is_far) time = until;
     }
 }
-// [toi.central]
 
-// [toi.central.disc-on-wall]
+
+
 /// A disc against a wall.
 [[nodiscard]] Strike strike_on_wall(const Disc& disc, const CentralSearch& search, const HalfPlane& wall,
                                     const Window& window)
@@ -215,9 +215,9 @@ template <typename Gap, typename Look>
     const MarchEnd end = march(read(window.from), read, bounds, window.from, window.until);
     return {end.kind, end.time, {}};
 }
-// [toi.central.disc-on-wall]
 
-// [toi.central.pair]
+
+
 template <typename A, typename B>
 [[nodiscard]] Prediction search(const A& a, const Flyer& flyer_a, const B& b, const Flyer& flyer_b, double from,
                                 const PredictOptions& options)
@@ -226,7 +226,7 @@ template <typename A, typename B>
     pair.skips_far_vertices = options.skips_far_vertices;
     const Turning turning_a(flyer_a.state);
     const Turning turning_b(flyer_b.state);
-    // [toi.central.pair.look]
+
     const auto look = [&](const Window& window) {
         constexpr bool a_is_disc = std::is_same_v<A, Disc>;
         if constexpr (std::is_same_v<B, HalfPlane>) {
@@ -240,7 +240,7 @@ template <typename A, typename B>
             return first_strike(a, turning_a, b, turning_b, pair.relative, window);
         }
     };
-    // [toi.central.pair.look]
+
     if constexpr (std::is_same_v<B, HalfPlane>) {
         if (options.skips_apart_rings && never_meet(pair, b)) return {};
         const auto apart = [&](double time) { return circles_apart(pair, b, time); };
@@ -251,17 +251,17 @@ template <typename A, typename B>
         return search_central(pair, apart, look, from, options);
     }
 }
-// [toi.central.pair]
 
-// [toi.central.ordered]
+
+
 /// Pairs as the searches take them: discs first, walls last.
 template <typename A, typename B>
 constexpr bool k_ordered = std::is_same_v<A, Disc> ? true : std::is_same_v<A, Polygon> && !std::is_same_v<B, Disc>;
-// [toi.central.ordered]
+
 
 } // namespace
 
-// [toi.central.predict]
+
 Prediction predict_central(const Shape& a, const Flyer& flyer_a, const Shape& b, const Flyer& flyer_b, double from,
                            const PredictOptions& options)
 {
@@ -274,6 +274,6 @@ Prediction predict_central(const Shape& a, const Flyer& flyer_a, const Shape& b,
     };
     return std::visit(visit, a, b);
 }
-// [toi.central.predict]
+
 
 } // namespace flying

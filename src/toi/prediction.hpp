@@ -8,7 +8,7 @@
 
 namespace flying {
 
-// [toi.flyer]
+
 /// A body in free flight: its state at a moment of its own, and the constant acceleration it is
 /// under, or the centre round which it flies.
 struct Flyer
@@ -17,17 +17,17 @@ struct Flyer
     Vec2 acceleration = Vec2::Zero();      ///< [m/s^2]; zero for a static body and under a centre's pull
     const CentralField* central = nullptr; ///< not owned; null for a static body and where no centre pulls
 };
-// [toi.flyer]
 
-// [toi.flyer.state]
+
+
 /// The flyer at another moment.  time  any [s]
 [[nodiscard]] inline BodyState state_at(const Flyer& flyer, double time)
 {
     return flyer.central ? flight(flyer.state, *flyer.central, time) : flight(flyer.state, flyer.acceleration, time);
 }
-// [toi.flyer.state]
 
-// [toi.prediction]
+
+
 /// What is known of the first impact of a pair.
 struct Prediction
 {
@@ -40,9 +40,9 @@ struct Prediction
     double time = k_never; ///< [s]
     Feature feature;       ///< which features meet, for an impact
 };
-// [toi.prediction]
 
-// [toi.prediction.swapped]
+
+
 /// The same prediction, its features named from the other side.
 [[nodiscard]] inline Prediction swapped(Prediction prediction)
 {
@@ -51,6 +51,6 @@ struct Prediction
     else if (kind == FeatureKind::vertex_of_b) kind = FeatureKind::vertex_of_a;
     return prediction;
 }
-// [toi.prediction.swapped]
+
 
 } // namespace flying

@@ -7,7 +7,7 @@
 
 namespace flying {
 
-// [toi.relative-flight]
+
 /// How one body flies as seen from another that doesn't turn. Differences are taken once, so
 /// that nothing is lost far from the world's origin.
 struct RelativeFlight
@@ -24,18 +24,18 @@ struct RelativeFlight
     }
     [[nodiscard]] Vec2 rate_at(double time) const { return rate + (time - start) * acceleration; }
 };
-// [toi.relative-flight]
 
-// [toi.relative-flight.bounds]
+
+
 /// Bounds on the relative acceleration, and on its part along a normal; both are exact here.  [m/s^2]
 [[nodiscard]] inline double acceleration_bound(const RelativeFlight& relative) { return relative.acceleration.norm(); }
 [[nodiscard]] inline double acceleration_bound(const RelativeFlight& relative, const Vec2& normal)
 {
     return std::abs(normal.dot(relative.acceleration));
 }
-// [toi.relative-flight.bounds]
 
-// [toi.relative-flight.make]
+
+
 /// start  common_start of the two, or any other moment  [s]
 [[nodiscard]] inline RelativeFlight relative_flight(const Flyer& a, const Flyer& b, double start)
 {
@@ -43,9 +43,9 @@ struct RelativeFlight
     const BodyState at_b = flight(b.state, b.acceleration, start);
     return {start, at_a.position - at_b.position, at_a.velocity - at_b.velocity, a.acceleration - b.acceleration};
 }
-// [toi.relative-flight.make]
 
-// [toi.turning]
+
+
 /// How a body turns. One that has no spin has its sines taken once.
 class Turning
 {
@@ -68,6 +68,6 @@ private:
     double time_;
     Rotation still_;
 };
-// [toi.turning]
+
 
 } // namespace flying

@@ -8,7 +8,7 @@
 
 namespace flying {
 
-// [toi.reading]
+
 /// A vertex against an edge at one moment.
 struct EdgeReading
 {
@@ -17,9 +17,9 @@ struct EdgeReading
     double along = 0.0;      ///< from the edge's start to the foot of the vertex [m]
     double along_rate = 0.0; ///< [m/s]
 };
-// [toi.reading]
 
-// [toi.march.bounds]
+
+
 /// What bounds one search.
 struct MarchBounds
 {
@@ -30,26 +30,26 @@ struct MarchBounds
     GapTolerance tolerance;
     double ends = 0.0; ///< rounding of `along` [m]
 };
-// [toi.march.bounds]
 
-// [toi.over]
+
+
 /// The vertex is between the edge's ends, or past one by no more than the slack.  [m]
 [[nodiscard]] inline bool is_over(const EdgeReading& now, const MarchBounds& bounds, double slack)
 {
     return now.along >= -slack && now.along <= bounds.length + slack;
 }
-// [toi.over]
 
-// [toi.lowest]
+
+
 /// Depth to which the vertex counts as touching. Past an end, what lies deeper than the
 /// tolerance has gone past the corner, outside or over the next edge.
 [[nodiscard]] inline double lowest_touch(const EdgeReading& now, const MarchBounds& bounds)
 {
     return is_over(now, bounds, bounds.ends) ? bounds.depth : bounds.tolerance.touch;
 }
-// [toi.lowest]
 
-// [toi.touches]
+
+
 /// The vertex touches the edge.
 [[nodiscard]] inline bool touches(const EdgeReading& now, const MarchBounds& bounds)
 {
@@ -57,9 +57,9 @@ struct MarchBounds
     if (now.gap > slack || !is_over(now, bounds, slack)) return false;
     return now.gap >= -slack || now.gap >= -lowest_touch(now, bounds);
 }
-// [toi.touches]
 
-// [toi.strikes]
+
+
 /// The vertex touches the edge and approaches: faster than rounding, or at all where it
 /// lies so deep that to wait would let it sink.
 [[nodiscard]] inline bool strikes(const EdgeReading& now, const MarchBounds& bounds)
@@ -68,9 +68,9 @@ struct MarchBounds
     const double slowest = is_deep ? 0.0 : -bounds.tolerance.approach;
     return touches(now, bounds) && now.gap_rate < slowest;
 }
-// [toi.strikes]
 
-// [toi.certain-step]
+
+
 /// A step over which the vertex can't come to touch the edge. Each thing that keeps them apart
 /// (height, or standing past one of the ends) holds for a while of its own, and the longest
 /// counts. At least a small step is made where they touch without approach: one over which the
@@ -79,7 +79,7 @@ struct MarchBounds
 {
     const double slack = bounds.tolerance.touch;
     double step = 0.0;
-    // [toi.certain-step.height]
+
     if (now.gap > 0.0) {
         step = safe_step(now.gap, now.gap_rate, bounds.bend);
     } else {
@@ -87,7 +87,7 @@ struct MarchBounds
         if (below > 0.0) step = safe_step(below, -now.gap_rate, bounds.bend);
         else if (now.gap_rate > 0.0) step = safe_step(0.0, now.gap_rate, bounds.bend);
     }
-    // [toi.certain-step.height]
+
 
     // [toi.certain-step.ends]
     const double before = -slack - now.along;
@@ -107,9 +107,9 @@ struct MarchBounds
     // [toi.certain-step.graze]
     return step;
 }
-// [toi.certain-step]
 
-// [toi.fell-through]
+
+
 /// The vertex was above the edge and now lies too deep to touch it. A certain step doesn't lead
 /// there, so only rounding can, where it is coarser than the tolerance: near a centre that a
 /// body has passed closely.
@@ -120,9 +120,9 @@ struct MarchBounds
     const double slack = bounds.tolerance.touch;
     return is_over(before, bounds, slack) && is_over(now, bounds, slack);
 }
-// [toi.fell-through]
 
-// [toi.march.end]
+
+
 /// Where a march ended.
 struct MarchEnd
 {
@@ -130,9 +130,9 @@ struct MarchEnd
     Kind kind = Kind::none;
     double time = k_never; ///< of the strike, or up to which a tired march has seen nothing [s]
 };
-// [toi.march.end]
 
-// [toi.march]
+
+
 /// First strike of a vertex on an edge in [from, until).
 ///
 /// first       the reading at `from`, taken already
@@ -181,6 +181,6 @@ template <typename Read>
 {
     return march(first, read, bounds, from, until, [](double) { return true; });
 }
-// [toi.march]
+
 
 } // namespace flying

@@ -9,14 +9,14 @@
 namespace flying {
 namespace {
 
-// [toi.depth]
+
 /// [touch tolerances] How far below an edge a vertex may lie and still be on it: tolerances
 /// differ from window to window, and what one of them let in must not be behind the edge for
 /// the next.
 constexpr double k_depth = 8.0;
-// [toi.depth]
 
-// [toi.strike]
+
+
 /// Keep the earlier of two ends; of two at one time, the first feature stays.
 void keep_earlier(Strike& strike, const MarchEnd& end, const Feature& feature)
 {
@@ -25,9 +25,9 @@ void keep_earlier(Strike& strike, const MarchEnd& end, const Feature& feature)
 
 /// Nothing later than this is of interest any more.
 [[nodiscard]] double horizon(const Strike& strike, const Window& window) { return std::min(strike.time, window.until); }
-// [toi.strike]
 
-// [toi.seen]
+
+
 /// A point as seen from a turning body: where it is in that body's frame, and how fast it
 /// moves there.
 struct Seen
@@ -35,9 +35,9 @@ struct Seen
     Vec2 point = Vec2::Zero();
     Vec2 rate = Vec2::Zero();
 };
-// [toi.seen]
 
-// [toi.seen-from]
+
+
 /// offset, rate  of the point relative to the body's position, in the world's frame
 /// spin          of the body [rad/s]
 [[nodiscard]] Seen seen_from(const Rotation& world_from_body, double spin,
@@ -48,9 +48,9 @@ struct Seen
     const Vec2 rate_seen = body_from_world * rate - cross(spin, point);
     return {point, rate_seen};
 }
-// [toi.seen-from]
 
-// [toi.read-edge]
+
+
 [[nodiscard]] EdgeReading read_edge(const Seen& seen, const Edge& edge,
                                     const Vec2& edge_start)
 {
@@ -58,9 +58,9 @@ struct Seen
     return {edge.normal.dot(from_start), edge.normal.dot(seen.rate),
             edge.tangent.dot(from_start), edge.tangent.dot(seen.rate)};
 }
-// [toi.read-edge]
 
-// [toi.side]
+
+
 /// One polygon whose vertices are looked at, or whose edges are.
 struct Side
 {
@@ -69,9 +69,9 @@ struct Side
     Rotation at_start; ///< of the window
     std::span<const Seam> seams;
 };
-// [toi.side]
 
-// [toi.seams]
+
+
 /// Part of an edge that can be struck: beyond its ends there may be a crack that is none, and a neighbour may hide an end.
 struct OpenPart
 {
@@ -107,9 +107,9 @@ struct OpenPart
         return seam.corner == vertex && !is_of_surface(polygon, seam, normal);
     });
 }
-// [toi.seams]
 
-// [toi.in-front]
+
+
 /// How long a point stays in front of the edge that it is farthest in front of.  [s]
 [[nodiscard]] double time_in_front(const Seen& seen, const Polygon& polygon,
                                    const MarchBounds& bounds)
@@ -126,9 +126,9 @@ struct OpenPart
     if (!facing) return 0.0;
     return safe_step(greatest - bounds.tolerance.touch, facing->normal.dot(seen.rate), bounds.bend);
 }
-// [toi.in-front]
 
-// [toi.vertices-on-edges]
+
+
 /// Vertices of P on edges of Q. `sign` is +1 where the relative flight leads from Q to P, -1
 /// where it leads back.
 template <typename Relative>
@@ -143,13 +143,13 @@ void scan_vertices(const Side& p, const Side& q, const Relative& relative, doubl
     const double length = window.until - window.from;
     const double distance = offset.norm() + window.speed * length;
 
-    // [toi.vertices-on-edges.reach]
+
     // No vertex comes nearer to Q in this window than by so much
     const double travel = (window.speed + std::abs(spin_p) * p.shape.radius()) * length;
     const double circle =
         q.shape.radius() * (1.0 + tolerance::k_bounding_margin) + window.tolerance.touch;
     const double near = (circle + travel) * (1.0 + tolerance::k_bounding_margin);
-    // [toi.vertices-on-edges.reach]
+
 
     for (int k = 0; k < static_cast<int>(p.shape.vertices().size()); ++k) {
         if (p.shape.is_reflex(k) || is_no_corner(k, p.seams)) continue;
@@ -160,7 +160,7 @@ void scan_vertices(const Side& p, const Side& q, const Relative& relative, doubl
         const double arm = vertex.norm();
         const Vec2 point_rate = rate + cross(spin_p, r);
 
-        // [toi.vertices-on-edges.circle]
+
         // Leave a vertex alone that stays out of the circle about Q
         const double bend_of_distance = acceleration + spin_p * spin_p * arm;
         const double reach = point.norm();
@@ -169,9 +169,9 @@ void scan_vertices(const Side& p, const Side& q, const Relative& relative, doubl
             const double clear = safe_step(outside, point.dot(point_rate) / reach, bend_of_distance);
             if (window.from + clear >= horizon(strike, window)) continue;
         }
-        // [toi.vertices-on-edges.circle]
 
-        // [toi.vertices-on-edges.front]
+
+
         // Nor one that stays in front of an edge of a convex Q, which lies behind all of its edges
         const Seen seen = seen_from(q.at_start, spin_q, point, point_rate);
         MarchBounds bounds;
@@ -182,9 +182,9 @@ void scan_vertices(const Side& p, const Side& q, const Relative& relative, doubl
         if (window.skips_far_vertices && q.shape.is_convex() &&
             time_in_front(seen, q.shape, bounds) >= horizon(strike, window) - window.from)
             continue;
-        // [toi.vertices-on-edges.front]
 
-        // [toi.vertices-on-edges.march]
+
+
         // March on every edge that the first look doesn't rule out
         for (const Edge& edge : q.shape.edges()) {
             const OpenPart part = open_part(edge, q.seams);
@@ -193,14 +193,14 @@ void scan_vertices(const Side& p, const Side& q, const Relative& relative, doubl
             const EdgeReading first = read_edge(seen, edge, edge_start);
             if (!strikes(first, bounds) && window.from + certain_step(first, bounds) >= horizon(strike, window)) continue;
 
-            // [toi.vertices-on-edges.read]
+
             const auto read = [&](double time) {
                 const Vec2 r_then = p.turning.at(time) * vertex;
                 const Vec2 point_then = sign * relative.offset_at(time) + r_then;
                 const Vec2 rate_then = sign * relative.rate_at(time) + cross(spin_p, r_then);
                 return read_edge(seen_from(q.turning.at(time), spin_q, point_then, rate_then), edge, edge_start);
             };
-            // [toi.vertices-on-edges.read]
+
             const auto counts = [&](double time) {
                 const Vec2 normal = inverse(p.turning.at(time)) * Vec2(q.turning.at(time) * edge.normal);
                 return is_open(p.shape, k, p.seams, -normal);
@@ -208,12 +208,12 @@ void scan_vertices(const Side& p, const Side& q, const Relative& relative, doubl
             keep_earlier(strike, march(first, read, bounds, window.from, horizon(strike, window), counts),
                          {kind, k, edge.from});
         }
-        // [toi.vertices-on-edges.march]
+
     }
 }
-// [toi.vertices-on-edges]
 
-// [toi.distance]
+
+
 /// March of the distance between a point and a centre, less a radius. Distance bends
 /// upwards by itself, so that the acceleration alone bounds how fast it can fall.
 template <typename Offset, typename Counts>
@@ -231,11 +231,11 @@ template <typename Offset, typename Counts>
     };
     return march(read(window.from), read, bounds, window.from, until, counts);
 }
-// [toi.distance]
+
 
 } // namespace
 
-// [toi.polygons]
+
 template <typename Relative>
 Strike first_strike(const Polygon& a, const Turning& turning_a, const Polygon& b, const Turning& turning_b,
                     const Relative& relative, const Window& window)
@@ -247,9 +247,9 @@ Strike first_strike(const Polygon& a, const Turning& turning_a, const Polygon& b
     scan_vertices(side_b, side_a, relative, -1.0, FeatureKind::vertex_of_b, window, strike);
     return strike;
 }
-// [toi.polygons]
 
-// [toi.disc-on-polygon]
+
+
 template <typename Relative>
 Strike first_strike(const Disc& a, const Polygon& b, const Turning& turning_b, const Relative& relative,
                     const Window& window)
@@ -267,7 +267,7 @@ Strike first_strike(const Disc& a, const Polygon& b, const Turning& turning_b, c
     const Seen seen = seen_from(turning_b.at(window.from), spin, relative.offset_at(window.from),
                                 relative.rate_at(window.from));
     for (const Edge& edge : b.edges()) {
-        // [toi.disc-on-polygon.edge]
+
         // The disc's centre against the edge, moved out by the radius
         const OpenPart part = open_part(edge, window.seams_b);
         bounds.length = part.length;
@@ -279,9 +279,9 @@ Strike first_strike(const Disc& a, const Polygon& b, const Turning& turning_b, c
         const EdgeReading first = read_edge(seen, edge, moved_start);
         keep_earlier(strike, march(first, read, bounds, window.from, horizon(strike, window)),
                      {FeatureKind::vertex_of_a, -1, edge.from});
-        // [toi.disc-on-polygon.edge]
 
-        // [toi.disc-on-polygon.corner]
+
+
         // And against the corner at its start
         if (b.is_reflex(edge.from) || is_no_corner(edge.from, window.seams_b)) continue;
         const Vec2& corner = b.vertices()[edge.from];
@@ -299,13 +299,13 @@ Strike first_strike(const Disc& a, const Polygon& b, const Turning& turning_b, c
         keep_earlier(strike,
                      march_distance(from_corner, a.radius, corner_acceleration, window, horizon(strike, window), counts),
                      {FeatureKind::vertex_of_b, edge.from, -1});
-        // [toi.disc-on-polygon.corner]
+
     }
     return strike;
 }
-// [toi.disc-on-polygon]
 
-// [toi.discs-falling]
+
+
 template <typename Relative>
 Strike first_strike(const Disc& a, const Disc& b, const Relative& relative, const Window& window)
 {
@@ -318,9 +318,9 @@ Strike first_strike(const Disc& a, const Disc& b, const Relative& relative, cons
                  {});
     return strike;
 }
-// [toi.discs-falling]
 
-// [toi.polygon-on-wall]
+
+
 template <typename Relative>
 Strike first_strike(const Polygon& a, const Turning& turning_a, const HalfPlane& wall, const Relative& relative,
                     const Window& window)
@@ -330,7 +330,7 @@ Strike first_strike(const Polygon& a, const Turning& turning_a, const HalfPlane&
     const double fall = acceleration_bound(relative, wall.normal);
     for (int k = 0; k < static_cast<int>(a.vertices().size()); ++k) {
         if (a.is_reflex(k)) continue;
-        // [toi.polygon-on-wall.vertex]
+
         const Vec2& vertex = a.vertices()[k];
         const double bend = (fall + spin * spin * vertex.norm()) * (1.0 + tolerance::k_bend_margin);
         const MarchBounds bounds{bend, k_never, k_never, window.tolerance};
@@ -341,27 +341,27 @@ Strike first_strike(const Polygon& a, const Turning& turning_a, const HalfPlane&
             const Vec2 rate = relative.rate_at(time) + cross(spin, r);
             return EdgeReading{height, wall.normal.dot(rate), 0.0, 0.0};
         };
-        // [toi.polygon-on-wall.vertex]
+
         keep_earlier(strike, march(read(window.from), read, bounds, window.from, horizon(strike, window)), {FeatureKind::vertex_of_a, k, -1});
     }
     return strike;
 }
-// [toi.polygon-on-wall]
 
-// [toi.uniform-searches]
+
+
 template Strike first_strike(const Polygon&, const Turning&, const Polygon&, const Turning&, const RelativeFlight&,
                              const Window&);
 template Strike first_strike(const Disc&, const Polygon&, const Turning&, const RelativeFlight&, const Window&);
 template Strike first_strike(const Disc&, const Disc&, const RelativeFlight&, const Window&);
 template Strike first_strike(const Polygon&, const Turning&, const HalfPlane&, const RelativeFlight&, const Window&);
-// [toi.uniform-searches]
 
-// [toi.central-searches]
+
+
 template Strike first_strike(const Polygon&, const Turning&, const Polygon&, const Turning&, const CentralPairFlight&,
                              const Window&);
 template Strike first_strike(const Disc&, const Polygon&, const Turning&, const CentralPairFlight&, const Window&);
 template Strike first_strike(const Disc&, const Disc&, const CentralPairFlight&, const Window&);
 template Strike first_strike(const Polygon&, const Turning&, const HalfPlane&, const CentralPairFlight&, const Window&);
-// [toi.central-searches]
+
 
 } // namespace flying

@@ -11,7 +11,7 @@
 
 namespace flying {
 
-// [toi.features.window]
+
 /// A stretch of time in which the features of one pair are looked at, and what bounds their
 /// motion in it.
 struct Window
@@ -24,9 +24,9 @@ struct Window
     std::span<const Seam> seams_a = {}; ///< of A's surface with what lies beside it
     std::span<const Seam> seams_b = {}; ///< the same of B
 };
-// [toi.features.window]
 
-// [toi.features.strike]
+
+
 /// First strike of a pair within a window; `tired` where a march gave up at `time`.
 struct Strike
 {
@@ -34,9 +34,9 @@ struct Strike
     double time = k_never;
     Feature feature;
 };
-// [toi.features.strike]
 
-// [toi.features.declared]
+
+
 /// relative  flight of A as seen from B; turning_a, turning_b  how they turn
 /// The features of the answer are named from A's and B's side as they are given here.
 /// Relative: RelativeFlight, or CentralPairFlight whose bound holds throughout the window
@@ -57,6 +57,6 @@ template <typename Relative>
 template <typename Relative>
 [[nodiscard]] Strike first_strike(const Polygon& a, const Turning& turning_a, const HalfPlane& wall,
                                   const Relative& relative, const Window& window);
-// [toi.features.declared]
+
 
 } // namespace flying

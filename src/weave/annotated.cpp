@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <regex>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -95,17 +96,28 @@ private:
             std::string_view comment = text.substr(is_doc(text) ? 3 : 2);
             if (comment.substr(0, 1) == " ") comment.remove_prefix(1);
             const std::string title = part_title(comment);
-            if (!title.empty()) out_ += fmt::format("<h2>{}</h2>", escape_html(title));
-            else prose_.emplace_back(comment);
             anchors_ += anchor(line);
+            if (title.empty()) prose_.emplace_back(comment);
+            else out_ += fmt::format("{}<h2>{}</h2>", std::exchange(anchors_, {}), escape_html(title));
             return;
         }
         for (const ToldPiece& piece : told_)
             if (!is_noted(piece) && piece.first <= line && line <= piece.last) noted_.push_back(&piece);
-        if (text.empty() && !has_code_) return;
+        // A blank line is shown between others, and is a place to link to anywhere
+        if (text.empty() && !has_code_) {
+            anchors_ += anchor(line);
+            return;
+        }
         const auto own = html_.find(line);
-        code_ += fmt::format("<div class=\"line\" id=\"l{:05}\" data-n=\"{}\">{}</div>\n", line, line,
-                             with_whole_words(own != html_.end() ? own->second : escape_html(words)));
+        std::string& to = text.empty() ? blank_ : code_;
+        if (text.empty()) {
+            blank_anchors_ += anchor(line);
+        } else {
+            code_ += std::exchange(blank_, {});
+            blank_anchors_.clear();
+        }
+        to += fmt::format("<div class=\"line\" id=\"l{:05}\" data-n=\"{}\">{}</div>\n", line, line,
+                          with_whole_words(own != html_.end() ? own->second : escape_html(words)));
         has_code_ = true;
     }
 
@@ -121,14 +133,13 @@ private:
         for (std::size_t k = linked_; k < noted_.size(); ++k)
             prose += fmt::format("<p class=\"told\">Told in {}</p>", noted_[k]->link);
         linked_ = noted_.size();
-        while (code_.size() > 8 && code_.rfind("\"></div>\n") == code_.size() - 9) // blank lines at the end
-            code_.resize(code_.rfind("<div class=\"line\""));
         if (!prose.empty() || !code_.empty())
             out_ += fmt::format("<div class=\"piece\"><div class=\"prose\">{}</div>{}</div>\n", prose,
                                 code_.empty() ? "" : "<div class=\"fragment\">" + code_ + "</div>");
         prose_.clear();
         code_.clear();
-        anchors_.clear();
+        anchors_ = std::exchange(blank_anchors_, {});
+        blank_.clear();
         has_code_ = false;
     }
 
@@ -138,7 +149,9 @@ private:
     const std::vector<ToldPiece>& told_;
     std::string out_;
     std::string code_;
-    std::string anchors_; // of the lines that became prose
+    std::string blank_;         // lines that are shown if code follows
+    std::string blank_anchors_; // and their places, if none does
+    std::string anchors_;       // of the lines that became prose
     std::vector<std::string> prose_;
     std::vector<const ToldPiece*> noted_;
     std::size_t linked_ = 0; // of them

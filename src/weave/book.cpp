@@ -29,6 +29,7 @@ ChapterEntry read_chapter(const toml::table& table, Problems& problems)
     entry.title = table["title"].value_or(std::string());
     entry.part = table["part"].value_or(std::string());
     entry.question = table["question"].value_or(std::string());
+    entry.told = table["told"].value_or(entry.told);
     entry.written = table["written"].value_or(false);
     if (const toml::array* files = table["files"].as_array())
         for (const toml::node& file : *files) entry.files.push_back(file.value_or(std::string()));
@@ -95,18 +96,9 @@ Book read_book(const std::filesystem::path& source, Problems& problems)
             if (const toml::table* chapter = node.as_table()) book.chapters.push_back(read_chapter(*chapter, problems));
     if (const toml::table* modules = table["modules"].as_table())
         for (const auto& [name, says] : *modules) book.modules[std::string(name.str())] = says.value_or(std::string());
-    if (const toml::array* waivers = table["waiver"].as_array())
-        for (const toml::node& node : *waivers)
-            if (const toml::table* waiver = node.as_table())
-                book.waivers.push_back({(*waiver)["region"].value_or(std::string()),
-                                        (*waiver)["reason"].value_or(std::string()), line_of(node)});
     std::sort(book.chapters.begin(), book.chapters.end(),
               [](const ChapterEntry& a, const ChapterEntry& b) { return a.number < b.number; });
 
-    for (const Waiver& waiver : book.waivers)
-        if (waiver.reason.size() < 10)
-            problems.add({k_book, waiver.line}, fmt::format("waiver of `{}` without a reason", waiver.region),
-                         "`reason = \"...\"`, a sentence for the reader");
     for (const ChapterEntry& entry : book.chapters)
         for (const int need : entry.needs)
             if (need >= entry.number || book.chapter(need) == nullptr)

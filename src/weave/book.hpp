@@ -26,6 +26,7 @@ struct ChapterEntry
     std::string question;           ///< the one it answers; shown in the contents and on the map
     std::vector<std::string> files; ///< engine files that belong to it, from the project's folder
     std::vector<int> needs;         ///< numbers of the chapters it builds on directly
+    double told = 0.2;              ///< share of the lines of its files that its story has to tell
     int hours = 0;                  ///< that it takes, with its exercises
     std::vector<std::string> goals; ///< what a reader can do afterwards: verb first, no full stop
     std::vector<Run> runs;          ///< its programs with options
@@ -38,21 +39,12 @@ struct ChapterEntry
     [[nodiscard]] std::string folder() const { return "chapters/" + name; }
 };
 
-/// A region of the engine that no chapter shows, and why.
-struct Waiver
-{
-    std::string region;
-    std::string reason;
-    int line = 0; ///< in book.toml
-};
-
 /// The table of contents.
 struct Book
 {
     std::string title;
-    std::string version;                ///< of the project, as CMakeLists.txt has it; empty where it has none
-    std::vector<ChapterEntry> chapters; ///< in the order of their numbers
-    std::vector<Waiver> waivers;
+    std::string version;                        ///< of the project, as CMakeLists.txt has it; empty where it has none
+    std::vector<ChapterEntry> chapters;         ///< in the order of their numbers
     std::map<std::string, std::string> modules; ///< what each module of src does, in a line
 
     /// The chapter of that number, or null.

@@ -147,6 +147,11 @@ Listing listing_of(const Block& block)
     return listing;
 }
 
+std::string figure_key(const Block& block)
+{
+    return (block.kind == BlockKind::live ? "live-" : "") + block.name;
+}
+
 std::string directive_word(BlockKind kind)
 {
     for (const auto& [known, name] : k_directives)

@@ -64,6 +64,10 @@ struct Listing
 };
 [[nodiscard]] Listing listing_of(const Block& block);
 
+/// What a figure's anchor and number go by: a live one may have the name of a
+/// drawn one.
+[[nodiscard]] std::string figure_key(const Block& block);
+
 /// The word that starts a directive's line, without its colons.
 [[nodiscard]] std::string directive_word(BlockKind kind);
 

@@ -74,6 +74,7 @@ std::map<std::string, std::vector<Declaration>> read_declarations(const fs::path
         if (one.scope.size() > 1 && one.scope.substr(one.scope.size() - 2) == "::")
             one.scope.resize(one.scope.size() - 2);
         one.name = (one.scope.empty() ? "" : one.scope + "::") + entry.value("name", "");
+        one.name = replace_all(one.name, " ", "");
         one.own = entry.value("line", 0);
         one.last = entry.value("end", one.own);
         const auto& text = lines[path];

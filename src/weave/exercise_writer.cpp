@@ -24,7 +24,7 @@ std::string TextWriter::exercise(const Chapter& chapter, const Block& block)
     for (const Exercise& exercise : chapter.exercises) {
         if (exercise.name != block.name) continue;
         std::string out = block_token(
-            fragments_.add_html(fmt::format("<section class=\"exercise\" id=\"exercise-{}\"><h4>Exercise {}</h4>",
+            fragments_.add_html(fmt::format("<section class=\"exercise\" id=\"exercise-{}\"><h3>Exercise {}</h3>",
                                             exercise.name, escape_html(exercise_title(chapter, exercise)))));
         out += blocks(chapter, exercise.text);
         if (exercise.in_code)
@@ -54,7 +54,7 @@ std::string TextWriter::answers(const Chapter& chapter)
 {
     std::string out = heading(2, fmt::format("Chapter {}: {}", chapter.entry.number, chapter.entry.title));
     for (const Exercise& exercise : chapter.exercises) {
-        out += block_token(fragments_.add_html(fmt::format("<section class=\"exercise\" id=\"{}\"><h4>{}</h4>",
+        out += block_token(fragments_.add_html(fmt::format("<section class=\"exercise\" id=\"{}\"><h3>{}</h3>",
                                                            answer_anchor(chapter, exercise),
                                                            escape_html(exercise_title(chapter, exercise)))));
         if (exercise.in_code) {

@@ -210,20 +210,21 @@ std::map<std::string, std::string> chapter_notes(const Material& material)
     std::map<std::string, std::string> notes;
     for (const Chapter& chapter : material.chapters) {
         std::map<std::string, std::vector<std::string>> listings;
-        const auto collect = [&](const ChapterText& text, const std::string& page) {
-            for (const Block& block : text.blocks) {
-                const int index = block.kind == BlockKind::listing ? material.sources.find(block.name) : -1;
-                if (index < 0 || block.options == "again") continue;
-                listings[material.sources.regions[index].file].push_back(fmt::format(
-                    "<a href=\"../{}.html#listing-{}\">{}</a>", page, slug(block.name), escape_html(block.name)));
-            }
-        };
-        collect(chapter.text, chapter.entry.page());
-        if (chapter.rest) collect(*chapter.rest, chapter.entry.page() + "_rest");
+        for (const Block& block : chapter.text.blocks) {
+            if (block.kind != BlockKind::listing) continue;
+            const Listing listing = listing_of(block);
+            const int index = material.sources.find(listing.names.front());
+            if (index < 0 || listing.is_again) continue;
+            const std::string& name = listing.names.front();
+            listings[material.sources.regions[index].file].push_back(
+                fmt::format("<a href=\"../{}.html#listing-{}\">{}</a>", chapter.entry.page(), slug(name),
+                            escape_html(name.substr(name.find(':') + 1))));
+        }
         for (const std::string& file : chapter.entry.files)
-            notes[file] =
-                fmt::format("<p class=\"told\">Told in <a href=\"../{}.html\">chapter {}</a>: {}</p>",
-                            chapter.entry.page(), escape_html(page_title(chapter.entry)), join(listings[file], ", "));
+            if (listings.count(file) > 0)
+                notes[file] = fmt::format("<p class=\"told\">Told in <a href=\"../{}.html\">chapter {}</a>: {}</p>",
+                                          chapter.entry.page(), escape_html(page_title(chapter.entry)),
+                                          join(listings[file], ", "));
     }
     return notes;
 }

@@ -61,7 +61,7 @@ std::string book_list(const Material& material, const Page& page, const std::str
     out += "</ol><p>Reference</p><ol>";
     const std::pair<const char*, const char*> others[] = {
         {"playground", "Playground"}, {"equations", "Equations and receipts"},
-        {"symbols", "Symbols"},       {"left_out", "What is told, and what is not"},
+        {"symbols", "Symbols"},       {"told", "What is told, and what is not"},
         {"sources", "The sources"},   {"manual/index", "Manual of the code"}};
     for (const auto& [name, title] : others) out += entry(page, name, "", title, root);
     return out + "</ol>";

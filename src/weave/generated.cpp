@@ -224,28 +224,30 @@ std::string symbol_table(const Material& material, TextWriter& writer)
     return out;
 }
 
-// ---- What is left out -----------------------------------------------------------------------------------------------
+// ---- What is told ---------------------------------------------------------------------------------------------------
 
-std::string left_out(const Material& material, const Counts& counts, TextWriter& writer)
+std::string told(const Material& material, const Counts& counts)
 {
-    const Coverage& coverage = counts.coverage;
+    const Share sum = counts.coverage.sum();
     int definitions = 0;
     for (const auto& [id, numbered] : material.numbered) definitions += numbered.kind == BlockKind::definition ? 1 : 0;
     int planned = 0;
     for (const ChapterEntry& entry : material.book.chapters) planned += entry.written ? 0 : 1;
 
-    std::string out = fmt::format("The chapters that are written show {} of the {} lines of their engine files; {} are "
-                                  "waived, for the reasons below.\n\n"
-                                  "{} formulas only define. {} numbers of the text are given, not computed. {} "
-                                  "chapters are planned and not "
-                                  "written yet; what they will hold is not held against the book.\n\n",
-                                  coverage.shown, coverage.lines, coverage.waived, definitions, counts.given, planned);
-    out += writer.heading(2, "Waivers");
-    if (material.book.waivers.empty()) return out + "None.\n";
-    for (const Waiver& waiver : material.book.waivers)
-        out += writer.inline_text({{waiver.line, fmt::format("- `{}`: {}", waiver.region, waiver.reason)}},
-                                  "chapters/book.toml");
-    return out;
+    std::string out = fmt::format("The stories tell {} of the {} lines of the engine that belong to written chapters. "
+                                  "Each file is there whole, on [a page of its own](sources.html).\n\n"
+                                  "| Chapter | Lines of its files | Told | Share | At least |\n"
+                                  "|:--|--:|--:|--:|--:|\n",
+                                  sum.told, sum.lines);
+    for (const Share& share : counts.coverage.shares) {
+        const ChapterEntry* entry = material.book.chapter(share.chapter);
+        if (share.lines == 0 || entry == nullptr) continue;
+        out += fmt::format("| [{}]({}.html) | {} | {} | {:.0f} % | {:.0f} % |\n", page_title(*entry), entry->page(),
+                           share.lines, share.told, 100.0 * share.part(), 100.0 * entry->told);
+    }
+    return out + fmt::format("\n{} formulas only define. {} numbers of the text are given, not computed. {} "
+                             "chapters are planned and not written yet.\n",
+                             definitions, counts.given, planned);
 }
 
 } // namespace
@@ -290,7 +292,7 @@ void add_generated_pages(const Material& material, const Counts& counts, TextWri
             fragments.add_html(playground_figure())));
     add("equations", "Equations and their receipts", fragments.add_html(equation_index(material, fragments)) + "\n");
     add("symbols", "Symbols", symbol_table(material, writer));
-    add("left_out", "What is told, and what is not", left_out(material, counts, writer));
+    add("told", "What is told, and what is not", told(material, counts));
 }
 
 } // namespace flying::weave

@@ -73,7 +73,7 @@ public:
                                     block.kind == BlockKind::derivation;
             if (is_formula) add(block, page);
             if (block.kind == BlockKind::figure || block.kind == BlockKind::live)
-                material_.figures.emplace(chapter_.entry.name + "/" + block.name,
+                material_.figures.emplace(chapter_.entry.name + "/" + figure_key(block),
                                           fmt::format("{}.{}", chapter_.entry.number, ++figures_));
             if (block.kind != BlockKind::exercise) continue;
             for (const Exercise& exercise : chapter_.exercises) {
@@ -134,7 +134,6 @@ Material read_material(const Folders& folders, Problems& problems)
             continue;
         }
         chapter.text = std::move(*text);
-        chapter.rest = read_text(folders.project, entry.folder() + "/rest.md", problems);
         chapter.exercises = read_exercises(folders.project, entry, problems);
         material.chapters.push_back(std::move(chapter));
 
@@ -150,7 +149,6 @@ Material read_material(const Folders& folders, Problems& problems)
     for (const Chapter& chapter : material.chapters) {
         Numbering numbering(chapter, material, problems);
         numbering.add(chapter.text, chapter.entry.page());
-        if (chapter.rest) numbering.add(*chapter.rest, chapter.entry.page() + "_rest");
     }
     return material;
 }

@@ -37,7 +37,6 @@ struct Chapter
 {
     ChapterEntry entry;
     ChapterText text;
-    std::optional<ChapterText> rest; ///< rest.md: the lines of its files that the story leaves out
     std::vector<Exercise> exercises; ///< in the order of their names
 };
 

@@ -164,16 +164,6 @@ Pages make_pages(const Material& material, const Counts& counts, Problems& probl
         page.markdown = writer.blocks(chapter, without_symbols(chapter.text, symbols));
         page.markdown += writer.heading(2, "Symbols") + writer.inline_text(symbols.lines, chapter.text.path);
         page.sections = writer.take_sections();
-        if (chapter.rest) {
-            Page rest;
-            rest.name = page.name + "_rest";
-            rest.title = fmt::format("The rest of the code of chapter {}", chapter.entry.number);
-            rest.markdown = writer.blocks(chapter, *chapter.rest);
-            rest.sections = writer.take_sections();
-            rest.foot = page.foot;
-            pages.list.push_back(std::move(rest));
-            page.markdown += fmt::format("\n\n[The rest of the code of this chapter]({}_rest.html)\n", page.name);
-        }
         page.foot += live_script(material.folders, chapter.entry);
         pages.list.push_back(std::move(page));
     }

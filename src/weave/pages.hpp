@@ -47,7 +47,7 @@ struct Counts
     int given = 0;
 };
 
-/// Writes every page: the chapters, the rest of their code, and what is generated.
+/// Writes every page: the chapters, and what is generated.
 [[nodiscard]] Pages make_pages(const Material& material, const Counts& counts, Problems& problems);
 
 /// A text's blocks as Markdown, in which tokens stand for what is more than that.

@@ -19,11 +19,32 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where each region is shown as new.
-using Shown = std::map<int, Place>;
+/// Where each line of each file is shown as new.
+using Shown = std::map<std::string, std::map<int, Place>>;
 
+void note_region(const Sources& sources, const Region& region, const Place& place, Shown& shown, Problems& problems)
+{
+    const SourceFile& file = sources.files.at(region.file);
+    std::map<int, Place>& of_file = shown[region.file];
+    bool twice = false;
+    for (int line = region.first; line <= region.last; ++line) {
+        const bool folded = std::any_of(region.inner.begin(), region.inner.end(), [&](int inner) {
+            return sources.regions[inner].first <= line && line <= sources.regions[inner].last;
+        });
+        if (folded || file.kinds[line - 1] != LineKind::content) continue;
+        const auto [first, is_new] = of_file.emplace(line, place);
+        if (!is_new && !twice)
+            problems.add(place,
+                         fmt::format("region `{}` shown as new for the second time, after {}:{}", region.name,
+                                     first->second.file, first->second.line),
+                         "`again` after its name");
+        twice = twice || !is_new;
+    }
+}
+
+/// Notes what a text lists, and which regions it uses so.
 void note_listings(const Material& material, const Chapter& chapter, const ChapterText& text, Shown& shown,
-                   Problems& problems)
+                   std::set<int>& used, Problems& problems)
 {
     const std::set<std::string> own(chapter.entry.files.begin(), chapter.entry.files.end());
     for (const Block& block : text.blocks) {
@@ -33,35 +54,23 @@ void note_listings(const Material& material, const Chapter& chapter, const Chapt
             const int index = material.sources.find(name);
             if (index < 0) {
                 problems.add(block.place, fmt::format("listing of `{}`, which is no region", name),
-                             "the name of a marked region, `folder/file.hpp:declaration`, or the path of a file "
+                             "`folder/file.hpp:declaration`, the name of a marked region, or the path of a file "
                              "without markers");
                 continue;
             }
             const Region& region = material.sources.regions[index];
+            used.insert(index);
+            used.insert(region.inner.begin(), region.inner.end());
+            if (listing.is_again) continue;
             const bool is_engine = region.file.rfind("src/", 0) == 0;
-            if (!listing.is_again && is_engine && own.count(region.file) == 0)
+            if (is_engine && own.count(region.file) == 0)
                 problems.add(
                     block.place,
                     fmt::format("listing of `{}` as new, though {} belongs to another chapter", name, region.file),
                     "`again` after its name");
-            if (listing.is_again) continue;
-            const auto [first, is_new] = shown.emplace(index, block.place);
-            if (!is_new)
-                problems.add(block.place,
-                             fmt::format("region `{}` shown as new for the second time, after {}:{}", name,
-                                         first->second.file, first->second.line),
-                             "`again` after its name");
+            note_region(material.sources, region, block.place, shown, problems);
         }
     }
-}
-
-/// Regions that a written chapter owes its readers: of its engine files and of its own folder.
-bool owes(const Chapter& chapter, const Region& region)
-{
-    const std::vector<std::string>& files = chapter.entry.files;
-    if (std::find(files.begin(), files.end(), region.file) != files.end()) return !region.declared;
-    const std::string folder = chapter.entry.folder() + "/";
-    return !region.whole_file && !region.declared && region.file.rfind(folder, 0) == 0;
 }
 
 // ---- Prose ----------------------------------------------------------------------------------------------------------
@@ -165,7 +174,6 @@ bool has_tests(const fs::path& folder)
 std::vector<const ChapterText*> texts_of(const Chapter& chapter)
 {
     std::vector<const ChapterText*> texts{&chapter.text};
-    if (chapter.rest) texts.push_back(&*chapter.rest);
     for (const Exercise& exercise : chapter.exercises) {
         texts.push_back(&exercise.text);
         if (exercise.hint) texts.push_back(&*exercise.hint);
@@ -174,38 +182,48 @@ std::vector<const ChapterText*> texts_of(const Chapter& chapter)
     return texts;
 }
 
+Share Coverage::sum() const
+{
+    Share all;
+    for (const Share& share : shares) {
+        all.lines += share.lines;
+        all.told += share.told;
+    }
+    return all;
+}
+
 Coverage check_coverage(const Material& material, Problems& problems)
 {
     const Sources& sources = material.sources;
     Shown shown;
+    std::set<int> used;
     for (const Chapter& chapter : material.chapters)
-        for (const ChapterText* text : texts_of(chapter)) note_listings(material, chapter, *text, shown, problems);
+        for (const ChapterText* text : texts_of(chapter))
+            note_listings(material, chapter, *text, shown, used, problems);
 
-    std::set<int> waived;
-    for (const Waiver& waiver : material.book.waivers) {
-        const int index = sources.find(waiver.region);
-        if (index < 0)
-            problems.add({"chapters/book.toml", waiver.line},
-                         fmt::format("waiver of `{}`, which is no region", waiver.region),
-                         "the name of a region that no chapter shows");
-        else if (shown.count(index) > 0)
-            problems.add({"chapters/book.toml", waiver.line},
-                         fmt::format("waiver of `{}`, which is shown", waiver.region), "no waiver");
-        waived.insert(index);
+    // A mark is there for a listing
+    std::set<std::string> planned;
+    for (const ChapterEntry& entry : material.book.chapters) {
+        if (entry.written) continue;
+        planned.insert(entry.files.begin(), entry.files.end());
+    }
+    for (int k = 0; k < static_cast<int>(sources.regions.size()); ++k) {
+        const Region& region = sources.regions[k];
+        if (region.declared || region.whole_file || used.count(k) > 0 || planned.count(region.file) > 0) continue;
+        const std::size_t slash = region.file.find('/', 9);
+        const std::string folder = region.file.substr(0, slash);
+        const bool is_planned = region.file.rfind("chapters/", 0) == 0 &&
+                                std::none_of(material.chapters.begin(), material.chapters.end(),
+                                             [&](const Chapter& chapter) { return chapter.entry.folder() == folder; });
+        if (is_planned) continue;
+        problems.add({region.file, region.first - 1}, fmt::format("marks of `{}`, which no listing shows", region.name),
+                     "no marks, or a ::listing");
     }
 
     Coverage coverage;
     for (const Chapter& chapter : material.chapters) {
-        // Every region once
-        for (int k = 0; k < static_cast<int>(sources.regions.size()); ++k) {
-            const Region& region = sources.regions[k];
-            if (!owes(chapter, region) || shown.count(k) > 0 || waived.count(k) > 0) continue;
-            problems.add(
-                {region.file, region.first},
-                fmt::format("region `{}` that chapter {} never shows", region.name, chapter.entry.number),
-                fmt::format("`::listing {}` in its chapter.md or rest.md, or a waiver in book.toml", region.name));
-        }
-        // Every line of the engine in a region
+        Share share;
+        share.chapter = chapter.entry.number;
         for (const std::string& path : chapter.entry.files) {
             const auto file = sources.files.find(path);
             if (file == sources.files.end()) {
@@ -213,33 +231,16 @@ Coverage check_coverage(const Material& material, Problems& problems)
                              "files of the engine");
                 continue;
             }
-            int bare = 0; // first line of a run without region
-            int count = 0;
-            const auto close_run = [&] {
-                if (count > 0)
-                    problems.add({path, bare},
-                                 fmt::format("{} line{} in no region: `{}`", count, count == 1 ? "" : "s",
-                                             trim(file->second.lines[bare - 1])),
-                                 "markers `// [name]` round them, and a ::listing");
-                count = 0;
-            };
-            for (std::size_t k = 0; k < file->second.lines.size(); ++k) {
-                if (file->second.kinds[k] != LineKind::content) {
-                    if (file->second.kinds[k] == LineKind::marker) close_run();
-                    continue;
-                }
-                ++coverage.lines;
-                const int owner = file->second.owner[k];
-                if (owner >= 0) {
-                    coverage.shown += shown.count(owner) > 0 ? 1 : 0;
-                    coverage.waived += waived.count(owner) > 0 ? 1 : 0;
-                    close_run();
-                } else if (count++ == 0) {
-                    bare = static_cast<int>(k) + 1;
-                }
-            }
-            close_run();
+            share.lines +=
+                static_cast<int>(std::count(file->second.kinds.begin(), file->second.kinds.end(), LineKind::content));
+            share.told += static_cast<int>(shown[path].size());
         }
+        if (share.part() < chapter.entry.told)
+            problems.add({chapter.text.path, 0},
+                         fmt::format("a story that tells {} of the {} lines of its files, {:.1f} %", share.told,
+                                     share.lines, 100.0 * share.part()),
+                         fmt::format("at least {:.1f} %, as book.toml has it (told)", 100.0 * chapter.entry.told));
+        coverage.shares.push_back(share);
     }
     return coverage;
 }

@@ -10,15 +10,27 @@
 /// The rules that the text and the sources keep, apart from those of receipts. Each fails the build.
 namespace flying::weave {
 
-/// Engine lines and how many of them the written chapters show.
-struct Coverage
+/// Of how many lines of its files a chapter's story tells. What every file has,
+/// includes and the like, doesn't count.
+struct Share
 {
-    int lines = 0; ///< to be shown, in the files of written chapters
-    int shown = 0;
-    int waived = 0;
+    int chapter = 0;
+    int lines = 0;
+    int told = 0;
+
+    [[nodiscard]] double part() const { return lines == 0 ? 1.0 : static_cast<double>(told) / lines; }
 };
 
-/// Every line of the engine is shown by its chapter, each region once as new.
+/// The shares of the written chapters, in order.
+struct Coverage
+{
+    std::vector<Share> shares;
+
+    [[nodiscard]] Share sum() const;
+};
+
+/// Listings show what is there, each line once as new; a mark is there for a
+/// listing; every chapter tells the share of its files that book.toml asks for.
 [[nodiscard]] Coverage check_coverage(const Material& material, Problems& problems);
 
 /// No decimal number is typed, no larger number in words; no formula or code stands where the build can't see it.
@@ -29,7 +41,7 @@ int check_prose(const Material& material, Problems& problems);
 /// see them, and files.
 void check_completeness(const Material& material, Problems& problems);
 
-/// All texts of a chapter: its own, the rest of the code, those of its exercises.
+/// All texts of a chapter: its own, and those of its exercises.
 [[nodiscard]] std::vector<const ChapterText*> texts_of(const Chapter& chapter);
 
 } // namespace flying::weave

@@ -22,7 +22,7 @@ constexpr double k_term = 1.4;
 constexpr double k_symbol = 0.9;
 constexpr double k_figure = 0.8;
 constexpr double k_formula = 0.7;
-constexpr double k_code = 0.5;
+constexpr double k_code = 0.12; // but for one that is written as the code has it
 
 /// The words of running text, without formulas and inserts.
 std::string words_of(const std::vector<std::pair<int, std::string>>& lines)
@@ -86,11 +86,11 @@ private:
         }
         case BlockKind::figure:
         case BlockKind::live: {
-            const auto found = material_.figures.find(chapter_.entry.name + "/" + block.name);
+            const auto found = material_.figures.find(chapter_.entry.name + "/" + figure_key(block));
             if (found == material_.figures.end()) return;
             const std::string caption = words_of({{1, block.caption}});
             entry(fmt::format("Figure {}: {}", found->second, caption.substr(0, caption.find(". "))), chapter_name(),
-                  page_ + "#figure-" + block.name, k_figure, caption + words_of({{1, block.alt}}));
+                  page_ + "#figure-" + figure_key(block), k_figure, caption + words_of({{1, block.alt}}));
             return;
         }
         case BlockKind::exercise:
@@ -161,8 +161,17 @@ std::string search_index(const Material& material, const Manual& manual)
                                          fmt::format("Symbol {}, {}", symbol.tex, page_title(chapter.entry)),
                                          chapter.entry.page() + ".html#symbols", k_symbol, symbol.code}));
     }
+    const std::pair<const char*, const char*> pages[] = {
+        {"playground", "Playground"},          {"equations", "Equations and their receipts"},
+        {"symbols", "Symbols of the book"},    {"told", "What is told, and what is not"},
+        {"sources", "The sources, by module"}, {"manual/index", "Manual of the code"}};
+    for (const auto& [page, title] : pages)
+        index.push_back(json::array({title, "Reference", std::string(page) + ".html", k_term, ""}));
+    for (const auto& [module, says] : material.book.modules)
+        index.push_back(json::array({"Module " + module, says, "module_" + module + ".html", k_section, ""}));
     for (const auto& [name, target] : manual.names) {
-        const bool is_inner = name.rfind("flying::", 0) == 0 || name.rfind("weave::", 0) == 0 || name.back() == '_';
+        const bool is_inner = name.rfind("weave::", 0) == 0 || name.rfind("test::", 0) == 0 || name.back() == '_' ||
+                              manual.names.count("flying::" + name) == 0;
         if (!is_inner) index.push_back(json::array({name, "Manual of the code", "manual/" + target, k_code, ""}));
     }
     return "window.flyingIndex = " + index.dump(-1, ' ', false, json::error_handler_t::replace) + ";\n";

@@ -383,7 +383,7 @@ std::string TextWriter::derivation(const Block& block)
 
 std::string TextWriter::caption(const Chapter& chapter, const Block& block)
 {
-    const auto found = material_.figures.find(chapter.entry.name + "/" + block.name);
+    const auto found = material_.figures.find(chapter.entry.name + "/" + figure_key(block));
     const std::string number = found == material_.figures.end() ? "?" : found->second;
     return fmt::format("<b>Figure {}.</b> ", number) +
            inline_text({{block.place.line, block.caption}}, block.place.file);
@@ -414,12 +414,13 @@ std::string TextWriter::figure(const Chapter& chapter, const Block& block)
 std::string TextWriter::live(const Chapter& chapter, const Block& block)
 {
     const std::string id = chapter.entry.name + "/" + block.name;
-    return block_token(
-        fragments_.add_html(fmt::format("<figure class=\"live\" id=\"figure-{3}\" data-trace=\"{0}\">"
-                                        "<canvas role=\"img\" aria-label=\"{1}\"></canvas><figcaption>{2}</figcaption>"
-                                        "<noscript>This picture moves only where scripts "
-                                        "run.</noscript></figure>",
-                                        escape_html(id), plain_caption(block), caption(chapter, block), block.name)));
+    return block_token(fragments_.add_html(fmt::format("<figure class=\"live\" id=\"figure-{3}\" data-trace=\"{0}\">"
+                                                       "<canvas role=\"img\" "
+                                                       "aria-label=\"{1}\"></canvas><figcaption>{2}</figcaption>"
+                                                       "<noscript>This picture moves only where scripts "
+                                                       "run.</noscript></figure>",
+                                                       escape_html(id), plain_caption(block), caption(chapter, block),
+                                                       figure_key(block))));
 }
 
 std::string TextWriter::output(const Chapter& chapter, const Block& block)

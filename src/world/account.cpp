@@ -10,7 +10,7 @@
 namespace flying {
 namespace {
 
-// [account.words]
+
 [[nodiscard]] BodyReport report_body(const BodyView& body, const std::string& name)
 {
     const auto inverse_or_zero = [](double x) { return x > 0.0 ? 1.0 / x : 0.0; };
@@ -37,11 +37,11 @@ namespace {
     const bool named = !scene.bodies[static_cast<std::size_t>(index)].name.empty();
     return named ? "\"" + body_label(scene, index) + "\"" : body_label(scene, index);
 }
-// [account.words]
+
 
 } // namespace
 
-// [account.sums]
+
 Account take_account(const std::vector<BodyView>& bodies, const Scene& scene)
 {
     const Vec2 gravity = uniform_acceleration(scene.world.field);
@@ -62,9 +62,9 @@ Account take_account(const std::vector<BodyView>& bodies, const Scene& scene)
     }
     return account;
 }
-// [account.sums]
 
-// [account.overlap]
+
+
 double deepest_overlap(const std::vector<BodyView>& bodies, const std::vector<CollisionShape>& shapes)
 {
     std::vector<Pose> poses;
@@ -82,9 +82,9 @@ double deepest_overlap(const std::vector<BodyView>& bodies, const std::vector<Co
     });
     return deepest;
 }
-// [account.overlap]
 
-// [account.hash]
+
+
 std::uint64_t final_hash(std::uint64_t log_hash, const std::vector<BodyReport>& bodies)
 {
     Hash hash(log_hash);
@@ -97,9 +97,9 @@ std::uint64_t final_hash(std::uint64_t log_hash, const std::vector<BodyReport>& 
     }
     return hash.value();
 }
-// [account.hash]
 
-// [account.savings]
+
+
 Plan plan_with_savings(Plan plan, const EventCounts& counts, const RestEngine* rest)
 {
     for (Skip& skip : plan.skips) {
@@ -130,9 +130,9 @@ std::vector<StageCost> stage_costs(const RestCounts& counts, const RestSeconds& 
             {"solve", counts.groups, seconds.solve},
             {"move", counts.steps, seconds.move}};
 }
-// [account.savings]
 
-// [account.describe]
+
+
 Handover describe(const Hybrid::Change& change, const Scene& scene)
 {
     using Why = Hybrid::Change::Why;
@@ -195,6 +195,6 @@ RunFailure describe(const EventFailure& failure, const Scene& scene)
     }
     return described;
 }
-// [account.describe]
+
 
 } // namespace flying

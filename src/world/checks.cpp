@@ -8,7 +8,7 @@ namespace flying {
 
 namespace {
 
-// [world.checks.limits]
+
 /// Zero, or neither too small nor too large for the engine.
 bool in_range(double x)
 {
@@ -19,11 +19,11 @@ std::string limits()
 {
     return number_text(k_least_number) + " to " + number_text(k_greatest_number);
 }
-// [world.checks.limits]
+
 
 } // namespace
 
-// [world.checks.texts]
+
 std::string number_text(double x)
 {
     char text[40];
@@ -63,9 +63,9 @@ bool Checks::not_negative(std::string_view place, double x, std::string_view wha
     fault(place, number_text(x), "a " + std::string(what) + " that is not negative: 0, or " + limits());
     return false;
 }
-// [world.checks.texts]
 
-// [world.checks.fraction]
+
+
 bool Checks::fraction(std::string_view place, double x, std::string_view what)
 {
     if (x >= 0.0 && x <= 1.0 && in_range(x)) return true;
@@ -73,9 +73,9 @@ bool Checks::fraction(std::string_view place, double x, std::string_view what)
           "a " + std::string(what) + " from 0 to 1, and not between 0 and " + number_text(k_least_number));
     return false;
 }
-// [world.checks.fraction]
 
-// [world.checks.vector]
+
+
 bool Checks::vector(std::string_view place, const Vec2& a, std::string_view what)
 {
     const bool x_fits = any(std::string(place) + "[0]", a.x(), what);
@@ -91,6 +91,6 @@ bool Checks::angle(std::string_view place, double x)
               " with either sign");
     return false;
 }
-// [world.checks.vector]
+
 
 } // namespace flying

@@ -5,17 +5,17 @@
 namespace flying {
 namespace {
 
-// [hand_over.constants]
+
 /// [radii] Room about a body's circle, against rounding and the tolerance of touching.
 constexpr double k_room = 0x1p-10;
 
 /// More that have come than this are better sorted into cells.
 constexpr std::size_t k_few = 64;
-// [hand_over.constants]
+
 
 } // namespace
 
-// [hand_over.islands]
+
 void HandOver::begin(std::vector<Leaning> leaning)
 {
     leaning_ = std::move(leaning);
@@ -68,9 +68,9 @@ void HandOver::join(int one, int two)
     const int q = root_of(two);
     parent_[std::max(p, q)] = std::min(p, q);
 }
-// [hand_over.islands]
 
-// [hand_over.reach]
+
+
 void HandOver::reach(double time)
 {
     islands_.assign(leaning_.size(), {});
@@ -96,9 +96,9 @@ bool HandOver::is_near(const Aabb& box) const
 {
     return !reaches_.visit_all_at(box, [](const BoxCells::Entry&) { return false; });
 }
-// [hand_over.reach]
 
-// [hand_over.leave]
+
+
 std::vector<int> HandOver::may_leave(std::vector<char> may_go) const
 {
     std::vector<int> going;
@@ -120,6 +120,6 @@ std::vector<int> HandOver::may_leave(std::vector<char> may_go) const
     std::sort(going.begin(), going.end());
     return going;
 }
-// [hand_over.leave]
+
 
 } // namespace flying

@@ -10,7 +10,7 @@
 namespace flying {
 namespace {
 
-// [hybrid.constants]
+
 /// [steps] A step that would be shorter is joined to the next.
 constexpr double k_shortest = 0x1p-20;
 
@@ -38,11 +38,11 @@ constexpr char k_clear_steps = 2;
     default: return Hybrid::Change::Why::crowded;
     }
 }
-// [hybrid.constants]
+
 
 } // namespace
 
-// [hybrid.set_up]
+
 Hybrid::Hybrid(EventEngine engine, std::vector<Material> materials, const Setting& setting)
     : setting_(setting), flying_(std::move(engine)), materials_(std::move(materials))
 {
@@ -97,9 +97,9 @@ void Hybrid::set_stopwatch(double (*seconds)())
     flying_.set_clock(seconds);
     if (resting_) resting_->set_clock(seconds);
 }
-// [hybrid.set_up]
 
-// [hybrid.advance]
+
+
 std::optional<EventFailure> Hybrid::advance(double time, std::int64_t most)
 {
     for (std::int64_t done = 0;;) {
@@ -138,9 +138,9 @@ void Hybrid::finish_step()
     let_go_of_the_clear();
     take_in_all_near();
 }
-// [hybrid.advance]
 
-// [hybrid.step]
+
+
 /// Bring those that lean to a moment within their step.
 void Hybrid::cut(double time)
 {
@@ -168,7 +168,7 @@ double Hybrid::step_length() const
     return is_whole ? setting_.step : *step_ends_ - from;
 }
 
-// [hybrid.next_end]
+
 /// The first multiple of the step's length, halved so often, after a moment, but for one that is all but reached.
 double Hybrid::next_end(double time, int halvings) const
 {
@@ -177,9 +177,9 @@ double Hybrid::next_end(double time, int halvings) const
     while (count * h - time < k_shortest * h) count += 1.0;
     return count * h;
 }
-// [hybrid.next_end]
 
-// [hybrid.halvings]
+
+
 /// How often the step must be halved for those that lean, and those near them, to stay within a small part of their size.
 int Hybrid::halvings_for(const std::vector<int>& near) const
 {
@@ -199,10 +199,10 @@ int Hybrid::halvings_for(const std::vector<int>& near) const
     for (double way = fastest * setting_.step; way > k_way && halvings < k_most_halvings; way *= 0.5) ++halvings;
     return halvings;
 }
-// [hybrid.halvings]
-// [hybrid.step]
 
-// [hybrid.impact]
+
+
+
 void Hybrid::answer_impact(const Event& impact)
 {
     // A body that slept and was struck wakes, and all that it touches
@@ -235,7 +235,7 @@ std::vector<Hybrid::Blow> Hybrid::blows_of(int a, int b) const
 }
 // [hybrid.blows_of]
 
-// [hybrid.blow]
+
 void Hybrid::take_blow(const Blow& blow)
 {
     // The event engine took note of what it gave to a body that lay still; by now others may have moved it
@@ -253,10 +253,10 @@ void Hybrid::take_blow(const Blow& blow)
     ways_.clear();
     resting_->set_state(body, state);
 }
-// [hybrid.blow]
-// [hybrid.impact]
 
-// [hybrid.take]
+
+
+
 /// Take the two bodies of a failure, and those near them.
 void Hybrid::take(const EventFailure& failure)
 {
@@ -299,7 +299,7 @@ void Hybrid::take_in(const std::vector<int>& bodies, Change change)
     changes_.push_back(std::move(change));
 }
 
-// [hybrid.take_in_all]
+
 /// Take in every body that may meet one that leans before the step ends, and again those that may meet these.
 void Hybrid::take_in_all_near()
 {
@@ -330,15 +330,15 @@ void Hybrid::take_in_all_near()
         hand_over_.add(leaning(near));
     }
 }
-// [hybrid.take_in_all]
+
 
 bool Hybrid::any_leans() const
 {
     return std::any_of(leaning_.begin(), leaning_.end(), [&](int k) { return movers_[k] == BodyMover::rest; });
 }
-// [hybrid.take]
 
-// [hybrid.let_go]
+
+
 void Hybrid::let_go_of_the_clear()
 {
     if (setting_.policy == EngineChoice::rest) return;
@@ -378,9 +378,9 @@ void Hybrid::let_go_of_the_clear()
     }
     changes_.push_back(std::move(change));
 }
-// [hybrid.let_go]
 
-// [hybrid.sleep]
+
+
 /// Tell the event engine what has fallen asleep, and what has woken.
 void Hybrid::follow_sleep()
 {
@@ -392,9 +392,9 @@ void Hybrid::follow_sleep()
     }
     if (!any_leans()) step_ends_.reset();
 }
-// [hybrid.sleep]
 
-// [hybrid.state]
+
+
 bool Hybrid::is_within_step(int body) const
 {
     const bool leans = movers_[body] == BodyMover::rest || movers_[body] == BodyMover::asleep; // a step may wake it
@@ -415,9 +415,9 @@ BodyState Hybrid::state(int body)
     state.time = clock_;
     return state;
 }
-// [hybrid.state]
 
-// [hybrid.memory]
+
+
 Hybrid::Memory Hybrid::memory() const
 {
     Memory memory{flying_.resume(), {}, movers_, clear_, step_ends_.value_or(0.0), energy_of_steps_, energy_of_blows_};
@@ -444,6 +444,6 @@ void Hybrid::go_on_from(const Memory& memory, const std::vector<BodyState>& flig
     hand_over_.begin(leaning(leaning_));
     hand_over_.reach(*step_ends_ - resting_->time());
 }
-// [hybrid.memory]
+
 
 } // namespace flying

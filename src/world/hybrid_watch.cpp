@@ -7,16 +7,16 @@
 namespace flying {
 namespace {
 
-// [hybrid.watch.room]
+
 /// [radii] Room about a flight, against rounding and the tolerance of touching.
 constexpr double k_room = 0x1p-10;
 /// [radii] Room about the way of a body in a step, within which the resting integrator watches for contacts.
 constexpr double k_near = 0x1p-6;
-// [hybrid.watch.room]
+
 
 } // namespace
 
-// [hybrid.watch]
+
 /// What the rules of handing over need to know of a body.
 Leaning Hybrid::leaning(int k) const
 {
@@ -43,7 +43,7 @@ std::vector<Leaning> Hybrid::leaning(const std::vector<int>& bodies) const
     return all;
 }
 
-// [hybrid.near]
+
 /// A flight leads, before the step ends, to where a body that leans may be.
 bool Hybrid::comes_near(int body) const
 {
@@ -56,7 +56,7 @@ bool Hybrid::comes_near(int body) const
     if (!std::isfinite(room)) return true;
     return hand_over_.is_near({start.cwiseMin(end) - Vec2(room, room), start.cwiseMax(end) + Vec2(room, room)});
 }
-// [hybrid.near]
+
 
 /// No less than the field at a place, and wherever a body may fall from there in a step.  [m/s^2]
 double Hybrid::greatest_pull(const Vec2& place) const
@@ -67,7 +67,7 @@ double Hybrid::greatest_pull(const Vec2& place) const
     return central->mu / (least * least);
 }
 
-// [hybrid.bow]
+
 /// How far a flight leads, at most, from the straight way between its ends; infinite where it may pass the centre.  [m]
 double Hybrid::bow_of(const Flyer& flyer, double from, double left) const
 {
@@ -77,10 +77,10 @@ double Hybrid::bow_of(const Flyer& flyer, double from, double left) const
     if (outlook.until >= from + left) return 0.125 * left * left * outlook.acceleration;
     return std::numeric_limits<double>::infinity();
 }
-// [hybrid.bow]
-// [hybrid.watch]
 
-// [hybrid.energy]
+
+
+
 double Hybrid::energy(int body, const BodyState& state) const
 {
     const Inertia& inertia = flying_.inertia(body);
@@ -96,6 +96,6 @@ double Hybrid::energy_of_leaning() const
     for (const int k : leaning_) sum += energy(k, resting_->state(k));
     return sum;
 }
-// [hybrid.energy]
+
 
 } // namespace flying

@@ -11,7 +11,7 @@
 namespace flying {
 namespace {
 
-// [leaning.touch]
+
 /// [tolerances of touching] Hops that are no higher can't be told from contact.
 constexpr double k_hop = 16.0;
 
@@ -72,11 +72,11 @@ private:
     std::vector<Flyer> flyer_;
     std::vector<Touch> touches_; // workspace
 };
-// [leaning.touch]
+
 
 } // namespace
 
-// [leaning.find]
+
 std::vector<int> find_leaning(const EventEngine& engine, const Field& field)
 {
     // Where everything moves there is nothing to lean on
@@ -129,6 +129,6 @@ std::vector<int> find_leaning(const EventEngine& engine, const Field& field)
     std::sort(found.begin(), found.end());
     return found;
 }
-// [leaning.find]
+
 
 } // namespace flying

@@ -12,11 +12,11 @@ namespace flying {
 
 namespace {
 
-// [world.make_shape.length]
-constexpr const char* k_length = "length in m";
-// [world.make_shape.length]
 
-// [world.make_shape.rectangle]
+constexpr const char* k_length = "length in m";
+
+
+
 /// Corners at exactly plus and minus half of the sides, so that the centre of mass is the origin without rounding.
 Polygon rectangle(double width, double height)
 {
@@ -24,9 +24,9 @@ Polygon rectangle(double width, double height)
     const double y = 0.5 * height;
     return Polygon({{Vec2(-x, -y), Vec2(x, -y), Vec2(x, y), Vec2(-x, y)}});
 }
-// [world.make_shape.rectangle]
 
-// [world.make_shape.regular]
+
+
 /// The point of the unit circle at the angle pi p / q, 0 <= p < 2 q. Whole numbers fold the angle into the first eighth
 /// of the circle, so that points which mirror one another do so to the bit.
 Vec2 circle_point(std::int64_t p, std::int64_t q)
@@ -56,9 +56,9 @@ Polygon regular(int sides, double radius)
     for (int k = 0; k < sides; ++k) ring.push_back(radius * circle_point(2 * static_cast<std::int64_t>(k), sides));
     return Polygon({ring});
 }
-// [world.make_shape.regular]
 
-// [world.make_shape.each]
+
+
 Expected<Shape> make(const DiscDef& def)
 {
     Faults faults;
@@ -143,15 +143,15 @@ Expected<Shape> make(const PolygonDef& def)
     }
     return faults;
 }
-// [world.make_shape.each]
+
 
 } // namespace
 
-// [world.make_shape]
+
 Expected<Shape> make_shape(const ShapeDef& def)
 {
     return std::visit([](const auto& kind) { return make(kind); }, def);
 }
-// [world.make_shape]
+
 
 } // namespace flying

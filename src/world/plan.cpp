@@ -5,14 +5,14 @@
 namespace flying {
 namespace {
 
-// [plan.fewest]
+
 /// Below this number of moving bodies, looking at all pairs costs less than keeping cells:
 /// measured with discs at packing 0.1, where counted instructions and processor time both
 /// break even between 12 and 20.
 constexpr int k_fewest_for_grid = 16;
-// [plan.fewest]
 
-// [plan.names]
+
+
 constexpr const char* k_grid = "grid";
 constexpr const char* k_static_pairs = "static-pairs";
 constexpr const char* k_far_features = "far-features";
@@ -29,9 +29,9 @@ constexpr const char* k_warm_start = "warm-start";
 {
     return std::to_string(count) + " " + (count == 1 ? one : many);
 }
-// [plan.names]
 
-// [plan.census]
+
+
 /// What the plan looks at.
 struct Census
 {
@@ -42,9 +42,9 @@ struct Census
     bool is_central = false;
     bool falls = false;
 };
-// [plan.census]
 
-// [plan.take_census]
+
+
 [[nodiscard]] Census take_census(const Scene& scene)
 {
     Census census;
@@ -62,9 +62,9 @@ struct Census
     }
     return census;
 }
-// [plan.take_census]
 
-// [plan.grid]
+
+
 /// Pairs of bodies that can't meet as long as neither leaves its cell.
 [[nodiscard]] Skip far_pairs(const Census& census)
 {
@@ -82,9 +82,9 @@ struct Census
                                     ": comparing all pairs costs less than keeping cells";
     return skip;
 }
-// [plan.grid]
 
-// [plan.static_pairs]
+
+
 [[nodiscard]] Skip static_pairs(const Census& census)
 {
     Skip skip{k_static_pairs, SkipClass::neutral, census.statics >= 2, "", 0, "pairs"};
@@ -95,9 +95,9 @@ struct Census
             : statics + ": there is no pair of them";
     return skip;
 }
-// [plan.static_pairs]
 
-// [plan.far_features]
+
+
 [[nodiscard]] Skip far_features(const Census& census)
 {
     const bool any_corners = census.movers_with_corners + census.statics_with_corners > 0;
@@ -113,9 +113,9 @@ struct Census
                               : "discs have no corners to look at";
     return skip;
 }
-// [plan.far_features]
 
-// [plan.cells]
+
+
 /// Cells that few bodies don't need. Turned off, they are kept all the same.
 [[nodiscard]] Skip cells(const Census& census)
 {
@@ -128,9 +128,9 @@ struct Census
     if (census.is_central) skip.reason = "a central field: there are no cells to keep";
     return skip;
 }
-// [plan.cells]
 
-// [plan.search]
+
+
 /// The door through which every pair can be foreseen: shapes by kind, flights of any kind,
 /// features by windows.
 [[nodiscard]] Skip search(const Census& census)
@@ -148,9 +148,9 @@ struct Census
     }
     return skip;
 }
-// [plan.search]
 
-// [plan.field]
+
+
 /// The terms of an acceleration that isn't there.
 [[nodiscard]] Skip field(const Census& census)
 {
@@ -159,9 +159,9 @@ struct Census
                               : "a field accelerates what moves";
     return skip;
 }
-// [plan.field]
 
-// [plan.rings]
+
+
 /// Pairs whose orbits keep them apart for ever.
 [[nodiscard]] Skip rings(const Census& census)
 {
@@ -171,9 +171,9 @@ struct Census
                       : "no central field: there are no rings";
     return skip;
 }
-// [plan.rings]
 
-// [plan.far_vertices]
+
+
 /// Vertices that can't come to an edge within a look.
 [[nodiscard]] Skip far_vertices(const Census& census)
 {
@@ -185,9 +185,9 @@ struct Census
                         : "no two bodies with corners can meet";
     return skip;
 }
-// [plan.far_vertices]
 
-// [plan.resting]
+
+
 /// What the resting integrator leaves out, where bodies lean on each other. What sleeps is
 /// struck as what lies, and sweeps that begin elsewhere end elsewhere: both show in results.
 [[nodiscard]] Skip sleeping(const Census& census)
@@ -209,20 +209,20 @@ struct Census
                        : "nothing moves";
     return skip;
 }
-// [plan.resting]
+
 
 } // namespace
 
-// [plan.skip_names]
+
 std::vector<std::string> skip_names()
 {
     return {k_grid,  k_cells, k_static_pairs, k_search,
             k_field, k_rings, k_far_features, k_far_vertices,
             k_sleeping, k_warm_start};
 }
-// [plan.skip_names]
 
-// [plan.make]
+
+
 Plan make_plan(const Scene& scene, const std::vector<std::string>& without)
 {
     const Census census = take_census(scene);
@@ -260,6 +260,6 @@ Plan make_plan(const Scene& scene, const std::vector<std::string>& without)
     plan.warm_starts = active(k_warm_start) || !warm_start(census).active;
     return plan;
 }
-// [plan.make]
+
 
 } // namespace flying

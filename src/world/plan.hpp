@@ -9,7 +9,7 @@
 
 namespace flying {
 
-// [plan.class]
+
 /// What a skip may do to the results. Neutral: not one bit changes. Ordered: neutral
 /// because order comes from ids. Altering: results change, and the price is measured.
 enum class SkipClass
@@ -18,9 +18,9 @@ enum class SkipClass
     ordered,
     altering
 };
-// [plan.class]
 
-// [plan.skip]
+
+
 /// One kind of work that a scene may not need.
 struct Skip
 {
@@ -31,9 +31,9 @@ struct Skip
     std::int64_t saved = 0; ///< after a run: how often the work was left out
     std::string saved_unit; ///< what `saved` counts, such as "pairs"
 };
-// [plan.skip]
 
-// [plan.plan]
+
+
 /// What a scene needs, and why the rest is skipped.
 struct Plan
 {
@@ -48,9 +48,9 @@ struct Plan
     bool warm_starts = true;        ///< contact impulses are sought from those of the step before
     std::vector<Skip> skips;        ///< every skip this program knows, active or not
 };
-// [plan.plan]
 
-// [plan.declared]
+
+
 /// The plan for a valid scene; a pure function.
 /// without  names of skips to leave inactive; unknown names are ignored here (`skip_names`
 /// tells those that are known)
@@ -59,6 +59,6 @@ struct Plan
 
 /// All names that `without` may hold.
 [[nodiscard]] std::vector<std::string> skip_names();
-// [plan.declared]
+
 
 } // namespace flying

@@ -11,7 +11,7 @@
 
 namespace flying {
 
-// [scene.shapes]
+
 struct DiscDef
 {
     double radius = 1.0; ///< positive [m]
@@ -49,13 +49,13 @@ struct PolygonDef
     std::vector<std::vector<Vec2>> holes; ///< either way round [m]
 };
 
-// [scene.shapes]
 
-// [scene.shape_def]
+
+
 using ShapeDef = std::variant<DiscDef, RectangleDef, SquareDef, TriangleDef, RegularDef, PolygonDef>;
-// [scene.shape_def]
 
-// [scene.body]
+
+
 struct BodyDef
 {
     std::string name;
@@ -70,9 +70,9 @@ struct BodyDef
     std::optional<double> restitution; ///< 0 ... 1; the world's where absent
     std::optional<double> friction;    ///< >= 0; the world's where absent
 };
-// [scene.body]
 
-// [scene.world]
+
+
 struct BoxDef
 {
     Vec2 min = Vec2::Zero(); ///< [m]
@@ -86,9 +86,9 @@ struct WorldDef
     double friction = 0.0;    ///< >= 0
     std::optional<BoxDef> box; ///< four static walls around everything
 };
-// [scene.world]
 
-// [scene.scene]
+
+
 /// Everything that a run starts from, as plain values. Nothing here is checked yet: `validate` does.
 struct Scene
 {
@@ -97,9 +97,9 @@ struct Scene
     WorldDef world;
     std::vector<BodyDef> bodies;
 };
-// [scene.scene]
 
-// [scene.validate]
+
+
 /// Everything that is wrong with a scene, in one go; empty where the scene is fit to run. Places are paths such as
 /// `world.restitution` or `body[3].shape.vertices[2]`; `found` and `expected` name the bodies by name and number.
 /// Checked: every number finite and in range; shapes (geometry/make_polygon.hpp); names unique where given; static bodies
@@ -109,6 +109,6 @@ struct Scene
 
 /// What to call body number `index` in a message: its name, or "body 3" where it has none.
 [[nodiscard]] std::string body_label(const Scene& scene, int index);
-// [scene.validate]
+
 
 } // namespace flying

@@ -16,7 +16,7 @@ namespace flying {
 
 namespace {
 
-// [world.validate.labels]
+
 /// Overlapping pairs that are listed one by one.
 constexpr std::size_t k_most_overlaps = 1000;
 
@@ -31,9 +31,9 @@ std::string body_place(int index)
 {
     return "body[" + std::to_string(index) + "]";
 }
-// [world.validate.labels]
 
-// [world.validate.world]
+
+
 /// The world's own numbers.
 void check_world(const WorldDef& world, Faults& faults)
 {
@@ -60,9 +60,9 @@ void check_world(const WorldDef& world, Faults& faults)
                      "more than box.min" + side + ", which is " + number_text(world.box->min[k]));
     }
 }
-// [world.validate.world]
 
-// [world.validate.area]
+
+
 /// Area of a shape that `make_shape` made.  [m^2]
 double area_of(const Shape& shape)
 {
@@ -70,9 +70,9 @@ double area_of(const Shape& shape)
     if (const auto* polygon = std::get_if<Polygon>(&shape)) return moments_of(*polygon).area;
     return 0.0;
 }
-// [world.validate.area]
 
-// [world.validate.mass]
+
+
 /// What a body weighs, and that a static one doesn't.
 ///
 /// shape  null where the definition makes none
@@ -97,9 +97,9 @@ void check_mass(const BodyDef& body, const Shape* shape, Checks& checks)
     checks.fault("density", number_text(density) + ", which makes a mass of " + rounded_text(mass) + " kg",
                  "a mass of " + number_text(k_least_number) + " to " + number_text(k_greatest_number) + " kg");
 }
-// [world.validate.mass]
 
-// [world.validate.body]
+
+
 /// One body by itself. Returns it placed in the world where its shape, position and angle are sound.
 std::optional<PlacedBody> check_body(const Scene& scene, int index, Faults& faults)
 {
@@ -143,9 +143,9 @@ std::optional<PlacedBody> check_body(const Scene& scene, int index, Faults& faul
     placed.shape = make_collision_shape(shape.value());
     return placed;
 }
-// [world.validate.body]
 
-// [world.validate.names]
+
+
 /// Names are there to tell bodies apart.
 void check_names(const Scene& scene, Faults& faults)
 {
@@ -160,9 +160,9 @@ void check_names(const Scene& scene, Faults& faults)
                           "a name of its own"});
     }
 }
-// [world.validate.names]
 
-// [world.validate.box]
+
+
 /// Bodies that move start inside the box.
 void check_inside_box(const Scene& scene, const std::vector<PlacedBody>& bodies, Faults& faults)
 {
@@ -192,9 +192,9 @@ void check_inside_box(const Scene& scene, const std::vector<PlacedBody>& bodies,
         }
     }
 }
-// [world.validate.box]
 
-// [world.validate.core]
+
+
 /// Bodies that move start off the centre of a central field, where its pull has no end, and outside its core.
 void check_outside_core(const Scene& scene, const std::vector<PlacedBody>& bodies, Faults& faults)
 {
@@ -218,9 +218,9 @@ void check_outside_core(const Scene& scene, const std::vector<PlacedBody>& bodie
         }
     }
 }
-// [world.validate.core]
 
-// [world.validate.overlaps]
+
+
 /// Bodies may touch at the start, but not overlap.
 void check_overlaps(const Scene& scene, const std::vector<PlacedBody>& bodies, Faults& faults)
 {
@@ -235,19 +235,19 @@ void check_overlaps(const Scene& scene, const std::vector<PlacedBody>& bodies, F
     faults.push_back({"body", "at least " + std::to_string(k_most_overlaps) + " pairs of bodies that overlap",
                       "bodies that at most touch; further pairs are not listed"});
 }
-// [world.validate.overlaps]
+
 
 } // namespace
 
-// [world.validate.label]
+
 std::string body_label(const Scene& scene, int index)
 {
     const std::string& name = scene.bodies[index].name;
     return name.empty() ? "body " + std::to_string(index) : name;
 }
-// [world.validate.label]
 
-// [world.validate]
+
+
 Faults validate(const Scene& scene)
 {
     Faults faults;
@@ -266,6 +266,6 @@ Faults validate(const Scene& scene)
     check_overlaps(scene, placed, faults);
     return faults;
 }
-// [world.validate]
+
 
 } // namespace flying

@@ -15,7 +15,7 @@
 namespace flying {
 namespace {
 
-// [world.walls]
+
 /// The box as four static half-planes, their normals inwards.
 [[nodiscard]] std::vector<EventBody> make_walls(const WorldDef& world)
 {
@@ -31,9 +31,9 @@ namespace {
     add({0.0, -1.0}, -world.box->max.y());
     return walls;
 }
-// [world.walls]
 
-// [world.core]
+
+
 /// The solid core of a central field, a static disc; none where it has none.
 [[nodiscard]] std::optional<EventBody> make_core(const WorldDef& world)
 {
@@ -43,9 +43,9 @@ namespace {
     core.flyer.state.position = central->centre;
     return core;
 }
-// [world.core]
 
-// [world.make_body]
+
+
 /// A body of a valid scene, ready to fly.
 [[nodiscard]] EventBody make_body(const BodyDef& def, const WorldDef& world)
 {
@@ -63,11 +63,11 @@ namespace {
     body.flyer.central = std::get_if<CentralField>(&world.field);
     return body;
 }
-// [world.make_body]
+
 
 } // namespace
 
-// [world.parts]
+
 /// What a world is made of.
 struct World::Parts
 {
@@ -92,9 +92,9 @@ World::World(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 World::~World() = default;
-// [world.parts]
 
-// [world.make]
+
+
 Expected<World> World::make(const Scene& scene, const WorldOptions& options)
 {
     Expected<World> world = set_up(scene, options);
@@ -146,9 +146,9 @@ Expected<World> World::set_up(const Scene& scene, const WorldOptions& options)
     world.parts_->initial_total = take_account(world.parts_->view(), scene).energy.total();
     return world;
 }
-// [world.make]
 
-// [world.resume]
+
+
 Expected<World> World::resume(const Scene& scene, const Snapshot& snapshot, const WorldOptions& options)
 {
     Expected<World> made = set_up(scene, options);
@@ -188,9 +188,9 @@ Snapshot World::snapshot() const
     return snapshot;
 }
 // [world.resume.snapshot]
-// [world.resume]
 
-// [world.hand-over]
+
+
 /// Put what the integrators did with each other into the words of the scene.
 void World::Parts::note_handovers()
 {
@@ -200,7 +200,7 @@ void World::Parts::note_handovers()
     }
 }
 
-// [world.ledger]
+
 EnergyLedger World::Parts::whole_ledger() const
 {
     EnergyLedger whole = ledger;
@@ -209,10 +209,10 @@ EnergyLedger World::Parts::whole_ledger() const
     whole.handovers += hybrid.energy_of_blows();
     return whole;
 }
-// [world.ledger]
-// [world.hand-over]
 
-// [world.advance]
+
+
+
 std::optional<RunFailure> World::advance(double time, std::int64_t max_events)
 {
     Parts& parts = *parts_;
@@ -223,9 +223,9 @@ std::optional<RunFailure> World::advance(double time, std::int64_t max_events)
     parts.failed = true;
     return describe(*failure, parts.scene);
 }
-// [world.advance]
 
-// [world.asked]
+
+
 double World::time() const { return parts_->hybrid.clock(); }
 int World::body_count() const { return static_cast<int>(parts_->scene.bodies.size()); }
 BodyState World::state(int index) const { return parts_->hybrid.state(index); }
@@ -261,9 +261,9 @@ std::int64_t World::collisions() const
 std::uint64_t World::log_hash() const { return parts_->hybrid.flying().log_hash(); }
 
 void World::set_stopwatch(double (*seconds)()) { parts_->hybrid.set_stopwatch(seconds); }
-// [world.asked]
 
-// [world.report]
+
+
 Report World::report()
 {
     Parts& parts = *parts_;
@@ -299,6 +299,6 @@ Report World::report()
     }
     return report;
 }
-// [world.report]
+
 
 } // namespace flying

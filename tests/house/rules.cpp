@@ -26,9 +26,11 @@ const std::map<std::string, std::vector<std::string>> k_arrows = {
     {"draw", {"world"}},
     {"scene", {"world"}},
     {"files", {"math"}},
+    {"json", {"scene"}},
     {"play", {"draw", "scene"}},
     {"window", {"play", "files"}},
-    {"app", {"draw", "scene", "files", "window"}},
+    {"app", {"draw", "json", "files", "window"}},
+    {"python", {"json"}},
     {"live", {"scene"}},
     {"weave", {}},
 };

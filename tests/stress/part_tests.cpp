@@ -30,7 +30,7 @@ constexpr std::array k_tried = {
     Tried{FLYING_STRESS_TESTS, "roots stay where they are*"},
     Tried{FLYING_STRESS_TESTS, "the dense search notices*"},
     Tried{FLYING_STRESS_TESTS, "random scenes at rest*"},
-    Tried{FLYING_CHAPTER_08, "asking in pieces*"},
+    Tried{FLYING_UNIT_TOI, "asking in pieces*"},
 };
 
 /// Commas part doctest's patterns.

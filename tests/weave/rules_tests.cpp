@@ -161,99 +161,93 @@ TEST_CASE("a formula's id is used once")
                                at(tree, k_chapter, "::definition").substr(0, 31)) != std::string::npos);
 }
 
-// ---- Coverage -------------------------------------------------------------------------------------------------------
+// ---- Listings -------------------------------------------------------------------------------------------------------
 
-TEST_CASE("an engine line that no chapter shows fails the book")
+namespace {
+
+/// Marks round lines of the example's source.
+void mark(const ExampleTree& tree, const std::string& lines, const std::string& name)
 {
-    const ExampleTree tree;
-    tree.replace("src/rods/rod.hpp", "// [rod.middle]\n", "");
-    tree.remove("chapters/01-hinge/rest.md");
-    check_one(tree, "src/rods/rod.hpp", "The same about", "5 lines in no region: `/// The same about its middle.");
+    tree.replace("src/rods/rod.hpp", lines, "// [" + name + "]\n" + lines + "// [" + name + "]\n");
 }
 
-TEST_CASE("a region that is never shown fails the book")
+const std::string k_listing = "::listing rods/rod.hpp:rod_about_end";
+const std::string k_return = "    return m * l * l / 3.0;\n";
+
+} // namespace
+
+TEST_CASE("a story that tells less of its files than it has to fails the book")
 {
     const ExampleTree tree;
-    tree.remove("chapters/01-hinge/rest.md");
-    check_one(tree, "src/rods/rod.hpp", "The same about", "region `rod.middle` that chapter 1 never shows");
+    tree.replace("chapters/book.toml", "written = true", "written = true\ntold = 0.7");
+    CHECK(tree.problems() == "chapters/01-hinge/chapter.md: a story that tells 7 of the 12 lines of its files, 58.3 %; "
+                             "expected at least 70.0 %, as book.toml has it (told)\n");
 }
 
-TEST_CASE("a region that is waived with a reason may be left out, and is printed in the appendix")
+TEST_CASE("marks that no listing needs fail the book")
 {
     const ExampleTree tree;
-    tree.remove("chapters/01-hinge/rest.md");
-    tree.write("chapters/book.toml",
-               tree.read("chapters/book.toml") +
-                   "\n[[waiver]]\nregion = \"rod.middle\"\nreason = \"Only the figures need it.\"\n");
-    flying::weave::Problems problems;
-    const flying::weave::Woven woven = tree.weave(problems);
-    CHECK(problems.report() == "");
-    CHECK(woven.counts.coverage.waived == 5);
-    bool printed = false;
-    for (const auto& page : woven.pages.list)
-        printed = printed ||
-                  (page.name == "left_out" && page.markdown.find("Only the figures need it.") != std::string::npos);
-    CHECK(printed);
+    mark(tree, "    return m * l * l / 12.0;\n", "rod.middle");
+    // At the first of the two
+    CHECK(tree.problems() == "src/rods/rod.hpp:16: marks of `rod.middle`, which no listing shows; expected no marks, or a "
+                             "::listing\n");
 }
 
-TEST_CASE("a waiver without a reason fails the book")
+TEST_CASE("a line shown twice as new fails the book, and once more as again does not")
 {
     const ExampleTree tree;
-    tree.remove("chapters/01-hinge/rest.md");
-    tree.write("chapters/book.toml", tree.read("chapters/book.toml") + "\n[[waiver]]\nregion = \"rod.middle\"\n");
-    check_one(tree, "chapters/book.toml", "[[waiver]]", "waiver of `rod.middle` without a reason");
-}
-
-TEST_CASE("a waiver of what is shown fails the book")
-{
-    const ExampleTree tree;
-    tree.write("chapters/book.toml", tree.read("chapters/book.toml") +
-                                         "\n[[waiver]]\nregion = \"rod.middle\"\nreason = \"Nobody asks for it.\"\n");
-    check_one(tree, "chapters/book.toml", "[[waiver]]", "waiver of `rod.middle`, which is shown");
-}
-
-TEST_CASE("a region shown twice as new fails the book, and once more as again does not")
-{
-    const ExampleTree tree;
-    tree.replace(k_chapter, "It implements", "::listing rod.inertia\n\nIt implements");
-    check_one(tree, k_chapter, "::listing rod.inertia", "region `rod.inertia` shown as new for the second time");
-    tree.replace(k_chapter, "::listing rod.inertia\n\nIt implements", "::listing rod.inertia again\n\nIt implements");
+    tree.replace(k_chapter, "It implements", k_listing + "\n\nIt implements");
+    check_one(tree, k_chapter, k_listing, "shown as new for the second time");
+    tree.replace(k_chapter, k_listing + "\n\nIt implements", k_listing + " again\n\nIt implements");
     CHECK(tree.problems() == "");
 }
 
 TEST_CASE("a listing of what is no region fails the book")
 {
     const ExampleTree tree;
-    tree.replace(k_chapter, "::listing rod.inertia", "::listing rod.inertia\n\n::listing rod.inertai");
-    check_one(tree, k_chapter, "::listing rod.inertai", "listing of `rod.inertai`, which is no region");
+    tree.replace(k_chapter, k_listing, k_listing + "\n\n::listing rods/rod.hpp:rod_inertai");
+    check_one(tree, k_chapter, "rod_inertai", "listing of `rods/rod.hpp:rod_inertai`, which is no region");
+}
+
+TEST_CASE("a listing may show several declarations")
+{
+    const ExampleTree tree;
+    tree.replace(k_chapter, k_listing, k_listing + " rods/rod.hpp:rod_about_middle");
+    flying::weave::Problems problems;
+    const flying::weave::Woven woven = tree.weave(problems);
+    CHECK(problems.report() == "");
+    CHECK(woven.counts.coverage.sum().told == woven.counts.coverage.sum().lines);
 }
 
 TEST_CASE("a region that opens and never closes fails the book")
 {
     const ExampleTree tree;
-    tree.replace("src/rods/rod.hpp", "// [rod.middle]\n\n}", "\n}");
-    CHECK(tree.problems().find(at(tree, "src/rods/rod.hpp", "[rod.middle]") +
-                               "region [rod.middle] opened and never closed") != std::string::npos);
+    tree.replace("src/rods/rod.hpp", k_return, "// [rod.open]\n" + k_return);
+    CHECK(tree.problems().find(at(tree, "src/rods/rod.hpp", "[rod.open]") +
+                               "region [rod.open] opened and never closed") != std::string::npos);
 }
 
 TEST_CASE("two regions of one name fail the book")
 {
     const ExampleTree tree;
-    tree.replace("src/rods/rod.hpp", "[rod.middle]", "[rod.inertia]");
-    CHECK(tree.problems().find("marker [rod.inertia], which stands at src/rods/rod.hpp:6 too") != std::string::npos);
+    mark(tree, k_return, "rod.one");
+    mark(tree, "    return m * l * l / 12.0;\n", "rod.one");
+    CHECK(tree.problems().find("marker [rod.one], which stands at src/rods/rod.hpp:11 too") != std::string::npos);
 }
 
 TEST_CASE("a region inside another is folded in it, and each line counts once")
 {
     const ExampleTree tree;
-    tree.replace("src/rods/rod.hpp", "    return m * l * l / 3.0;\n",
-                 "    // [rod.inner]\n    return m * l * l / 3.0;\n    // [rod.inner]\n");
-    check_one(tree, "src/rods/rod.hpp", "return m * l * l / 3.0", "region `rod.inner` that chapter 1 never shows");
-    tree.replace(k_chapter, "::listing rod.inertia", "::listing rod.inertia\n\n::listing rod.inner");
-    flying::weave::Problems problems;
-    const flying::weave::Woven woven = tree.weave(problems);
-    CHECK(problems.report() == "");
-    CHECK(woven.counts.coverage.shown == woven.counts.coverage.lines);
+    mark(tree, k_return, "rod.inner");
+    const auto told = [&] {
+        flying::weave::Problems problems;
+        const flying::weave::Woven woven = tree.weave(problems);
+        CHECK(problems.report() == "");
+        return woven.counts.coverage.sum().told;
+    };
+    CHECK(told() == 6);
+    tree.replace(k_chapter, k_listing, k_listing + "\n\n::listing rod.inner");
+    CHECK(told() == 7);
 }
 
 TEST_CASE("files of chapters that are not written are held to nothing")

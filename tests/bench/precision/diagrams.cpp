@@ -45,7 +45,7 @@ std::vector<Engine> all_engines()
 void print(const work::DiagramRecord& diagram)
 {
     std::printf("%-18s", diagram.name.c_str());
-    const std::vector<work::Point> ours = work::points_of(diagram, "flying");
+    const std::vector<work::Point> ours = work::our_points(diagram);
     for (const work::Point& point : ours) std::printf(" %.2g s %.1e |", point.seconds, point.error);
     std::printf(" over the best peer's:");
     double last = -1.0;

@@ -2,7 +2,6 @@
 
 namespace flying {
 
-// [rod.inertia]
 /// Moment of inertia of a thin rod about its end: m l^2 / 3.   [kg m^2]
 /// m  mass    [kg]
 /// l  length  [m]
@@ -10,14 +9,11 @@ namespace flying {
 {
     return m * l * l / 3.0;
 }
-// [rod.inertia]
 
-// [rod.middle]
 /// The same about its middle.   [kg m^2]
 [[nodiscard]] inline double rod_about_middle(double m, double l)
 {
     return m * l * l / 12.0;
 }
-// [rod.middle]
 
 } // namespace flying

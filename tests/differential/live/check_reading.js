@@ -1,0 +1,191 @@
+// The book as a page to read: language, headings, names of what can be pressed, words for pictures, contrast by day and by
+// night, the keyboard, widths from telephone to screen, and a search that finds what a student types.
+//
+//   node tests/differential/live/check_reading.js BOOK/html
+//
+// The last line says how many pages were read and how many faults were found.
+'use strict';
+
+const fs = require('node:fs');
+const path = require('node:path');
+const { Browser } = require('./browser.js');
+
+const html = path.resolve(process.argv[2]);
+const faults = [];
+function complain(place, what) { faults.push(`${place}: ${what}`); }
+
+// Runs in the page; returns what is wrong with it
+function inspect() {
+    const found = [];
+    const say = (what, element) => found.push(`${what}: ${element.outerHTML.slice(0, 110).replace(/\s+/g, ' ')}`);
+    const shown = (element) => element.checkVisibility({ opacityProperty: true, visibilityProperty: true }) && element.getClientRects().length > 0;
+    const nameOf = (element) => (element.getAttribute('aria-label') || element.textContent || element.getAttribute('title') || '').trim() ||
+        [...element.querySelectorAll('img[alt]')].map((image) => image.alt).join(' ');
+    if (!/^en/.test(document.documentElement.lang)) found.push('no language');
+    if (!document.title.trim()) found.push('no title');
+    if (document.querySelectorAll('main').length !== 1) found.push('not one main');
+
+    const headings = [...document.querySelectorAll('h1, h2, h3, h4, h5, h6')];
+    if (headings.filter((heading) => heading.tagName === 'H1').length !== 1) found.push('not one h1');
+    let level = 0;
+    for (const heading of headings) {
+        const own = Number(heading.tagName[1]);
+        if (own > level + 1) say(`a heading h${own} below h${level}`, heading);
+        if (!heading.textContent.trim()) say('an empty heading', heading);
+        level = own;
+    }
+
+    const ids = new Set();
+    for (const element of document.querySelectorAll('main [id], nav [id], header [id]')) {
+        if (ids.has(element.id)) say('an id for the second time', element);
+        ids.add(element.id);
+    }
+    for (const image of document.querySelectorAll('img')) if (!(image.alt || '').trim()) say('a picture without words', image);
+    for (const canvas of document.querySelectorAll('canvas'))
+        if (!canvas.getAttribute('aria-label') && !canvas.getAttribute('aria-hidden')) say('a canvas without words', canvas);
+    for (const figure of document.querySelectorAll('figure.picture')) {
+        const words = (figure.querySelector('img').alt || '').trim();
+        const caption = figure.querySelector('figcaption');
+        if (!/^Figure \d+\.\d+\./.test(caption.textContent)) say('a figure without a number', caption);
+        if (words.length < 10) say('a figure without words', figure);
+    }
+    for (const element of document.querySelectorAll('a[href], button, summary')) if (shown(element) && !nameOf(element)) say('nothing to call it by', element);
+    for (const element of document.querySelectorAll('input, select, textarea')) {
+        const named = element.getAttribute('aria-label') || element.closest('label') || (element.id && document.querySelector(`label[for="${element.id}"]`));
+        if (!named) say('a control without a name', element);
+    }
+    for (const element of document.querySelectorAll('[tabindex]')) if (element.tabIndex > 0) say('a tabindex that jumps', element);
+    for (const element of document.querySelectorAll('[onclick]')) if (element.tabIndex < 0) say('out of the keyboard’s reach', element);
+    for (const table of document.querySelectorAll('table')) if (!table.querySelector('th')) say('a table without heads', table);
+
+    // Contrast of text with the ground under it: 4.5, for large letters 3
+    const canvas = document.createElement('canvas').getContext('2d', { willReadFrequently: true });
+    const known = new Map();
+    const colour = (text) => {
+        if (!known.has(text)) {
+            canvas.clearRect(0, 0, 1, 1);
+            canvas.fillStyle = text;
+            canvas.fillRect(0, 0, 1, 1);
+            const [r, g, b, a] = canvas.getImageData(0, 0, 1, 1).data;
+            known.set(text, [r, g, b, a / 255]);
+        }
+        return known.get(text);
+    };
+    const over = (a, b) => [0, 1, 2].map((k) => a[k] * a[3] + b[k] * (1 - a[3])).concat(1);
+    const ground = (element) => {
+        const layers = [];
+        for (let at = element; at; at = at.parentElement) layers.push(colour(getComputedStyle(at).backgroundColor));
+        return layers.reverse().reduce((below, layer) => over(layer, below), [255, 255, 255, 1]);
+    };
+    const light = (c) => [0, 1, 2].map((k) => c[k] / 255).map((v) => (v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4))
+        .reduce((sum, v, k) => sum + v * [0.2126, 0.7152, 0.0722][k], 0);
+    const pale = new Set();
+    const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+    const seen = new Set();
+    while (walker.nextNode()) {
+        const element = walker.currentNode.parentElement;
+        if (!walker.currentNode.data.trim() || seen.has(element) || !shown(element) || element.closest('script, style, noscript, .katex-mathml')) continue;
+        seen.add(element);
+        const style = getComputedStyle(element);
+        const size = parseFloat(style.fontSize);
+        const below = ground(element);
+        const [a, b] = [light(over(colour(element.closest('svg') ? style.fill : style.color), below)), light(below)];
+        const ratio = (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
+        const enough = size >= 24 || (size >= 18.66 && Number(style.fontWeight) >= 700) ? 3 : 4.5;
+        if (ratio < enough) pale.add(`contrast ${ratio.toFixed(2)} of <${element.tagName.toLowerCase()} class="${element.getAttribute('class') || ''}"> in ${element.parentElement.tagName.toLowerCase()}`);
+    }
+    return [...found, ...pale];
+}
+
+// What students type, and where it must lead: one of the first three places
+const WORDS = [
+    ['restitution', /chapter_07|Material/], ['inertia', /chapter_0[234]/], ['moment of inertia', /chapter_0[234]/], ['parallel axes', /chapter_02/],
+    ['impulse', /chapter_07/], ['friction', /chapter_(07|11)/], ['coulomb', /chapter_(07|11)/], ['momentum', /chapter_/], ['energy', /chapter_/],
+    ['separating axis', /chapter_05/], ['overlap', /chapter_/], ['corner', /chapter_06/], ['convex', /chapter_0[456]/], ['normal', /chapter_0[5-7]/],
+    ['time of impact', /chapter_08/], ['quadratic', /chapter_08/], ['newton', /chapter_/], ['grid', /chapter_09/], ['sweep', /chapter_(09|11)/],
+    ['zeno', /chapter_1[01]/], ['event queue', /chapter_10|EventQueue/], ['pi', /chapter_/], ['stack', /chapter_11/], ['complementarity', /chapter_11/],
+    ['sleep', /chapter_1[12]/], ['kepler', /chapter_01/], ['euler', /chapter_01/], ['verlet', /chapter_01/], ['centre of mass', /chapter_0[24]/],
+    ['rounding', /chapter_/], ['Polygon', /./], ['(7.4)', /chapter_07.html#eq/], ['exercise 4.1', /chapter_04/], ['playground', /playground/],
+];
+
+async function checkSearch(browser) {
+    await browser.go('file://' + path.join(html, 'chapter_02.html'));
+    await browser.until("document.readyState === 'complete'");
+    const key = (name, code) => Promise.all(['keyDown', 'keyUp'].map((type) => browser.send('Input.dispatchKeyEvent', { type, key: name, code, text: type === 'keyDown' && name.length === 1 ? name : undefined })));
+    await key('/', 'Slash');
+    if (!(await browser.until('window.flyingIndex && window.FlyingSearch && document.querySelector("dialog.search[open] input") === document.activeElement', 15000))) {
+        complain('search', 'does not open by its key');
+        return 0;
+    }
+    let good = 0;
+    for (const [word, where] of WORDS) {
+        const places = await browser.ask(`FlyingSearch.find(flyingIndex, ${JSON.stringify(word)}, 3).map((one) => one.address)`);
+        if (places.some((place) => where.test(place))) ++good;
+        else complain('search', `"${word}" leads to ${places.join(', ') || 'nothing'}; expected ${where}`);
+    }
+    await browser.send('Input.insertText', { text: 'parallel axes' });
+    if (!(await browser.until("document.querySelectorAll('dialog.search li a').length > 0", 5000))) complain('search', 'lists nothing');
+    await key('Enter', 'Enter');
+    if (!(await browser.until("location.href.includes('#') || !location.href.includes('chapter_02')", 5000))) complain('search', 'goes nowhere');
+    return good;
+}
+
+async function checkKeyboard(browser) {
+    await browser.size(1280, 900);
+    await browser.go('file://' + path.join(html, 'chapter_02.html'));
+    await browser.until("document.readyState === 'complete'");
+    const tab = () => Promise.all(['keyDown', 'keyUp'].map((type) => browser.send('Input.dispatchKeyEvent', { type, key: 'Tab', code: 'Tab', windowsVirtualKeyCode: 9 })));
+    await tab();
+    if (!(await browser.ask("document.activeElement.classList.contains('skip')"))) complain('keyboard', 'the first stop is not the way to the text');
+    const reached = new Set();
+    for (let k = 0; k < 400; ++k) {
+        await tab();
+        const name = await browser.ask(`(() => {
+            const at = document.activeElement;
+            if (at === document.body) return '';
+            const style = getComputedStyle(at);
+            return at.tagName + (style.outlineStyle === 'none' ? ' without outline ' + at.outerHTML.slice(0, 80) : '');
+        })()`);
+        if (!name) break;
+        reached.add(name);
+    }
+    for (const name of reached) if (name.includes('without')) complain('keyboard', `no sign of focus on ${name}`);
+    for (const kind of ['A', 'BUTTON', 'SUMMARY']) if (!reached.has(kind)) complain('keyboard', `never comes to a ${kind.toLowerCase()}`);
+}
+
+async function main() {
+    const all = fs.readdirSync(html).filter((name) => name.endsWith('.html'));
+    const sources = fs.readdirSync(path.join(html, 'manual')).filter((name) => /^(rectangle|geometry_2polygon|one__point|event__queue)_8.pp_source\.html$/.test(name));
+    const pages = [...all, ...sources.map((name) => 'manual/' + name)];
+    const browser = new Browser();
+    await browser.open();
+    for (const page of pages) {
+        await browser.go('file://' + path.join(html, page));
+        for (const [width, shade] of [[1280, 'light'], [1280, 'dark'], [390, 'light']]) {
+            await browser.size(width, 900, width < 600);
+            await browser.media({ 'prefers-color-scheme': shade });
+            await browser.until("document.readyState === 'complete' && document.querySelector('main') !== null");
+            const place = `${page}, ${width}, ${shade}`;
+            if (width === 390) {
+                const wide = await browser.ask('document.documentElement.scrollWidth');
+                if (wide > width) complain(place, `${wide} pixels wide`);
+                continue;
+            }
+            for (const fault of await browser.ask(`(${inspect})()`)) complain(place, fault);
+        }
+    }
+    await browser.media({});
+    await checkKeyboard(browser);
+    const words = await checkSearch(browser);
+    await browser.close();
+    for (const fault of faults) console.log(fault);
+    console.log(`${words} of ${WORDS.length} words found`);
+    console.log(`${pages.length} pages read, ${faults.length} faults`);
+    process.exitCode = faults.length ? 1 : 0;
+}
+
+main().catch((error) => {
+    console.log(error.stack);
+    console.log('0 pages read, 1 faults');
+    process.exit(1);
+});

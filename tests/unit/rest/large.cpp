@@ -1,0 +1,146 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+#include "math/random.hpp"
+#include "rest/sweep_batches.hpp"
+#include "rest/sweeps.hpp"
+#include "chapters/support/lying_bodies.hpp"
+
+using namespace flying;
+using namespace flying::test;
+
+namespace {
+
+/// Points of random pairs among a few bodies, the first of which nothing moves. One pair in three has one point.
+struct Tangle
+{
+    std::vector<Mover> movers;
+    std::vector<int> members;
+    std::vector<ContactPoint> points;
+    std::vector<int> which;
+};
+
+Tangle tangle(std::uint64_t seed, int bodies, int pairs)
+{
+    Random random(seed);
+    Tangle t;
+    t.movers.push_back({});
+    for (int k = 1; k <= bodies; ++k) {
+        const double mass = std::exp2(random.uniform(-10.0, 10.0));
+        t.movers.push_back({random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), 1.0 / mass,
+                            6.0 / mass});
+        t.members.push_back(k);
+    }
+    for (int pair = 0; pair < pairs; ++pair) {
+        const int a = random.below(bodies + 1);
+        const int b = 1 + random.below(bodies);
+        if (a == b) continue;
+        const Rotation way = Rotation::of(random.uniform(0.0, 6.28));
+        for (int i = 0; i < (pair % 3 == 0 ? 1 : 2); ++i) {
+            ContactPoint c;
+            c.a = a;
+            c.b = b;
+            c.pair = pair;
+            c.n_x = way.cosine;
+            c.n_y = way.sine;
+            c.normal_arm_a = random.uniform(-1.0, 1.0);
+            c.normal_arm_b = random.uniform(-1.0, 1.0);
+            c.tangent_arm_a = random.uniform(-1.0, 1.0);
+            c.tangent_arm_b = random.uniform(-1.0, 1.0);
+            const Mover& one = t.movers[a];
+            const Mover& two = t.movers[b];
+            const double shift = one.inv_mass + two.inv_mass;
+            c.normal_mass = 1.0 / (shift + one.inv_moment * c.normal_arm_a * c.normal_arm_a +
+                                   two.inv_moment * c.normal_arm_b * c.normal_arm_b);
+            c.tangent_mass = 1.0 / (shift + one.inv_moment * c.tangent_arm_a * c.tangent_arm_a +
+                                    two.inv_moment * c.tangent_arm_b * c.tangent_arm_b);
+            c.friction = 0.25 * (pair % 4);
+            c.bound = random.uniform(-0.1, 0.1);
+            if (random.uniform(0.0, 1.0) < 0.9) t.which.push_back(static_cast<int>(t.points.size()));
+            t.points.push_back(c);
+        }
+    }
+    return t;
+}
+
+bool same_bits(double x, double y) { return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y); }
+
+} // namespace
+
+TEST_CASE("sweeps over batches find the bits of the plain sweep, whoever shares bodies with whom")
+{
+    std::uint64_t seed = 1;
+    const std::pair<int, int> sizes[] = {{1, 3}, {2, 1}, {3, 40}, {3, 300}, {30, 200}, {400, 900}};
+    for (const auto& [bodies, pairs] : sizes) {
+        for (int repeat = 0; repeat < 20; ++repeat) {
+            CAPTURE(seed);
+            Tangle t = tangle(seed++, bodies, pairs);
+            SweepBatches batches;
+            batches.lay_out(t.points, t.which, t.movers, t.members);
+            const std::vector<int> order = batches.order();
+            CHECK(std::is_permutation(order.begin(), order.end(), t.which.begin(), t.which.end()));
+            std::vector<Mover> movers = t.movers;
+            std::vector<SweepPoint> plain;
+            for (const int k : order) plain.push_back(sweep_point(t.points[k]));
+            for (int k = 0; k < 5; ++k) {
+                if (k % 2 == 0) sweep(plain, movers);
+                else sweep_back(plain, movers);
+            }
+
+            batches.sweep_to_and_fro(5);
+            batches.get_impulses(t.points);
+            batches.get_velocities(t.movers, t.members);
+            bool same = true;
+            for (std::size_t k = 0; k < plain.size(); ++k) {
+                const ContactPoint& c = t.points[order[k]];
+                same = same && same_bits(c.normal, plain[k].normal) && same_bits(c.tangent, plain[k].tangent);
+            }
+            for (const int k : t.members) {
+                same = same && same_bits(t.movers[k].v_x, movers[k].v_x) && same_bits(t.movers[k].v_y, movers[k].v_y) &&
+                       same_bits(t.movers[k].spin, movers[k].spin);
+            }
+            CHECK(same);
+        }
+    }
+}
+
+TEST_CASE("what a look remembers changes no bit of what follows, and saves looks")
+{
+    // A heap of boxes, discs and corners looking inwards falls into a bin
+    const Material material{0.0, 0.5};
+    std::vector<RestBody> bodies = {wall(Vec2(0.0, 1.0), 0.0, material), wall(Vec2(1.0, 0.0), 0.0, material),
+                                    wall(Vec2(-1.0, 0.0), -10.0, material)};
+    const Polygon angle({{{-0.3, -0.3}, {0.5, -0.3}, {0.5, 0.0}, {0.0, 0.0}, {0.0, 0.5}, {-0.3, 0.5}}});
+    Random random(3);
+    for (int k = 0; k < 90; ++k) {
+        const Vec2 place(0.8 + 1.2 * (k % 8) + random.uniform(-0.1, 0.1), 0.8 + 1.2 * (k / 8));
+        const double size = random.uniform(0.4, 0.8);
+        if (k % 3 == 0) bodies.push_back(disc(0.5 * size, place, 1.0, material));
+        else bodies.push_back(box(size, 0.8 * size, place, 1.0, material));
+        if (k % 9 == 4) bodies.back().shape = angle;
+        bodies.back().state.angle = random.uniform(0.0, 6.0);
+        bodies.back().state.spin = random.uniform(-3.0, 3.0);
+    }
+    for (const int most_solved : {20, 400}) {
+        CAPTURE(most_solved);
+        RestOptions options;
+        options.most_solved = most_solved;
+        options.sleeps = false;
+        RestEngine remembers(bodies, options);
+        RestEngine forgets(bodies, options);
+        bool same = true;
+        for (int k = 0; k < 400; ++k) {
+            forgets.go_on_from(forgets.memory());
+            forgets.step();
+            remembers.step();
+            same = same && forgets.hash() == remembers.hash();
+        }
+        CHECK(same);
+        MESSAGE("looks with, without memory: " << remembers.counts().manifolds << ", " << forgets.counts().manifolds);
+        CHECK(remembers.counts().manifolds < forgets.counts().manifolds);
+    }
+}
