@@ -120,6 +120,8 @@ std::vector<std::string> cost_lines(const Stage& stage)
     const double span = frames.size() > 1 ? frames.back() - frames.front() : 0.0;
     if (span > 0.0) lines.push_back(fmt::format("{:.1f} frames a second", static_cast<double>(frames.size() - 1) / span));
     lines.push_back(fmt::format("simulating {:.2f} ms, drawing {:.2f} ms", 1e3 * stage.clock.mean_simulating, 1e3 * stage.clock.mean_drawing));
+    lines.push_back(fmt::format("19 frames of 20 within {:.2f} ms and {:.2f} ms", 1e3 * stage.watch.simulating.quantile(0.95),
+                                1e3 * stage.watch.drawing.quantile(0.95)));
     lines.push_back(fmt::format("load {:.0f} % of a sixtieth of a second", 6e3 * (stage.clock.mean_simulating + stage.clock.mean_drawing)));
     lines.push_back(fmt::format("{} bodies, {} events, {} collisions", stage.run.world().body_count(), stage.run.events(), stage.run.collisions()));
     return lines;

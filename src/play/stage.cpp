@@ -168,6 +168,8 @@ void Stage::advance(double wall, double (*seconds)())
     run.remember(k_remembered_every * clock.frame * clock.speed);
     clock.mean_simulating += k_mean * (clock.simulating - clock.mean_simulating);
     clock.mean_drawing += k_mean * (clock.drawing - clock.mean_drawing);
+    watch.simulating.add(clock.simulating);
+    watch.drawing.add(clock.drawing);
     watch_frame(watch, run, look, now);
     refresh();
 }

@@ -115,7 +115,11 @@ std::string state_json(const Stage& stage, const std::string& more)
     add("surface", fmt::format("[{},{}]", stage.size.width, stage.size.height));
     const ViewMap map = stage_map(stage, stage.size);
     add("map", fmt::format("[{},{},{}]", number(map.scale), number(map.origin.x()), number(map.origin.y())));
-    add("costs", fmt::format("{{\"simulating\":{},\"drawing\":{}}}", number(stage.clock.mean_simulating), number(stage.clock.mean_drawing)));
+    const auto spread = [&](const FrameCosts& costs) {
+        return fmt::format("{{\"median\":{},\"p95\":{}}}", number(costs.quantile(0.5)), number(costs.quantile(0.95)));
+    };
+    add("costs", fmt::format("{{\"simulating\":{},\"drawing\":{},\"interval\":{}}}", spread(stage.watch.simulating),
+                             spread(stage.watch.drawing), spread(stage.watch.intervals)));
     add("notice", json_text(stage.now < stage.notice.until ? stage.notice.text : std::string()));
     add("can_undo", truth(stage.run.can_undo()));
     add("bodies", bodies_json(stage.run.world()));

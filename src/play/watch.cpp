@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t k_trail_points = 48;
 constexpr std::size_t k_all_trail_points = 12000;
+constexpr std::size_t k_most_frames = 300;
 constexpr double k_plan_every = 0.5;  ///< [s]
 constexpr double k_touch = 1e-6;      ///< [sizes] gap of bodies that have just met
 constexpr double k_unlike = 1e-9;     ///< [speeds] a change that is no rounding
@@ -121,6 +122,21 @@ void watch_present(Watch& watch, const PlayRun& run, const Look& look, double no
     watch.next_asked = now;
 }
 
+void FrameCosts::add(double cost)
+{
+    costs_.push_back(cost);
+    if (costs_.size() > k_most_frames) costs_.pop_front();
+}
+
+double FrameCosts::quantile(double share) const
+{
+    if (costs_.empty()) return 0.0;
+    std::vector<double> sorted(costs_.begin(), costs_.end());
+    const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(sorted.size() - 1));
+    std::nth_element(sorted.begin(), sorted.begin() + place, sorted.end());
+    return sorted[static_cast<std::size_t>(place)];
+}
+
 Sample sample_of(const PlayRun& run)
 {
     const World& world = run.world();
@@ -142,6 +158,7 @@ Sample sample_of(const PlayRun& run)
 
 void watch_frame(Watch& watch, PlayRun& run, const Look& look, double now)
 {
+    if (!watch.frames.empty()) watch.intervals.add(now - watch.frames.back());
     watch.frames.push_back(now);
     while (watch.frames.size() > 120) watch.frames.pop_front();
     while (!watch.impacts.empty() && watch.impacts.front().seen < now - 2.0 * k_impact_fades) watch.impacts.pop_front();

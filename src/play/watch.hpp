@@ -30,6 +30,18 @@ struct Sample
     Vec2 momentum = Vec2::Zero();
 };
 
+/// What the last frames cost, each by itself.
+class FrameCosts
+{
+public:
+    void add(double cost);
+    /// The cost that this share of frames doesn't exceed; 0 before the first.  share  0 ... 1  [s]
+    [[nodiscard]] double quantile(double share) const;
+
+private:
+    std::deque<double> costs_;
+};
+
 /// What is kept of the past for layers that show it. Nothing is gathered for layers that are off.
 struct Watch
 {
@@ -37,6 +49,9 @@ struct Watch
     std::vector<std::deque<Vec2>> trails; ///< of each body, oldest first [m]
     std::deque<Sample> samples;
     std::deque<double> frames; ///< moments of the last frames, on the stage's own clock [s]
+    FrameCosts simulating;
+    FrameCosts drawing;
+    FrameCosts intervals;      ///< from frame to frame
     Plan plan;                 ///< with what it saved, as it was last asked for
     double plan_asked = -1.0;  ///< on the stage's own clock [s]
 

@@ -190,12 +190,10 @@ look
 start=$(value 's.bodies[1].x + " " + s.bodies[1].y')
 # shellcheck disable=SC2086
 point $start
-xdotool mousedown 1
-for k in 1 2 3 4 5 6; do
-    point "$(node -p "${start% *} - 0.25 * $k")" "$(node -p "${start#* } + 0.1 * $k")"
-    sleep 0.02
-done
-xdotool mouseup 1
+# As dense as a hand's moves are: what rests before it is let go isn't thrown
+path=$(value "(() => { const [m, x0, y0] = s.map, out = []; for (let k = 1; k <= 15; ++k) out.push('mousemove', Math.round(x0 + m * (${start% *} - 0.1 * k)), Math.round(y0 - m * (${start#* } + 0.04 * k)), 'sleep', 0.012); return out.join(' ') })()")
+# shellcheck disable=SC2086
+xdotool mousedown 1 $path mouseup 1
 keys p
 expect "a body is thrown" 's.holds === -1 && s.bodies[1].vx < -0.5'
 keys 2

@@ -103,3 +103,13 @@ TEST_CASE("no key is bound twice")
     const auto twice = std::adjacent_find(seen.begin(), seen.end());
     CHECK_MESSAGE(twice == seen.end(), (twice == seen.end() ? "" : *twice));
 }
+
+TEST_CASE("costs of frames are told by their median and by what nineteen of twenty don't exceed")
+{
+    FrameCosts costs;
+    CHECK(costs.quantile(0.5) == 0.0);
+    for (int k = 0; k <= 1000; ++k) costs.add(k % 100 == 7 ? 50.0 : 1.0 + 0.01 * (k % 10));
+    CHECK(costs.quantile(0.5) == doctest::Approx(1.04).epsilon(0.02));
+    CHECK(costs.quantile(0.95) < 1.2);
+    CHECK(costs.quantile(1.0) == 50.0);
+}
