@@ -1,4 +1,5 @@
-#include "mass/rectangle.hpp"
+#include "rectangle.hpp"
+#include "mass/disc.hpp"
 
 #include <array>
 #include <cmath>

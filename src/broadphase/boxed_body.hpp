@@ -1,0 +1,17 @@
+#pragma once
+
+#include "geometry/aabb.hpp"
+
+namespace flying {
+
+// [broadphase.boxed_body]
+/// A body as those see it who look for pairs.
+struct BoxedBody
+{
+    int body = 0; ///< its id
+    bool is_static = false;
+    Aabb box; ///< holds all of the body [m]
+};
+// [broadphase.boxed_body]
+
+} // namespace flying
