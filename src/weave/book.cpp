@@ -78,6 +78,8 @@ Book read_book(const std::filesystem::path& source, Problems& problems)
     if (const toml::array* chapters = table["chapter"].as_array())
         for (const toml::node& node : *chapters)
             if (const toml::table* chapter = node.as_table()) book.chapters.push_back(read_chapter(*chapter, problems));
+    if (const toml::table* modules = table["modules"].as_table())
+        for (const auto& [name, says] : *modules) book.modules[std::string(name.str())] = says.value_or(std::string());
     if (const toml::array* waivers = table["waiver"].as_array())
         for (const toml::node& node : *waivers)
             if (const toml::table* waiver = node.as_table())

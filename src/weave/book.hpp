@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,7 @@ struct Book
     std::string title;
     std::vector<ChapterEntry> chapters; ///< in the order of their numbers
     std::vector<Waiver> waivers;
+    std::map<std::string, std::string> modules; ///< what each module of src does, in a line
 
     /// The chapter of that number, or null.
     [[nodiscard]] const ChapterEntry* chapter(int number) const;

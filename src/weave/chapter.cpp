@@ -56,14 +56,15 @@ std::optional<Block> parse_directive(const std::string& line, Place place, Probl
     block.kind = *kind;
     block.place = std::move(place);
     std::string rest(end == std::string::npos ? std::string_view() : trim(std::string_view(line).substr(end)));
-    const std::size_t open = rest.find('"');
-    if (open != std::string::npos) {
-        const std::size_t close = rest.rfind('"');
-        if (close == open) {
+    for (std::string* words : {&block.caption, &block.alt}) {
+        const std::size_t open = rest.find('"');
+        if (open == std::string::npos) break;
+        const std::size_t close = rest.find('"', open + 1);
+        if (close == std::string::npos) {
             problems.add(block.place, "a caption with one quotation mark", "a pair of them, on this line");
             return std::nullopt;
         }
-        block.caption = std::string(trim(std::string_view(rest).substr(open + 1, close - open - 1)));
+        *words = std::string(trim(std::string_view(rest).substr(open + 1, close - open - 1)));
         rest = std::string(trim(rest.substr(0, open) + rest.substr(close + 1)));
     }
     const std::size_t space = rest.find_first_of(" \t");
@@ -134,6 +135,17 @@ void read_symbols(ChapterText& chapter, Problems& problems)
 }
 
 } // namespace
+
+Listing listing_of(const Block& block)
+{
+    Listing listing;
+    listing.names.push_back(block.name);
+    for (const std::string& word : split(block.options, ' ')) {
+        if (word == "again") listing.is_again = true;
+        else if (!trim(word).empty()) listing.names.push_back(word);
+    }
+    return listing;
+}
 
 std::string directive_word(BlockKind kind)
 {

@@ -14,13 +14,13 @@ enum class BlockKind
 {
     text,       ///< Markdown: paragraphs, headings, lists, tables
     fence,      ///< quoted matter that is no code of the project: ```text, ```sh, ```toml
-    listing,    ///< listing region [again]
+    listing,    ///< listing region... [again]
     equation,   ///< equation id, then a ```tex block
     definition, ///< definition id, then a ```tex block
     derivation, ///< derivation id [for m in 1..2, ...], then a ```tex block, one formula a line, its reason after %
-    figure,     ///< figure name "caption"
+    figure,     ///< figure name "what to see" ["what there is"]
     output,     ///< output program
-    live,       ///< live name "caption"
+    live,       ///< live name "what to see" ["what there is"]
     exercise,   ///< exercise eK
 };
 
@@ -28,10 +28,11 @@ struct Block
 {
     BlockKind kind = BlockKind::text;
     Place place;
-    std::string name;                               ///< first word after the directive
-    std::string options;                            ///< what follows the name, caption taken out
-    std::string caption;                            ///< between double quotes
-    std::string language;                           ///< of a fence
+    std::string name;     ///< first word after the directive
+    std::string options;  ///< what follows the name, caption taken out
+    std::string caption;  ///< between double quotes: what to see
+    std::string alt;      ///< between the next pair: what there is, for those who don't see it
+    std::string language; ///< of a fence
     std::vector<std::pair<int, std::string>> lines; ///< line number and text: of a text, a fence, a formula
 };
 
@@ -54,6 +55,14 @@ struct ChapterText
     std::vector<Symbol> symbols;
     std::vector<std::string> sections; ///< titles of the headings `## ...`
 };
+
+/// What a listing shows: one region or several, as new or once more.
+struct Listing
+{
+    std::vector<std::string> names;
+    bool is_again = false;
+};
+[[nodiscard]] Listing listing_of(const Block& block);
 
 /// The word that starts a directive's line, without its colons.
 [[nodiscard]] std::string directive_word(BlockKind kind);

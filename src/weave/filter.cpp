@@ -37,6 +37,36 @@ std::string without_markers(const std::vector<std::string>& lines)
     return out;
 }
 
+std::string comment_markdown(const std::vector<std::string>& lines)
+{
+    std::string out;
+    bool in_list = false;
+    bool in_formula = false;
+    for (const std::string& line : lines) {
+        std::size_t name_end = 0;
+        const bool is_indented = line.substr(0, 4) == "    ";
+        if (is_indented && !in_list) {
+            if (!in_formula) out += "\n```\n";
+            in_formula = true;
+            out += line.substr(4) + "\n";
+            continue;
+        }
+        if (in_formula) out += "```\n";
+        in_formula = false;
+        if (is_entry(line, name_end)) {
+            if (!in_list) out += "\n";
+            out += "- **" + line.substr(0, name_end) + "** " + std::string(trim(line.substr(name_end))) + "\n";
+            in_list = true;
+        } else if (in_list && line.substr(0, 1) == " ") {
+            out += "  " + std::string(trim(line)) + "\n";
+        } else {
+            out += (in_list ? "\n" : "") + line + "\n";
+            in_list = false;
+        }
+    }
+    return out + (in_formula ? "```\n" : "");
+}
+
 std::string filter_source(const std::vector<std::string>& lines)
 {
     std::string out;

@@ -6,7 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "weave/pages.hpp"
+#include "weave/frame.hpp"
+#include "weave/markdown.hpp"
 #include "weave/text.hpp"
 
 namespace flying::weave {
@@ -34,10 +35,12 @@ std::string first_between(const std::string& text, std::string_view open, std::s
     return between(text, open, close, at).value_or("");
 }
 
+/// All pages, those of the manual in its folder too.
 std::vector<fs::path> html_files(const fs::path& folder)
 {
     std::vector<fs::path> files;
-    for (const auto& entry : fs::directory_iterator(folder))
+    std::error_code error;
+    for (const auto& entry : fs::recursive_directory_iterator(folder, error))
         if (entry.path().extension() == ".html") files.push_back(entry.path());
     std::sort(files.begin(), files.end());
     return files;
@@ -47,7 +50,7 @@ std::vector<fs::path> html_files(const fs::path& folder)
 bool is_block(const std::string& html)
 {
     for (const char* start : {"<figure", "<div", "<pre", "<details", "</details", "<section", "</section", "<nav",
-                              "<header", "<script", "<ol", "<p", "</div"})
+                              "<header", "<script", "<ol", "<p", "</div", "<h2", "<h3", "<h4"})
         if (html.rfind(start, 0) == 0) return true;
     return false;
 }
@@ -106,7 +109,7 @@ public:
     }
 
 private:
-    /// Takes the paragraph away that Doxygen put round a token.
+    /// Takes the paragraph away that Markdown put round a token.
     static void unwrap(std::string& before, const std::string& text, std::size_t& at)
     {
         const std::size_t open = before.rfind("<p");
@@ -134,7 +137,7 @@ private:
             return lines(fragment);
         case FragmentKind::source: {
             const auto page = manual_.sources.find(fragment.text);
-            if (page != manual_.sources.end()) return page->second;
+            if (page != manual_.sources.end()) return "manual/" + page->second;
             problems_.add(fragment.place, fmt::format("link to {}", fragment.text),
                           "a source that Doxygen has a page of");
             return "";
@@ -151,10 +154,10 @@ private:
         if (name.size() > 2 && name.substr(name.size() - 2) == "()") name.resize(name.size() - 2);
         const auto page = manual_.names.find(name);
         if (page == manual_.names.end()) return shown;
-        return fmt::format("<a class=\"name\" href=\"{}\">{}</a>", page->second, shown);
+        return fmt::format("<a class=\"name\" href=\"manual/{}\">{}</a>", page->second, shown);
     }
 
-    /// The lines of Doxygen's page of the file, by number; without their numbers.
+    /// The lines of a source, with links that start from the pages of the chapters.
     const std::map<int, std::string>& source_lines(const std::string& path)
     {
         const auto known = source_lines_.find(path);
@@ -162,15 +165,8 @@ private:
         std::map<int, std::string>& lines = source_lines_[path];
         const auto page = manual_.sources.find(path);
         if (page == manual_.sources.end()) return lines;
-        const std::string text = read_file(html_ / page->second).value_or("");
-        std::size_t at = 0;
-        while (const std::optional<std::string> line = between(text, "<div class=\"line\">", "</div>\n", at)) {
-            const std::string number = first_between(*line, "name=\"l", "\"");
-            std::size_t start = line->find("<span class=\"lineno\">");
-            if (number.empty() || start == std::string::npos) continue;
-            start = line->find("</span>", start);
-            lines[std::stoi(number)] = line->substr(start + 7);
-        }
+        lines = linked_lines(html_ / "manual" / page->second);
+        for (auto& [number, line] : lines) line = replace_all(line, " href=\"", " href=\"manual/");
         return lines;
     }
 
@@ -183,17 +179,18 @@ private:
             const std::string& line = file.lines[number - 1];
             if (!trim(line).empty()) indent = std::min(indent, line.find_first_not_of(' '));
         }
-        std::string out = "<div class=\"fragment\">";
+        std::string out;
         auto instead = fragment.instead.begin();
         for (const int number : fragment.lines) {
-            for (; instead != fragment.instead.end() && instead->first <= number; ++instead) out += instead->second;
+            for (; instead != fragment.instead.end() && instead->first <= number; ++instead)
+                out += replace(instead->second);
             const auto line = html.find(number);
-            std::string body = line != html.end() ? line->second : escape_html(file.lines[number - 1]);
             // Doxygen puts a blank between the number and the line
-            out += "<div class=\"line\">" + dedent(body, static_cast<int>(indent)) + "</div>\n";
+            const std::string body = line != html.end() ? line->second : escape_html(file.lines[number - 1]);
+            out += "<div class=\"line\">" + with_whole_words(dedent(body, static_cast<int>(indent))) + "</div>\n";
         }
-        for (; instead != fragment.instead.end(); ++instead) out += instead->second;
-        return out + "</div>";
+        for (; instead != fragment.instead.end(); ++instead) out += replace(instead->second);
+        return out;
     }
 
     const Material& material_;
@@ -218,14 +215,14 @@ std::map<std::string, std::string> chapter_notes(const Material& material)
                 const int index = block.kind == BlockKind::listing ? material.sources.find(block.name) : -1;
                 if (index < 0 || block.options == "again") continue;
                 listings[material.sources.regions[index].file].push_back(fmt::format(
-                    "<a href=\"{}.html#listing-{}\">{}</a>", page, slug(block.name), escape_html(block.name)));
+                    "<a href=\"../{}.html#listing-{}\">{}</a>", page, slug(block.name), escape_html(block.name)));
             }
         };
         collect(chapter.text, chapter.entry.page());
         if (chapter.rest) collect(*chapter.rest, chapter.entry.page() + "_rest");
         for (const std::string& file : chapter.entry.files)
             notes[file] =
-                fmt::format("<p class=\"told\">Told in <a href=\"{}.html\">chapter {}</a>: {}</p>",
+                fmt::format("<p class=\"told\">Told in <a href=\"../{}.html\">chapter {}</a>: {}</p>",
                             chapter.entry.page(), escape_html(page_title(chapter.entry)), join(listings[file], ", "));
     }
     return notes;
@@ -286,6 +283,42 @@ std::string with_note(std::string page, const std::string& note)
 
 } // namespace
 
+std::string with_whole_words(const std::string& html)
+{
+    std::string out;
+    std::size_t at = 0;
+    while (at < html.size()) {
+        if (html[at] == '<') {
+            const std::size_t end = std::min(html.find('>', at), html.size() - 1) + 1;
+            out += html.substr(at, end - at);
+            at = end;
+            continue;
+        }
+        const std::size_t end = std::min(html.find_first_of(" <", at), html.size());
+        const std::string word = html.substr(at, end - at);
+        const bool may_break = word.find_first_of("-/?|+%!") != std::string::npos;
+        out += may_break ? "<span class=\"w\">" + word + "</span>" : word;
+        if (end < html.size() && html[end] == ' ') out += ' ';
+        at = end < html.size() && html[end] == ' ' ? end + 1 : end;
+    }
+    return out;
+}
+
+std::map<int, std::string> linked_lines(const fs::path& page)
+{
+    std::map<int, std::string> lines;
+    const std::string text = read_file(page).value_or("");
+    std::size_t at = 0;
+    while (const std::optional<std::string> line = between(text, "<div class=\"line\">", "</div>\n", at)) {
+        const std::string number = first_between(*line, "name=\"l", "\"");
+        std::size_t start = line->find("<span class=\"lineno\">");
+        if (number.empty() || start == std::string::npos) continue;
+        start = line->find("</span>", start);
+        lines[std::stoi(number)] = line->substr(start + 7);
+    }
+    return lines;
+}
+
 Manual read_manual(const fs::path& tag_file, const fs::path& project)
 {
     Manual manual;
@@ -319,22 +352,27 @@ Manual read_manual(const fs::path& tag_file, const fs::path& project)
     return manual;
 }
 
-void finish_pages(const Material& material, const std::vector<Fragment>& fragments,
-                  const std::vector<std::string>& formulas, const Manual& manual, const fs::path& html,
-                  Problems& problems)
+void finish_pages(const Material& material, const Pages& pages, const std::vector<std::string>& formulas,
+                  const Manual& manual, const fs::path& html, Problems& problems)
 {
-    Finisher finisher(material, fragments, formulas, manual, html, problems);
+    const auto write = [&](const fs::path& path, const std::string& text) {
+        if (!write_file(path, text))
+            problems.add({path.filename().string(), 0}, "a page that can't be written", "a folder to write to");
+    };
+    Finisher finisher(material, pages.fragments.list(), formulas, manual, html, problems);
+    for (const Page& page : pages.list)
+        write(html / (page.name + ".html"),
+              framed(material, page, finisher.replace(markdown_to_html(page.markdown)), ""));
+
     const std::map<std::string, std::string> notes = chapter_notes(material);
     std::map<std::string, std::string> by_page; // note by page of the manual
     for (const auto& [file, note] : notes) {
         if (manual.files.count(file) > 0) by_page[manual.files.at(file)] = note;
-        if (manual.sources.count(file) > 0) by_page[manual.sources.at(file)] = note;
     }
-    for (const fs::path& path : html_files(html)) {
+    for (const fs::path& path : html_files(html / "manual")) {
         const std::string text = read_file(path).value_or("");
-        const std::string name = path.filename().string();
-        std::string finished = text.find("wv0x") == std::string::npos ? text : finisher.replace(text);
-        auto note = by_page.find(name);
+        std::string finished = text;
+        auto note = by_page.find(path.filename().string());
         if (note == by_page.end() && finished.find("was generated from the following file") != std::string::npos) {
             // A page about a type: it names its file at its end
             const std::size_t end = finished.find("was generated from the following file");
@@ -343,10 +381,9 @@ void finish_pages(const Material& material, const std::vector<Fragment>& fragmen
         }
         if (note != by_page.end()) finished = with_note(finished, note->second);
         finished = with_true_row(finished);
-        if (finished != text && !write_file(path, finished))
-            problems.add({name, 0}, "a page that can't be written", "a folder to write to");
+        if (finished != text) write(path, finished);
     }
-    mend_tree_scripts(html, problems);
+    mend_tree_scripts(html / "manual", problems);
 }
 
 void check_links(const fs::path& html, Problems& problems)
@@ -354,7 +391,7 @@ void check_links(const fs::path& html, Problems& problems)
     std::map<std::string, std::set<std::string>> anchors; // of each page
     std::map<std::string, std::set<std::string>> links;
     for (const fs::path& path : html_files(html)) {
-        const std::string name = path.filename().string();
+        const std::string name = fs::relative(path, html).generic_string();
         const std::string text = read_file(path).value_or("");
         std::set<std::string>& own = anchors[name];
         for (const char* attribute : {" id=\"", " name=\""}) {
@@ -376,6 +413,7 @@ void check_links(const fs::path& html, Problems& problems)
             if (file.find(':') != std::string::npos) continue; // another scheme, or the web
             file = file.substr(0, file.find('?'));
             if (file.empty()) file = page;
+            else file = (fs::path(page).parent_path() / file).lexically_normal().generic_string();
             const std::string anchor = hash == std::string::npos ? "" : target.substr(hash + 1);
             const auto known = anchors.find(file);
             if (known == anchors.end()) {

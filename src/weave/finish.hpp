@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "weave/fragments.hpp"
 #include "weave/material.hpp"
+#include "weave/pages.hpp"
 #include "weave/problems.hpp"
 
 namespace flying::weave {
@@ -22,11 +22,16 @@ struct Manual
 /// Reads the tag file; paths come back from the project's folder on.
 [[nodiscard]] Manual read_manual(const std::filesystem::path& tag_file, const std::filesystem::path& project);
 
-/// Puts the fragments in the place of their tokens in every page of `html`, and links from the pages of the manual to
-/// the chapters.
-void finish_pages(const Material& material, const std::vector<Fragment>& fragments,
-                  const std::vector<std::string>& formulas, const Manual& manual, const std::filesystem::path& html,
-                  Problems& problems);
+/// Puts the fragments in the place of their tokens and writes every page to `html`. The manual is in `html/manual`: its
+/// pages get links to the chapters.
+void finish_pages(const Material& material, const Pages& pages, const std::vector<std::string>& formulas,
+                  const Manual& manual, const std::filesystem::path& html, Problems& problems);
+
+/// The lines of Doxygen's page of a source, by number, with their links, without their numbers.
+[[nodiscard]] std::map<int, std::string> linked_lines(const std::filesystem::path& page);
+
+/// Keeps words of code in one line: a browser would go on in the next one behind the hyphen of `1e-12`.
+[[nodiscard]] std::string with_whole_words(const std::string& html);
 
 /// Every link of every page leads somewhere: to a file that is there and to an anchor in it.
 void check_links(const std::filesystem::path& html, Problems& problems);

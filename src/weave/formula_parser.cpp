@@ -166,10 +166,9 @@ private:
         if (token.empty() || at_differential()) return false;
         if (token == "|") return bars_ == 0;
         if (std::isdigit(static_cast<unsigned char>(token[0])) || is_letter(token) || is_greek(token)) return true;
-        static const std::set<std::string> k_starts = {"(",       "[",        "{",      "\\frac", "\\tfrac", "\\dfrac",
-                                                       "\\sqrt",  "\\int",    "\\sum",  "\\bar",  "\\hat",   "\\dot",
-                                                       "\\tilde", "\\mathrm", "\\text", "\\max",  "\\min", "\\lceil",
-                                                       "\\lfloor"};
+        static const std::set<std::string> k_starts = {
+            "(",     "[",     "{",       "\\frac",   "\\tfrac", "\\dfrac", "\\sqrt", "\\int",   "\\sum",   "\\bar",
+            "\\hat", "\\dot", "\\tilde", "\\mathrm", "\\text",  "\\max",   "\\min",  "\\lceil", "\\lfloor"};
         return k_starts.count(token) > 0 || formula_functions().count(token) > 0;
     }
 

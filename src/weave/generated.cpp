@@ -162,7 +162,7 @@ std::string equation_index(const Material& material, Fragments& fragments)
         }
         case BlockKind::definition:
             ++definitions;
-            what = "<p class=\"receipt\">defines; nothing to check</p>";
+            what = "Defines; nothing to check.";
             tex = formula_of(block);
             break;
         default: {
@@ -178,9 +178,10 @@ std::string equation_index(const Material& material, Fragments& fragments)
         }
         }
         rows += fmt::format(
-            "<li><a class=\"number\" href=\"{}.html#{}\">({})</a><div class=\"entry\">{}{}<code>{}</code></div></li>",
+            "<li id=\"receipt-{1}\"><a class=\"number\" href=\"{0}.html#{1}\">({2})</a><div class=\"entry\">{3}"
+            "<p class=\"sentence\">{4}</p><code>{5}</code></div></li>",
             numbered->page, numbered->anchor, numbered->number, fragments.add_formula(tex, false, block.place),
-            what.empty() ? receipt_line(material, *numbered) : what, escape_html(block.name));
+            what.empty() ? receipt_sentence(material, *numbered) : what, escape_html(block.name));
     }
     return fmt::format(
         "<p>{} equations hold receipts, {} of them evaluated as they are printed; {} derivations were checked line by "
@@ -230,8 +231,9 @@ std::string left_out(const Material& material, const Counts& counts, TextWriter&
                                   "waived, for the reasons below.\n\n"
                                   "{} formulas only define. {} decimal numbers of the text are given, not computed. {} "
                                   "chapters are planned and not "
-                                  "written yet; what they will hold is not held against the book.\n\n## Waivers\n\n",
+                                  "written yet; what they will hold is not held against the book.\n\n",
                                   coverage.shown, coverage.lines, coverage.waived, definitions, counts.given, planned);
+    out += writer.heading(2, "Waivers");
     if (material.book.waivers.empty()) return out + "None.\n";
     for (const Waiver& waiver : material.book.waivers)
         out += writer.inline_text({{waiver.line, fmt::format("- `{}`: {}", waiver.region, waiver.reason)}},
@@ -253,36 +255,35 @@ void add_generated_pages(const Material& material, const Counts& counts, TextWri
             ? std::string()
             : fragments.add_html(fmt::format("<p class=\"start\"><a href=\"{}.html\">Start with chapter {}: {}</a></p>",
                                              first->page(), first->number, escape_html(first->title)));
-    pages.list.push_back(
-        {"index",
-         fmt::format(
-             "# {} {{#mainpage}}\n\n"
-             "{}\n\n"
-             "Begin with one flying ball, end with a simulator of colliding polygons that you understand to the last "
-             "line, and check every formula on the way.\n\n{}\n\n"
-             "When you are through, you will be able to\n\n"
-             "- weigh any polygon: find its mass, its centre and its moment of inertia from its corners alone,\n"
-             "- say when two turning polygons touch, and which push parts them, as closely as a computer can,\n"
-             "- write a simulator and know how far to trust it, from one ball to a heap that lies still.\n\n"
-             "Each chapter answers a question. Scenes of your own run in the \\ref playground.\n\n{}\n\n"
-             "## What builds on what\n\nA chapter stands below all that it needs.\n\n{}\n\n"
-             "For reference: \\ref equations, \\ref symbols, \\ref left_out, and the manual of the code in the menu.\n",
-             material.book.title, fragments.add_html(front_figure()), start, list, map)});
-    pages.list.push_back(
-        {"playground",
-         fmt::format("# Playground {{#playground}}\n\nEvery scene of the course, and your own. A scene is a text; change "
-                     "it, and what is wrong with it is said with line and column.\n\n{}\n",
-                     fragments.add_html(playground_figure()))});
-    std::string subpages;
-    for (const Chapter& chapter : material.chapters) subpages += fmt::format("- \\subpage {}\n", chapter.entry.page());
-    pages.list.push_back({"course", fmt::format("# The chapters {{#course}}\n\n{}\n\n{}\n\n{}\n", list,
-                                                fragments.add_html("<div class=\"tree-only\">"),
-                                                subpages + "\n" + fragments.add_html("</div>"))});
-    pages.list.push_back({"equations", fmt::format("# Equations and their receipts {{#equations}}\n\n{}\n",
-                                                   fragments.add_html(equation_index(material, fragments)))});
-    pages.list.push_back({"symbols", "# Symbols {#symbols}\n\n" + symbol_table(material, writer)});
-    pages.list.push_back(
-        {"left_out", "# What the chapters leave out {#left_out}\n\n" + left_out(material, counts, writer)});
+    const auto add = [&](std::string name, std::string title, std::string markdown) {
+        Page page;
+        page.name = std::move(name);
+        page.title = std::move(title);
+        page.markdown = std::move(markdown);
+        page.sections = writer.take_sections();
+        pages.list.push_back(std::move(page));
+    };
+    std::string front = fmt::format(
+        "{}\n\n"
+        "Begin with one flying ball, end with a simulator of colliding polygons that you understand to the last "
+        "line, and check every formula on the way.\n\n{}\n\n"
+        "When you are through, you will be able to\n\n"
+        "- weigh any polygon: find its mass, its centre and its moment of inertia from its corners alone,\n"
+        "- say when two turning polygons touch, and which push parts them, as closely as a computer can,\n"
+        "- write a simulator and know how far to trust it, from one ball to a heap that lies still.\n\n"
+        "Each chapter answers a question. Scenes of your own run in the [playground](playground.html).\n\n{}\n\n",
+        fragments.add_html(front_figure()), start, list);
+    front += writer.heading(2, "What builds on what") +
+             fmt::format("A chapter stands below all that it needs.\n\n{}\n\n", map);
+    add("index", material.book.title, front);
+    add("playground", "Playground",
+        fmt::format(
+            "Every scene of the course, and your own. A scene is a text; change it, and what is wrong with it is "
+            "said with line and column.\n\n{}\n",
+            fragments.add_html(playground_figure())));
+    add("equations", "Equations and their receipts", fragments.add_html(equation_index(material, fragments)) + "\n");
+    add("symbols", "Symbols", symbol_table(material, writer));
+    add("left_out", "What is told, and what is not", left_out(material, counts, writer));
 }
 
 } // namespace flying::weave

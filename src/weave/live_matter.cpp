@@ -17,14 +17,15 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 /// The scripts that every page loads as one, in this order.
-constexpr const char* k_common[] = {"engine.js", "live/toml.js", "live/stage.js", "live/recording.js",
+constexpr const char* k_common[] = {"engine.js",        "live/toml.js",  "live/stage.js", "live/recording.js",
                                     "live/controls.js", "live/hands.js", "live/check.js", "live/figure.js"};
 /// Those of one page each.
 constexpr const char* k_single[] = {"front.js", "playground.js"};
 
 void write(const fs::path& file, const std::string& text, Problems& problems)
 {
-    if (!write_file(file, text)) problems.add({file.string(), 0}, "a file that can't be written", "a folder to write to");
+    if (!write_file(file, text))
+        problems.add({file.string(), 0}, "a file that can't be written", "a folder to write to");
 }
 
 void write_scripts(const Woven& woven, const Folders& folders, const fs::path& html, Problems& problems)
@@ -66,9 +67,9 @@ void write_scenes(const Folders& folders, const fs::path& html, Problems& proble
 void write_module(const Folders& folders, const Tools& tools, const fs::path& html, Problems& problems)
 {
     if (tools.module.empty() || !fs::exists(tools.module)) return;
-    const std::string command = fmt::format(
-        "{} '{}' '{}' > '{}'", tools.node, (folders.project / "docs/pack_module.js").string(), tools.module,
-        (html / "live/module.js").string());
+    const std::string command =
+        fmt::format("{} '{}' '{}' > '{}'", tools.node, (folders.project / "docs/pack_module.js").string(), tools.module,
+                    (html / "live/module.js").string());
     if (std::system(command.c_str()) != 0)
         problems.add({"docs/pack_module.js", 0}, "a module that could not be packed", "node, and the engine's module");
 }
@@ -129,7 +130,8 @@ std::string front_figure()
 std::string playground_figure()
 {
     return "<figure class=\"live playground\" data-trace=\"playground\" data-recorded=\"no\"><canvas role=\"img\" "
-           "aria-label=\"The scene below in motion\"></canvas><figcaption>Bodies can be grabbed and thrown.</figcaption>"
+           "aria-label=\"The scene below in motion\"></canvas><figcaption>Bodies can be grabbed and "
+           "thrown.</figcaption>"
            "<noscript>The playground needs scripts.</noscript></figure>"
            "<script src=\"live/scenes.js\" defer></script><script src=\"live/playground.js\" defer></script>";
 }

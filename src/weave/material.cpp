@@ -57,7 +57,7 @@ std::vector<Exercise> read_exercises(const fs::path& project, const ChapterEntry
     return exercises;
 }
 
-/// Numbers the formulas of a chapter in the order in which its pages show them.
+/// Numbers the formulas and the figures of a chapter in the order in which its pages show them.
 class Numbering
 {
 public:
@@ -72,6 +72,9 @@ public:
             const bool is_formula = block.kind == BlockKind::equation || block.kind == BlockKind::definition ||
                                     block.kind == BlockKind::derivation;
             if (is_formula) add(block, page);
+            if (block.kind == BlockKind::figure || block.kind == BlockKind::live)
+                material_.figures.emplace(chapter_.entry.name + "/" + block.name,
+                                          fmt::format("{}.{}", chapter_.entry.number, ++figures_));
             if (block.kind != BlockKind::exercise) continue;
             for (const Exercise& exercise : chapter_.exercises) {
                 if (exercise.name != block.name) continue;
@@ -104,6 +107,7 @@ private:
     Material& material_;
     Problems& problems_;
     int count_ = 0;
+    int figures_ = 0;
 };
 
 } // namespace

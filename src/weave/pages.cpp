@@ -21,13 +21,13 @@ std::string neighbours(const Material& material, std::size_t at)
     std::string out = "<nav class=\"neighbours\">";
     if (at > 0)
         out += link(chapters[at - 1].entry, "\u2190 " + escape_html(page_title(chapters[at - 1].entry)), "prev");
-    out += "<a class=\"up\" href=\"course.html\">All chapters</a>";
+    out += "<a class=\"up\" href=\"index.html\">All chapters</a>";
     if (at + 1 < chapters.size())
         out += link(chapters[at + 1].entry, escape_html(page_title(chapters[at + 1].entry)) + " \u2192", "next");
     return out + "</nav>";
 }
 
-/// What stands over a chapter: its part, its question, what it builds on.
+/// What stands under a chapter's title: its question, what it builds on.
 std::string masthead(const Material& material, const ChapterEntry& entry)
 {
     std::string needs;
@@ -37,39 +37,79 @@ std::string masthead(const Material& material, const ChapterEntry& entry)
         const std::string words = fmt::format("{} {}", number, escape_html(other->title));
         needs += (needs.empty() ? "" : ", ") + (other->written ? link(*other, words, "reference") : words);
     }
-    return fmt::format("<header class=\"chapter\"><p class=\"part\">{}{}</p><p class=\"question\">{}</p></header>",
-                       escape_html(entry.part), needs.empty() ? "" : " \u00b7 builds on " + needs,
-                       escape_html(entry.question));
+    return fmt::format("<p class=\"question\">{}</p>{}", escape_html(entry.question),
+                       needs.empty() ? "" : "<p class=\"needs\">Builds on " + needs + "</p>");
 }
 
 } // namespace
 
-std::string receipt_line(const Material& material, const Numbered& numbered)
+namespace {
+
+std::string shown_error(double value)
 {
-    const auto number = [](double value) {
-        const std::string shown = value == 0.0 ? "0" : format_value(value, "%.1e").value_or("?");
-        return "<span class=\"value\">" + shown + "</span>";
-    };
+    const std::string shown = value == 0.0 ? "0" : format_value(value, "%.1e").value_or("?");
+    return "<span class=\"value\">" + shown + "</span>";
+}
+
+} // namespace
+
+std::string receipt_sentence(const Material& material, const Numbered& numbered)
+{
     const std::string& id = numbered.block->name;
-    if (numbered.kind == BlockKind::definition) return "";
     if (numbered.kind == BlockKind::derivation) {
         const auto found = material.ledger.derivations.find(id);
         if (found == material.ledger.derivations.end()) return "";
         const DerivationReceipt& receipt = found->second;
-        return fmt::format(
-            "<p class=\"receipt\" title=\"{}\">checked: {} lines agree at {} points, worst relative "
-            "difference {}</p>",
-            escape_html(receipt.where.empty() ? "the printed lines, evaluated as they stand" : receipt.where),
-            receipt.lines, receipt.points, number(receipt.worst));
+        return fmt::format("{} lines agree at {} points, worst relative difference {}; {}.", receipt.lines,
+                           receipt.points, shown_error(receipt.worst),
+                           receipt.where.empty() ? "the printed lines were evaluated as they stand"
+                                                 : "tested in \u201c" + escape_html(receipt.where) + "\u201d");
     }
     const auto found = material.ledger.equations.find(id);
-    if (found == material.ledger.equations.end()) return "";
+    if (numbered.kind != BlockKind::equation || found == material.ledger.equations.end()) return "";
     const EquationReceipt& receipt = found->second;
-    return fmt::format("<p class=\"receipt\" title=\"worst in {}\">checked: {} case{}, worst relative error {}; wrong "
-                       "twin rejected{}</p>",
-                       escape_html(receipt.where), receipt.cases, receipt.cases == 1 ? "" : "s", number(receipt.worst),
-                       receipt.printed_cases > 0 ? "; evaluated as printed" : "");
+    return fmt::format("{} case{}, worst relative error {}, in \u201c{}\u201d; a wrong twin was rejected{}.",
+                       receipt.cases, receipt.cases == 1 ? "" : "s", shown_error(receipt.worst),
+                       escape_html(receipt.where), receipt.printed_cases > 0 ? "; evaluated as printed" : "");
 }
+
+std::string receipt_note(const Material& material, const Numbered& numbered)
+{
+    const std::string sentence = receipt_sentence(material, numbered);
+    if (sentence.empty()) return "";
+    const std::string& id = numbered.block->name;
+    const double worst = numbered.kind == BlockKind::derivation ? material.ledger.derivations.at(id).worst
+                                                                : material.ledger.equations.at(id).worst;
+    return fmt::format("<details class=\"receipt\"><summary>error {}</summary><p>Checked: {} "
+                       "<a href=\"equations.html#receipt-{}\">All receipts</a></p></details>",
+                       shown_error(worst), sentence, numbered.anchor);
+}
+
+namespace {
+
+/// Takes the table of symbols out of a chapter's text, with its heading: readers want it at the end. What else the
+/// section says stays where it is.
+ChapterText without_symbols(const ChapterText& text, Block& table)
+{
+    ChapterText rest = text;
+    bool inside = false;
+    for (Block& block : rest.blocks) {
+        if (block.kind != BlockKind::text) continue;
+        std::vector<std::pair<int, std::string>> kept;
+        for (const auto& [number, line] : block.lines) {
+            const bool is_heading = line.rfind("## ", 0) == 0;
+            if (is_heading) inside = trim(line.substr(3)) == "Symbols";
+            const bool is_row = inside && trim(line).substr(0, 1) == "|";
+            if (is_row) table.lines.emplace_back(number, line);
+            else if (!inside || !is_heading) kept.emplace_back(number, line);
+        }
+        block.lines = std::move(kept);
+    }
+    table.place = table.lines.empty() ? Place{text.path, 0} : Place{text.path, table.lines.front().first};
+    return rest;
+}
+
+} // namespace
 
 Pages make_pages(const Material& material, const Counts& counts, Problems& problems)
 {
@@ -77,20 +117,29 @@ Pages make_pages(const Material& material, const Counts& counts, Problems& probl
     TextWriter writer(material, pages.fragments, problems);
     for (std::size_t k = 0; k < material.chapters.size(); ++k) {
         const Chapter& chapter = material.chapters[k];
-        const std::string name = chapter.entry.page();
-        const std::string around = pages.fragments.add_html(neighbours(material, k));
-        std::string text = fmt::format("# {} {{#{}}}\n\n[TOC]\n\n{}\n\n", page_title(chapter.entry), name,
-                                       pages.fragments.add_html(masthead(material, chapter.entry)));
-        text += writer.blocks(chapter, chapter.text, name);
+        Page page;
+        page.name = chapter.entry.page();
+        page.title = chapter.entry.title;
+        page.over = fmt::format("<p class=\"part\">{} \u00b7 Chapter {}</p>", escape_html(chapter.entry.part),
+                                chapter.entry.number);
+        page.under = masthead(material, chapter.entry);
+        page.foot = neighbours(material, k);
+        Block symbols;
+        page.markdown = writer.blocks(chapter, without_symbols(chapter.text, symbols));
+        page.markdown += writer.heading(2, "Symbols") + writer.inline_text(symbols.lines, chapter.text.path);
+        page.sections = writer.take_sections();
         if (chapter.rest) {
-            text += fmt::format("\n\n- \\subpage {}_rest\n", name);
-            pages.list.push_back(
-                {name + "_rest",
-                 fmt::format("# The rest of the code of chapter {} {{#{}_rest}}\n\n{}\n\n{}\n", chapter.entry.number,
-                             name, writer.blocks(chapter, *chapter.rest, name + "_rest"), around)});
+            Page rest;
+            rest.name = page.name + "_rest";
+            rest.title = fmt::format("The rest of the code of chapter {}", chapter.entry.number);
+            rest.markdown = writer.blocks(chapter, *chapter.rest);
+            rest.sections = writer.take_sections();
+            rest.foot = page.foot;
+            pages.list.push_back(std::move(rest));
+            page.markdown += fmt::format("\n\n[The rest of the code of this chapter]({}_rest.html)\n", page.name);
         }
-        text += "\n" + around + "\n" + pages.fragments.add_html(live_script(material.folders, chapter.entry)) + "\n";
-        pages.list.push_back({name, text});
+        page.foot += live_script(material.folders, chapter.entry);
+        pages.list.push_back(std::move(page));
     }
     add_generated_pages(material, counts, writer, pages);
     return pages;

@@ -27,31 +27,30 @@ void note_listings(const Material& material, const Chapter& chapter, const Chapt
     const std::set<std::string> own(chapter.entry.files.begin(), chapter.entry.files.end());
     for (const Block& block : text.blocks) {
         if (block.kind != BlockKind::listing) continue;
-        const int index = material.sources.find(block.name);
-        if (index < 0) {
-            problems.add(block.place, fmt::format("listing of `{}`, which is no region", block.name),
-                         "the name of a marked region, or the path of a file without markers");
-            continue;
+        const Listing listing = listing_of(block);
+        for (const std::string& name : listing.names) {
+            const int index = material.sources.find(name);
+            if (index < 0) {
+                problems.add(block.place, fmt::format("listing of `{}`, which is no region", name),
+                             "the name of a marked region, `folder/file.hpp:declaration`, or the path of a file "
+                             "without markers");
+                continue;
+            }
+            const Region& region = material.sources.regions[index];
+            const bool is_engine = region.file.rfind("src/", 0) == 0;
+            if (!listing.is_again && is_engine && own.count(region.file) == 0)
+                problems.add(
+                    block.place,
+                    fmt::format("listing of `{}` as new, though {} belongs to another chapter", name, region.file),
+                    "`again` after its name");
+            if (listing.is_again) continue;
+            const auto [first, is_new] = shown.emplace(index, block.place);
+            if (!is_new)
+                problems.add(block.place,
+                             fmt::format("region `{}` shown as new for the second time, after {}:{}", name,
+                                         first->second.file, first->second.line),
+                             "`again` after its name");
         }
-        if (!block.options.empty() && block.options != "again") {
-            problems.add(block.place, fmt::format("listing option `{}`", block.options), "`again`, or none");
-            continue;
-        }
-        const Region& region = material.sources.regions[index];
-        const bool again = block.options == "again";
-        const bool is_engine = region.file.rfind("src/", 0) == 0;
-        if (!again && is_engine && own.count(region.file) == 0)
-            problems.add(
-                block.place,
-                fmt::format("listing of `{}` as new, though {} belongs to another chapter", block.name, region.file),
-                "`again` after its name");
-        if (again) continue;
-        const auto [first, is_new] = shown.emplace(index, block.place);
-        if (!is_new)
-            problems.add(block.place,
-                         fmt::format("region `{}` shown as new for the second time, after {}:{}", block.name,
-                                     first->second.file, first->second.line),
-                         "`again` after its name");
     }
 }
 
@@ -59,9 +58,9 @@ void note_listings(const Material& material, const Chapter& chapter, const Chapt
 bool owes(const Chapter& chapter, const Region& region)
 {
     const std::vector<std::string>& files = chapter.entry.files;
-    if (std::find(files.begin(), files.end(), region.file) != files.end()) return true;
+    if (std::find(files.begin(), files.end(), region.file) != files.end()) return !region.declared;
     const std::string folder = chapter.entry.folder() + "/";
-    return !region.whole_file && region.file.rfind(folder, 0) == 0;
+    return !region.whole_file && !region.declared && region.file.rfind(folder, 0) == 0;
 }
 
 // ---- Prose ----------------------------------------------------------------------------------------------------------

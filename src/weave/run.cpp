@@ -8,10 +8,12 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "weave/annotated.hpp"
 #include "weave/finish.hpp"
 #include "weave/live_matter.hpp"
 #include "weave/receipts.hpp"
 #include "weave/rules.hpp"
+#include "weave/search_index.hpp"
 #include "weave/text.hpp"
 
 namespace flying::weave {
@@ -58,12 +60,15 @@ bool write_header(const Folders& folders, const Tools& tools, Problems& problems
         run(fmt::format("cd {} && {} -w html header.html footer.html sheet.css", quoted(folders.build), tools.doxygen),
             log);
     const std::optional<std::string> text = read_file(header);
-    const std::optional<std::string> ours = read_file(folders.project / "docs/theme/head.html");
+    const std::optional<std::string> ours = read_file(folders.project / "docs/theme/manual.html");
     if (!made || !text || !ours) {
-        problems.add({"docs/theme/head.html", 0}, "no header for the pages: " + tail(log), "doxygen, and the theme");
+        problems.add({"docs/theme/manual.html", 0}, "no header for the pages: " + tail(log), "doxygen, and the theme");
         return false;
     }
-    return write_file(header, replace_all(*text, "</head>", *ours + "</head>"));
+    const std::string with_theme = replace_all(*text, "</head>", *ours + "</head>");
+    return write_file(header,
+                      replace_all(with_theme, "<div id=\"projectname\">$projectname",
+                                  "<div id=\"projectname\"><a href=\"$relpath^../index.html\">$projectname</a>"));
 }
 
 /// Patterns of the sources whose comments read otherwise for Doxygen, each with the filter to start for it: to start it
@@ -83,16 +88,13 @@ bool run_doxygen(const Folders& folders, const Tools& tools, const Woven& woven,
                  Problems& problems)
 {
     std::error_code error;
-    fs::remove_all(folders.build / "pages", error);
     fs::remove_all(html, error);
     fs::create_directories(html, error);
-    for (const Page& page : woven.pages.list)
-        if (!write_file(folders.build / "pages" / (page.name + ".md"), page.markdown)) return false;
 
     std::string settings = read_file(folders.project / "docs/Doxyfile.in").value_or("");
     settings = replace_all(settings, "@PROJECT@", folders.project.string());
     settings = replace_all(settings, "@BUILD@", folders.build.string());
-    settings = replace_all(settings, "@HTML@", html.filename().string());
+    settings = replace_all(settings, "@HTML@", html.filename().string() + "/manual");
     const std::string weave = fs::read_symlink("/proc/self/exe", error).string();
     settings = replace_all(settings, "@FILTERS@", filter_patterns(folders, woven.material.sources, weave));
     settings = replace_all(settings, "@TITLE@", woven.material.book.title);
@@ -110,8 +112,41 @@ bool run_doxygen(const Folders& folders, const Tools& tools, const Woven& woven,
     return made && warnings == 0;
 }
 
+/// The book's sheet and scripts, and its letters: of Debian's fonts those signs that the book may need.
+void copy_theme(const Folders& folders, const fs::path& html, Problems& problems)
+{
+    for (const char* name : {"book.css", "page.js", "search.js"})
+        copy(folders.project / "docs/theme" / name, html / "theme" / name, problems);
+    const std::string charis = "/usr/share/fonts/truetype/charis/CharisSIL-";
+    const std::string inter = "/usr/share/fonts/opentype/inter/Inter-";
+    const std::string mono = "/usr/share/fonts/truetype/jetbrains-mono/JetBrainsMono-";
+    const std::pair<std::string, std::string> fonts[] = {
+        {"serif", charis + "Regular.ttf"},     {"serif-italic", charis + "Italic.ttf"},
+        {"serif-bold", charis + "Bold.ttf"},   {"sans", inter + "Regular.otf"},
+        {"sans-bold", inter + "SemiBold.otf"}, {"mono", mono + "Regular.ttf"},
+        {"mono-italic", mono + "Italic.ttf"}};
+    for (const auto& [name, source] : fonts) {
+        const fs::path made = folders.build / "fonts" / (name + ".woff2");
+        std::error_code error;
+        fs::create_directories(made.parent_path(), error);
+        if (!fs::exists(made) &&
+            !run(
+                fmt::format("/usr/bin/python3 -m fontTools.subset {} --flavor=woff2 "
+                            "--layout-features='kern,liga,mark,mkmk,tnum,onum,lnum' "
+                            "--unicodes='U+20-17F,U+2BC,U+300-302,U+391-3D6,U+2000-2044,U+20AC,U+2190-21FF,U+2200-22FF,"
+                            "U+2500-25FF,U+2713,U+27E8,U+27E9,U+2261' --output-file={}",
+                            source, quoted(made)),
+                folders.build / "fonts.log")) {
+            problems.add({source, 0}, "a font that can't be made small: " + tail(folders.build / "fonts.log"),
+                         "fonts-sil-charis, fonts-inter, fonts-jetbrains-mono, python3-fonttools, python3-brotli");
+            return;
+        }
+        copy(made, html / "theme/fonts" / made.filename(), problems);
+    }
+}
+
 /// What the pages load, beside what Doxygen itself copies.
-void copy_matter(const Woven& woven, const fs::path& html, Problems& problems)
+void copy_matter(const Woven& woven, const Folders& folders, const fs::path& html, Problems& problems)
 {
     const fs::path katex = "/usr/share/javascript/katex";
     copy(katex / "katex.min.css", html / "katex/katex.min.css", problems);
@@ -119,6 +154,8 @@ void copy_matter(const Woven& woven, const fs::path& html, Problems& problems)
     for (const auto& font : fs::directory_iterator(katex / "fonts/", error))
         if (font.path().extension() == ".woff2")
             copy(font.path(), html / "katex/fonts" / font.path().filename(), problems);
+
+    copy_theme(folders, html, problems);
 
     for (const Chapter& chapter : woven.material.chapters) {
         for (const ChapterText* text : texts_of(chapter)) {
@@ -199,10 +236,14 @@ void make_book(const Folders& folders, const Tools& tools, Problems& problems)
     if (!problems.empty()) return;
     const fs::path html = folders.build / "html.new";
     if (!run_doxygen(folders, tools, woven, html, problems)) return;
-    copy_matter(woven, html, problems);
+    copy_matter(woven, folders, html, problems);
     copy_live_matter(woven, folders, tools, html, problems);
-    finish_pages(woven.material, woven.pages.fragments.list(), woven.formulas,
-                 read_manual(folders.build / "names.tag", folders.project), html, problems);
+    const Manual manual = read_manual(folders.build / "names.tag", folders.project);
+    finish_pages(woven.material, woven.pages, woven.formulas, manual, html, problems);
+    write_annotated(woven.material, manual, html, problems);
+    write_module_maps(woven.material, manual, html, problems);
+    if (!write_file(html / "theme/search-index.js", search_index(woven.material, manual)))
+        problems.add({"search-index.js", 0}, "a file that can't be written", "a folder to write to");
     check_links(html, problems);
     if (!problems.empty()) return;
     std::error_code error;

@@ -36,9 +36,13 @@ struct Woven
 /// place.
 void make_book(const Folders& folders, const Tools& tools, Problems& problems);
 
+/// A comment's lines, from behind its slashes, as Markdown: aligned lists of parameters become lists.
+[[nodiscard]] std::string comment_markdown(const std::vector<std::string>& lines);
+
 /// A source as Doxygen reads it: the aligned lists of parameters in the comments become lists. Line numbers stay.
 [[nodiscard]] std::string filter_source(const std::vector<std::string>& lines);
-/// A source with the lines left blank that mark where regions begin and end: one that the filter leaves at that needs none.
+/// A source with the lines left blank that mark where regions begin and end: one that the filter leaves at that needs
+/// none.
 [[nodiscard]] std::string without_markers(const std::vector<std::string>& lines);
 
 } // namespace flying::weave

@@ -55,8 +55,9 @@ bool is_source(const fs::path& path)
 
 int Sources::find(const std::string& name) const
 {
-    const auto found = by_name.find(name);
-    return found == by_name.end() ? -1 : found->second;
+    for (const char* folder : {"", "src/", "chapters/"})
+        if (const auto found = by_name.find(folder + name); found != by_name.end()) return found->second;
+    return -1;
 }
 
 void read_source(const fs::path& project, const std::string& path, Sources& sources, Problems& problems)
@@ -97,7 +98,7 @@ void read_source(const fs::path& project, const std::string& path, Sources& sour
                          "names used for one region only, each opened and closed once, inner ones first");
         }
         const int index = static_cast<int>(sources.regions.size());
-        sources.regions.push_back({*name, path, line + 1, line, {}, false});
+        sources.regions.push_back({*name, path, line + 1, line, {}, false, false});
         if (before < 0) sources.by_name[*name] = index;
         if (!open.empty()) sources.regions[open.back()].inner.push_back(index);
         open.push_back(index);
@@ -119,13 +120,41 @@ void read_source(const fs::path& project, const std::string& path, Sources& sour
                                        static_cast<int>(first - file.kinds.begin()) + 1,
                                        static_cast<int>(file.kinds.rend() - last),
                                        {},
-                                       true});
+                                       true,
+                                       false});
             sources.by_name[path] = index;
             std::fill(file.owner.begin(), file.owner.end(), index);
         }
     }
     sources.files[path] = std::move(file);
 }
+
+namespace {
+
+/// Every declaration as a region of its own, named by its file and by itself; the second of a name is `name#2`.
+void add_declarations(Sources& sources)
+{
+    const int marked = static_cast<int>(sources.regions.size());
+    for (const auto& [path, declarations] : sources.declarations) {
+        const auto file = sources.files.find(path);
+        if (file == sources.files.end()) continue;
+        for (const Declaration& one : declarations) {
+            Region region{path + ":" + one.name, path, one.first, one.last, {}, false, true};
+            for (int k = 2; sources.by_name.count(region.name) > 0; ++k)
+                region.name = fmt::format("{}:{}#{}", path, one.name, k);
+            for (int k = 0; k < marked; ++k) {
+                const Region& part = sources.regions[k];
+                const bool inside = part.file == path && one.first <= part.first && part.last <= one.last;
+                const bool nested = !region.inner.empty() && sources.regions[region.inner.back()].last >= part.last;
+                if (inside && !part.whole_file && !nested) region.inner.push_back(k);
+            }
+            sources.by_name[region.name] = static_cast<int>(sources.regions.size());
+            sources.regions.push_back(std::move(region));
+        }
+    }
+}
+
+} // namespace
 
 Sources read_sources(const fs::path& project, Problems& problems)
 {
@@ -140,6 +169,8 @@ Sources read_sources(const fs::path& project, Problems& problems)
     std::sort(paths.begin(), paths.end());
     Sources sources;
     for (const std::string& path : paths) read_source(project, path, sources, problems);
+    sources.declarations = read_declarations(project, problems);
+    add_declarations(sources);
     return sources;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "weave/declarations.hpp"
 #include "weave/problems.hpp"
 
 namespace flying::weave {
@@ -27,6 +28,7 @@ struct Region
     int last = 0;            ///< line before the closing marker
     std::vector<int> inner;  ///< regions directly inside, in order: indices into Sources::regions
     bool whole_file = false; ///< not marked: stands for a file without any markers
+    bool declared = false;   ///< not marked: a whole declaration
 };
 
 struct SourceFile
@@ -42,10 +44,11 @@ struct Sources
 {
     std::map<std::string, SourceFile> files; ///< by path
     std::vector<Region> regions;
-    std::map<std::string, int> by_name; ///< index into regions
+    std::map<std::string, int> by_name;                           ///< index into regions
+    std::map<std::string, std::vector<Declaration>> declarations; ///< by path
 
-    /// The region of that name; or, where `name` is the path of a file without markers, a region for the whole of it.
-    /// -1 where there is neither.
+    /// The region of that name; the declaration `mass/rectangle.cpp:rectangle_mass`, comment included; or, where `name`
+    /// is the path of a file without markers, a region for the whole of it. -1 where there is none.
     [[nodiscard]] int find(const std::string& name) const;
 };
 

@@ -2,6 +2,7 @@
 #include <cctype>
 #include <optional>
 #include <regex>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -14,7 +15,7 @@ namespace flying::weave {
 
 namespace {
 
-/// Prose as Doxygen leaves it alone: its own signs are escaped, quotation marks and apostrophes are set properly.
+/// Prose for Markdown: quotation marks and apostrophes are set properly, HTML stays text.
 std::string escape_prose(const std::string& prose)
 {
     std::string out;
@@ -24,14 +25,10 @@ std::string escape_prose(const std::string& prose)
         if (c == '\\' && k + 1 < prose.size()) {
             const char next = prose[++k];
             out += next == '$' || next == '"' ? std::string(1, next) : std::string("\\") + next;
-        } else if (c == '@' || c == '%') {
-            out += std::string("\\") + c;
         } else if (c == '<') {
             out += "&lt;";
         } else if (c == '&') {
             out += "&amp;";
-        } else if (c == '#' && before != '\n') {
-            out += "\\#";
         } else if (c == '\'') {
             out += "\u2019";
         } else if (c == '"') {
@@ -44,6 +41,9 @@ std::string escape_prose(const std::string& prose)
     return out;
 }
 
+/// Characters of code that the column of the text holds in one line.
+constexpr std::size_t k_column = 78;
+
 std::string block_token(const std::string& token)
 {
     return "\n" + token + "\n\n";
@@ -51,18 +51,34 @@ std::string block_token(const std::string& token)
 
 } // namespace
 
-std::string TextWriter::blocks(const Chapter& chapter, const ChapterText& text, const std::string& page)
+std::string TextWriter::blocks(const Chapter& chapter, const ChapterText& text)
 {
     std::string out;
-    for (const Block& b : text.blocks) out += block(chapter, b, page);
+    for (const Block& b : text.blocks) out += block(chapter, b);
     return out;
 }
 
-std::string TextWriter::block(const Chapter& chapter, const Block& b, const std::string& page)
+std::string TextWriter::heading(int level, const std::string& title)
+{
+    const std::string words = slug(title);
+    std::string anchor = words;
+    for (int k = 2; !anchors_.insert(anchor).second; ++k) anchor = fmt::format("{}-{}", words, k);
+    sections_.push_back({level, title, anchor});
+    return block_token(fragments_.add_html(
+        fmt::format("<h{0} id=\"{1}\"><a href=\"#{1}\">{2}</a></h{0}>", level, anchor, escape_prose(title))));
+}
+
+std::vector<Section> TextWriter::take_sections()
+{
+    anchors_.clear();
+    return std::exchange(sections_, {});
+}
+
+std::string TextWriter::block(const Chapter& chapter, const Block& b)
 {
     switch (b.kind) {
     case BlockKind::text:
-        return text(b, page);
+        return text(b);
     case BlockKind::fence: {
         std::string quoted;
         for (const auto& line : b.lines) quoted += line.second + "\n";
@@ -82,12 +98,12 @@ std::string TextWriter::block(const Chapter& chapter, const Block& b, const std:
     case BlockKind::live:
         return live(chapter, b);
     case BlockKind::exercise:
-        return exercise(chapter, b, page);
+        return exercise(chapter, b);
     }
     return "";
 }
 
-std::string TextWriter::text(const Block& block, const std::string& page)
+std::string TextWriter::text(const Block& block)
 {
     std::string out;
     std::vector<std::pair<int, std::string>> paragraph;
@@ -106,8 +122,7 @@ std::string TextWriter::text(const Block& block, const std::string& page)
         if (level == 1 || level > 3 || title.find_first_of("$`{") != std::string::npos)
             problems_.add({block.place.file, number}, fmt::format("heading `{}`", title),
                           "plain words after ## or ###, without formulas and code");
-        out += fmt::format("\n{} {} {{#{}_{}}}\n\n", std::string(level, '#'), escape_prose(title), page,
-                           replace_all(slug(title), "-", "_"));
+        out += heading(static_cast<int>(level), title);
     }
     close();
     return out;
@@ -206,6 +221,17 @@ std::string TextWriter::insert(const std::string& text, Site site, const Place& 
         return fragments_.add_html(
             fmt::format("<a class=\"reference\" href=\"{}.html#{}\">({})</a>", at.page, at.anchor, at.number));
     }
+    if (insert.kind == "fig") {
+        for (const auto& [id, number] : material_.figures) {
+            if (id.substr(id.find('/') + 1) != insert.name) continue;
+            const std::string page = fmt::format("chapter_{}", id.substr(0, 2));
+            const char* const word = site == Site::sentence_start ? "Figure" : "figure";
+            return fragments_.add_html(fmt::format("<a class=\"reference\" href=\"{}.html#figure-{}\">{} {}</a>", page,
+                                                   insert.name, word, number));
+        }
+        problems_.add(place, fmt::format("reference to figure `{}`", insert.name), "the name of a figure of the book");
+        return "?";
+    }
     if (insert.kind == "ch") {
         for (const ChapterEntry& entry : material_.book.chapters) {
             if (entry.name.substr(std::min<std::size_t>(3, entry.name.size())) != insert.name) continue;
@@ -233,45 +259,77 @@ std::string TextWriter::insert(const std::string& text, Site site, const Place& 
             fmt::format("<a class=\"reference\" href=\"{}\"><code>{}</code></a>", target, escape_html(insert.name)));
     }
     problems_.add(place, fmt::format("insert `{{{{{}}}}}`", text),
-                  "{{value:..}}, {{given:..}}, {{eq:..}}, {{ch:..}} or {{file:..}}");
+                  "{{value:..}}, {{given:..}}, {{eq:..}}, {{fig:..}}, {{ch:..}} or {{file:..}}");
     return "?";
 }
 
 std::string TextWriter::listing(const Block& block)
 {
-    const Sources& sources = material_.sources;
-    const int index = sources.find(block.name);
-    if (index < 0) return "";
-    const Region& region = sources.regions[index];
+    const Listing listing = listing_of(block);
+    std::string body;
+    std::string captions;
+    std::size_t longest = 0;
+    for (const std::string& name : listing.names) {
+        const int index = material_.sources.find(name);
+        if (index < 0) return "";
+        const Region& region = material_.sources.regions[index];
+        body += (body.empty() ? "" : "<div class=\"line\"></div>") + region_lines(region, block.place, longest);
+        Fragment link;
+        link.kind = FragmentKind::source;
+        link.text = region.file;
+        link.place = block.place;
+        captions += fmt::format("<a href=\"{}#l{:05}\">{}, {} {}{}</a> ", fragments_.add(std::move(link)), region.first,
+                                escape_html(region.file), region.first == region.last ? "line" : "lines", region.first,
+                                region.first == region.last ? "" : fmt::format("\u2013{}", region.last));
+    }
+    return block_token(fragments_.add_html(fmt::format(
+        "<figure class=\"listing{}{}\"{}><figcaption>{}{}</figcaption><div class=\"fragment\">{}</div></figure>",
+        listing.is_again ? " again" : "", longest > k_column ? " wide" : "",
+        listing.is_again ? "" : fmt::format(" id=\"listing-{}\"", slug(block.name)), captions,
+        listing.is_again ? "<span>once more</span>" : "", body)));
+}
 
+std::string TextWriter::region_lines(const Region& region, const Place& place, std::size_t& longest)
+{
+    const Sources& sources = material_.sources;
+    const SourceFile& file = sources.files.at(region.file);
     Fragment lines;
     lines.kind = FragmentKind::lines;
     lines.text = region.file;
-    lines.place = block.place;
-    const SourceFile& file = sources.files.at(region.file);
+    lines.place = place;
+    const auto is_folded = [&](int line) {
+        return std::any_of(region.inner.begin(), region.inner.end(), [&](int inner) {
+            return sources.regions[inner].first <= line && line <= sources.regions[inner].last;
+        });
+    };
     for (int line = region.first; line <= region.last; ++line)
-        if (file.owner[line - 1] == index) lines.lines.push_back(line);
+        if (file.kinds[line - 1] != LineKind::marker && !is_folded(line)) lines.lines.push_back(line);
     while (!lines.lines.empty() && trim(file.lines[lines.lines.front() - 1]).empty())
         lines.lines.erase(lines.lines.begin());
     while (!lines.lines.empty() && trim(file.lines[lines.lines.back() - 1]).empty()) lines.lines.pop_back();
-    for (const int inner : region.inner) {
-        const Region& part = sources.regions[inner];
-        lines.instead[part.last + 2] = fmt::format("<div class=\"line inner\">\u27e8 {}, lines {} to {} \u27e9</div>",
-                                                   escape_html(part.name), part.first, part.last);
+    std::size_t most = 0;
+    std::size_t indent = k_column;
+    for (const int line : lines.lines) {
+        const std::string& words = file.lines[line - 1];
+        if (trim(words).empty()) continue;
+        most = std::max(most, words.size());
+        indent = std::min(indent, words.find_first_not_of(' '));
     }
-    Fragment link;
-    link.kind = FragmentKind::source;
-    link.text = region.file;
-    link.place = block.place;
-    const std::string target = fragments_.add(std::move(link));
-    const std::string body = fragments_.add(std::move(lines));
-    const bool again = block.options == "again";
-    return block_token(fragments_.add_html(fmt::format(
-        "<figure class=\"listing{}\"{}><figcaption><a href=\"{}#l{:05}\">{}, {} "
-        "{}{}</a><span>{}</span></figcaption>{}</figure>",
-        again ? " again" : "", again ? "" : fmt::format(" id=\"listing-{}\"", slug(region.name)), target, region.first,
-        escape_html(region.file), region.first == region.last ? "line" : "lines", region.first,
-        region.first == region.last ? "" : fmt::format("\u2013{}", region.last), again ? "once more" : "", body)));
+    longest = std::max(longest, most - std::min(indent, most));
+    for (const int inner : region.inner) {
+        // Folded: what another listing shows opens in place
+        const Region& part = sources.regions[inner];
+        Fragment folded;
+        folded.kind = FragmentKind::lines;
+        folded.text = region.file;
+        folded.place = place;
+        for (int line = part.first; line <= part.last; ++line)
+            if (file.kinds[line - 1] != LineKind::marker) folded.lines.push_back(line);
+        lines.instead[part.last + 2] = fmt::format(
+            "<details class=\"inner\"><summary>lines {} to {}</summary><div class=\"lines\">{}</div></details>",
+            part.first, part.last, fragments_.add(std::move(folded)));
+    }
+    return fragments_.add(std::move(lines));
 }
 
 std::string TextWriter::formula(const Block& block)
@@ -284,7 +342,7 @@ std::string TextWriter::formula(const Block& block)
         "<div class=\"formula {0}\" id=\"{1}\"><div class=\"sheet\">{2}</div><a class=\"number\" "
         "href=\"#{1}\">({3})</a>"
         "{4}</div>",
-        directive_word(block.kind), numbered.anchor, tex, numbered.number, receipt_line(material_, numbered))));
+        directive_word(block.kind), numbered.anchor, tex, numbered.number, receipt_note(material_, numbered))));
 }
 
 std::string TextWriter::derivation(const Block& block)
@@ -314,47 +372,48 @@ std::string TextWriter::derivation(const Block& block)
     return block_token(fragments_.add_html(fmt::format(
         "<div class=\"formula derivation\" id=\"{0}\"><div class=\"sheet steps\">{1}</div><a class=\"number\" "
         "href=\"#{0}\">({2})</a>{3}</div>",
-        numbered.anchor, rows, numbered.number, receipt_line(material_, numbered))));
+        numbered.anchor, rows, numbered.number, receipt_note(material_, numbered))));
 }
 
-std::string TextWriter::caption(const Block& block)
+std::string TextWriter::caption(const Chapter& chapter, const Block& block)
 {
-    return inline_text({{block.place.line, block.caption}}, block.place.file);
+    const auto found = material_.figures.find(chapter.entry.name + "/" + block.name);
+    const std::string number = found == material_.figures.end() ? "?" : found->second;
+    return fmt::format("<b>Figure {}.</b> ", number) +
+           inline_text({{block.place.line, block.caption}}, block.place.file);
 }
 
 std::string TextWriter::plain_caption(const Block& block)
 {
     std::string words;
-    for (const Piece& piece : pieces_of({{block.place.line, block.caption}})) {
+    for (const Piece& piece : pieces_of({{block.place.line, block.alt.empty() ? block.caption : block.alt}})) {
         const Insert insert = parse_insert(piece.text);
         const auto value = material_.ledger.values.find(insert.name);
-        if (piece.kind != PieceKind::insert)
-            words += piece.text;
+        if (piece.kind != PieceKind::insert) words += piece.text;
         else if (insert.kind == "value" && value != material_.ledger.values.end())
             words += replace_all(format_value(value->second, insert.format).value_or(""), "<sup>", "^");
-        else
-            words += insert.name;
+        else words += insert.name;
     }
     return escape_html(trim(replace_all(words, "</sup>", "")));
 }
 
 std::string TextWriter::figure(const Chapter& chapter, const Block& block)
 {
-    return block_token(
-        fragments_.add_html(fmt::format("<figure class=\"picture\" id=\"figure-{0}\"><img src=\"figures/{1}/{0}.svg\" "
-                                        "alt=\"{2}\"><figcaption>{3}</figcaption></figure>",
-                                        block.name, chapter.entry.name, plain_caption(block), caption(block))));
+    return block_token(fragments_.add_html(
+        fmt::format("<figure class=\"picture\" id=\"figure-{0}\"><img src=\"figures/{1}/{0}.svg\" "
+                    "alt=\"{2}\"><figcaption>{3}</figcaption></figure>",
+                    block.name, chapter.entry.name, plain_caption(block), caption(chapter, block))));
 }
 
 std::string TextWriter::live(const Chapter& chapter, const Block& block)
 {
     const std::string id = chapter.entry.name + "/" + block.name;
     return block_token(
-        fragments_.add_html(fmt::format("<figure class=\"live\" data-trace=\"{0}\"><canvas role=\"img\" "
-                                        "aria-label=\"{1}\"></canvas><figcaption>{2}</figcaption>"
+        fragments_.add_html(fmt::format("<figure class=\"live\" id=\"figure-{3}\" data-trace=\"{0}\">"
+                                        "<canvas role=\"img\" aria-label=\"{1}\"></canvas><figcaption>{2}</figcaption>"
                                         "<noscript>This picture moves only where scripts "
                                         "run.</noscript></figure>",
-                                        escape_html(id), plain_caption(block), caption(block))));
+                                        escape_html(id), plain_caption(block), caption(chapter, block), block.name)));
 }
 
 std::string TextWriter::output(const Chapter& chapter, const Block& block)
@@ -366,7 +425,7 @@ std::string TextWriter::output(const Chapter& chapter, const Block& block)
                                                        escape_html(block.name), escape_html(found->second))));
 }
 
-std::string TextWriter::exercise(const Chapter& chapter, const Block& block, const std::string& page)
+std::string TextWriter::exercise(const Chapter& chapter, const Block& block)
 {
     for (const Exercise& exercise : chapter.exercises) {
         if (exercise.name != block.name) continue;
@@ -378,21 +437,21 @@ std::string TextWriter::exercise(const Chapter& chapter, const Block& block, con
         std::string out = block_token(fragments_.add_html(
             fmt::format("<section class=\"exercise\" id=\"exercise-{}\"><h4>Exercise {}.{} \u00b7 {}</h4>",
                         exercise.name, chapter.entry.number, number, escape_html(exercise.text.title))));
-        out += blocks(chapter, exercise.text, page);
+        out += blocks(chapter, exercise.text);
         if (exercise.in_code)
             out +=
                 block_token(fragments_.add_html(fmt::format("<p class=\"try\"><code>./course start {0:02}</code> puts "
                                                             "the beginning into <code>my/{1}/{2}.hpp</code>; "
                                                             "<code>./course check {0:02}</code> tries it.</p>",
                                                             chapter.entry.number, chapter.entry.name, exercise.name)));
-        if (exercise.hint) out += fold("Hint", blocks(chapter, *exercise.hint, page));
+        if (exercise.hint) out += fold("Hint", blocks(chapter, *exercise.hint));
         if (exercise.in_code) {
             const std::string code =
                 read_file(material_.folders.project / exercise.folder / "solution.hpp").value_or("");
             out += fold("Solution, as it passed the tests of this build",
                         block_token(fragments_.add_html("<div class=\"fragment\">" + colour_code(code) + "</div>")));
         } else if (exercise.solution) {
-            out += fold("Solution", blocks(chapter, *exercise.solution, page));
+            out += fold("Solution", blocks(chapter, *exercise.solution));
         }
         return out + block_token(fragments_.add_html("</section>"));
     }

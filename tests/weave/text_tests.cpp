@@ -98,8 +98,8 @@ TEST_CASE("a chapter's page loads its experiments where it has any")
         Problems problems;
         const Woven woven = tree.weave(problems);
         CHECK(problems.report() == "");
-        for (const Fragment& fragment : woven.pages.fragments.list())
-            if (fragment.text.find("<script src=\"live/01-hinge.js\"") != std::string::npos) return true;
+        for (const Page& page : woven.pages.list)
+            if (page.foot.find("<script src=\"live/01-hinge.js\"") != std::string::npos) return true;
         return false;
     };
     CHECK(!page_loads());

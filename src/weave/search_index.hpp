@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "weave/finish.hpp"
+#include "weave/material.hpp"
+
+namespace flying::weave {
+
+/// What docs/theme/search.js looks through, as a script: chapters, sections with their words, terms where they are
+/// introduced, formulas, figures, symbols, and the names of the code.
+[[nodiscard]] std::string search_index(const Material& material, const Manual& manual);
+
+} // namespace flying::weave
