@@ -75,6 +75,9 @@ Book read_book(const std::filesystem::path& source, Problems& problems)
     }
 
     book.title = table["title"].value_or(std::string("A book"));
+    book.brief = table["brief"].value_or(std::string());
+    book.front = table["front"].value_or(std::string());
+    book.is_playable = table["playground"].value_or(false);
     if (const toml::array* chapters = table["chapter"].as_array())
         for (const toml::node& node : *chapters)
             if (const toml::table* chapter = node.as_table()) book.chapters.push_back(read_chapter(*chapter, problems));

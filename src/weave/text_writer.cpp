@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 #include <optional>
 #include <regex>
 #include <utility>
@@ -438,7 +439,7 @@ std::string TextWriter::exercise(const Chapter& chapter, const Block& block)
             fmt::format("<section class=\"exercise\" id=\"exercise-{}\"><h4>Exercise {}.{} \u00b7 {}</h4>",
                         exercise.name, chapter.entry.number, number, escape_html(exercise.text.title))));
         out += blocks(chapter, exercise.text);
-        if (exercise.in_code)
+        if (exercise.in_code && std::filesystem::exists(material_.folders.project / "course"))
             out +=
                 block_token(fragments_.add_html(fmt::format("<p class=\"try\"><code>./course start {0:02}</code> puts "
                                                             "the beginning into <code>my/{1}/{2}.hpp</code>; "
