@@ -33,13 +33,30 @@ pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo)
 flying_module(draw world)
 target_link_libraries(flying_draw PUBLIC PkgConfig::CAIRO)
 
+# A scene that is played with, without a display
+find_package(fmt REQUIRED)
+flying_module(play draw scene)
+target_link_libraries(flying_play PUBLIC fmt::fmt)
+
+# Its window, where gtkmm is there
+pkg_check_modules(GTKMM IMPORTED_TARGET gtkmm-4.0)
+if(GTKMM_FOUND)
+    flying_module(window play)
+    target_link_libraries(flying_window PUBLIC PkgConfig::GTKMM)
+endif()
+
 # The program
 find_package(CLI11 REQUIRED)
 find_package(fmt REQUIRED)
 file(GLOB app_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/app/*.cpp)
 add_executable(flying ${app_sources})
 target_link_libraries(flying PRIVATE flying_draw flying_json fmt::fmt CLI11::CLI11)
-target_compile_definitions(flying PRIVATE FLYING_VERSION="${PROJECT_VERSION}")
+target_compile_definitions(flying PRIVATE FLYING_VERSION="${PROJECT_VERSION}"
+    FLYING_SCENES="${PROJECT_SOURCE_DIR}/chapters/scenes")
+if(TARGET flying_window)
+    target_link_libraries(flying PRIVATE flying_window)
+    target_compile_definitions(flying PRIVATE FLYING_WINDOW)
+endif()
 set_target_properties(flying PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
 # The literate tool: a library for its tests, and the program
 file(GLOB weave_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/weave/*.cpp)

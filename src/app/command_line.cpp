@@ -101,6 +101,17 @@ void add_simulate(CLI::App& app, SimulateOptions& options)
     command->add_flag("--quiet", options.quiet, "No report on standard output, no progress");
 }
 
+void add_window(CLI::App& app, WatchOptions& options)
+{
+    CLI::App* command = app.add_subcommand("window", "Play with a scene in a window; F1 there shows all keys");
+    command->add_option("SCENE", options.scene, "Scene file, TOML; the course's first scene where none is given");
+    command->add_option("--size", options.size, "Of the window, 1280x800 where not given [pixels]")->type_name("WxH");
+    command->add_flag("--dark", options.is_dark, "Light on dark; D changes it");
+    command->add_flag("--paused", options.is_paused, "Time stands still at first; P lets it run");
+    command->add_option("--state", options.state, "Where F8 writes what the window knows, flying-state.json where not given")
+        ->type_name("FILE.json");
+}
+
 /// The command line as typed, from the command on.
 std::string as_typed(int argc, char** argv)
 {
@@ -159,8 +170,8 @@ int run_command_line(int argc, char** argv)
     add_without(*explain_command, without);
     GenerateCommand generate_command;
     add_generate(app, generate_command);
-    CLI::App* window_command = app.add_subcommand("window", "Watch a scene in a window (not in this build)");
-    window_command->add_option("SCENE", scene, "Scene file, TOML");
+    WatchOptions watch_options;
+    add_window(app, watch_options);
 
     if (argc < 2) {
         std::fputs(app.help().c_str(), stderr);
@@ -177,10 +188,7 @@ int run_command_line(int argc, char** argv)
     if (app.got_subcommand("simulate")) return simulate(simulate_options);
     if (app.got_subcommand(check_command)) return check(scene);
     if (app.got_subcommand(explain_command)) return explain(scene, without);
-    if (app.got_subcommand(window_command)) {
-        complain("this build has no window; use flying simulate SCENE --picture FILE.png or --video FILE.mp4");
-        return status::k_usage;
-    }
+    if (app.got_subcommand("window")) return watch(watch_options);
     return run_generate(generate_command, as_typed(argc, argv));
 }
 

@@ -35,10 +35,22 @@ struct SimulateOptions
     bool quiet = false;
 };
 
+/// What `flying window` was asked for.
+struct WatchOptions
+{
+    std::string scene; ///< empty for the first scene of the course
+    std::string size;  ///< such as 1280x800; empty for that
+    std::string state; ///< where F8 writes what the window knows
+    bool is_dark = false;
+    bool is_paused = false;
+};
+
 /// Each command does all of its work, prints what it has to say, and returns the exit status.
 [[nodiscard]] int simulate(const SimulateOptions& options);
 [[nodiscard]] int check(const std::string& scene_path);
 [[nodiscard]] int explain(const std::string& scene_path, const std::vector<std::string>& without);
+/// Faults where the build has no window, or the machine no display.
+[[nodiscard]] int watch(const WatchOptions& options);
 
 /// command  the command line as typed, for the first line of the scene
 [[nodiscard]] int generate_to_stdout(const std::string& kind, const GenerateOptions& options,

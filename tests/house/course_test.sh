@@ -23,6 +23,8 @@ expect 0 '^./course test --matrix'
 expect 2 "no command 'fly'" fly
 expect 2 'no such scene: .*/none.toml' run none.toml
 expect 2 'one scene at most' run a.toml b.toml
+expect 2 'no such scene: .*/none.toml' play none.toml
+expect 2 'one scene at most' play a.toml b.toml
 expect 2 '--matrix only; found: --all' test --all
 expect 2 'no arguments; found: fast' build fast
 expect 0 '^./course stress' help

@@ -51,7 +51,6 @@ TEST_CASE("bad usage says what is wrong, ends with status 2 and writes nothing")
         {"simulate s.toml --video v.avi", ".mp4"},
         {"simulate s.toml --report s.toml", "the same file as the scene"},
         {"simulate s.toml --report a --trace ./a", "the same file as --report"},
-        {"window s.toml", "no window"},
         {"generate", "KIND"},
         {"generate heap", "heap"},
         {"generate balls --gap 1", "--gap"},
@@ -149,4 +148,16 @@ TEST_CASE("a quiet run prints nothing, and no run paints progress where there is
         CAPTURE(word);
         CHECK(contains(plain.output, word));
     }
+}
+
+TEST_CASE("without a display, or in a build without gtkmm, the window says what is missing")
+{
+    const Folder folder;
+    folder.write("s.toml", two_discs());
+    const Outcome outcome = folder.run("env -u DISPLAY -u WAYLAND_DISPLAY XDG_RUNTIME_DIR=. $FLYING window s.toml");
+    CAPTURE(outcome.errors);
+    CHECK((outcome.status == 1 || outcome.status == 2));
+    CHECK(outcome.output.empty());
+    CHECK((contains(outcome.errors, "no display to open a window on") || contains(outcome.errors, "libgtkmm-4.0-dev")));
+    CHECK(folder.names() == Names{"s.toml"});
 }

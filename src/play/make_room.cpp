@@ -1,0 +1,147 @@
+#include "play/make_room.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "collide/manifold.hpp"
+#include "world/make_shape.hpp"
+#include "world/start_overlaps.hpp"
+
+namespace flying {
+
+namespace {
+
+constexpr int k_rounds = 60;
+constexpr std::size_t k_most_pairs = 20000;
+/// [depths] Pushed a little farther than needed, so that rounds end.
+constexpr double k_more = 1.02;
+
+struct Deepest
+{
+    double depth = 0.0;
+    Vec2 normal = Vec2::Zero(); ///< from the first to the second
+};
+
+/// The deepest contact among the parts of two bodies; none where they don't overlap.
+std::optional<Deepest> deepest(const PlacedBody& a, const PlacedBody& b)
+{
+    std::optional<Deepest> found;
+    for (const ConvexPart& part_a : a.shape.parts) {
+        for (const ConvexPart& part_b : b.shape.parts) {
+            const Manifold manifold = make_manifold(part_a.shape, a.pose, part_b.shape, b.pose, 0.0);
+            for (int k = 0; k < manifold.count; ++k) {
+                const double depth = -manifold.contacts[k].separation;
+                if (depth > 0.0 && (!found || depth > found->depth)) found = Deepest{depth, manifold.contacts[k].normal};
+            }
+        }
+    }
+    return found;
+}
+
+/// The box's walls and the core, as bodies that nothing moves.
+std::vector<PlacedBody> surroundings(const WorldDef& world)
+{
+    std::vector<PlacedBody> all;
+    const auto add = [&](Shape shape, const Vec2& place, double size) {
+        PlacedBody body;
+        body.is_static = true;
+        body.pose.position = place;
+        body.size = size;
+        body.shape = make_collision_shape(shape);
+        all.push_back(std::move(body));
+    };
+    const double infinite = std::numeric_limits<double>::infinity();
+    if (world.box) {
+        add(HalfPlane{Vec2(1.0, 0.0), world.box->min.x()}, Vec2::Zero(), infinite);
+        add(HalfPlane{Vec2(-1.0, 0.0), -world.box->max.x()}, Vec2::Zero(), infinite);
+        add(HalfPlane{Vec2(0.0, 1.0), world.box->min.y()}, Vec2::Zero(), infinite);
+        add(HalfPlane{Vec2(0.0, -1.0), -world.box->max.y()}, Vec2::Zero(), infinite);
+    }
+    const auto* central = std::get_if<CentralField>(&world.field);
+    if (central && central->radius > 0.0) add(Disc{central->radius}, central->centre, central->radius);
+    return all;
+}
+
+std::vector<PlacedBody> place(const Scene& scene)
+{
+    std::vector<PlacedBody> placed;
+    for (int k = 0; k < static_cast<int>(scene.bodies.size()); ++k) {
+        const BodyDef& def = scene.bodies[static_cast<std::size_t>(k)];
+        Expected<Shape> shape = make_shape(def.shape);
+        if (!shape) continue;
+        PlacedBody body;
+        body.index = k;
+        body.is_static = def.is_static;
+        body.pose = {def.position, Rotation::of(def.angle)};
+        body.size = bounding_radius(shape.value());
+        body.shape = make_collision_shape(shape.value());
+        placed.push_back(std::move(body));
+    }
+    return placed;
+}
+
+void move_by(PlacedBody& body, const Vec2& way)
+{
+    body.pose.position += way;
+}
+
+} // namespace
+
+bool make_room(Scene& scene, double most)
+{
+    std::vector<PlacedBody> bodies = place(scene);
+    const std::vector<PlacedBody> around = surroundings(scene.world);
+    std::vector<int> by_index(scene.bodies.size(), -1);
+    for (std::size_t i = 0; i < bodies.size(); ++i) by_index[static_cast<std::size_t>(bodies[i].index)] = static_cast<int>(i);
+
+    bool is_free = false;
+    for (int round = 0; round < k_rounds && !is_free; ++round) {
+        is_free = true;
+
+        // Between bodies: both give way, unless one is static
+        for (PlacedBody& body : bodies) {
+            const Pose& pose = body.pose;
+            const double reach = body.size;
+            body.box = {pose.position - Vec2(reach, reach), pose.position + Vec2(reach, reach)};
+        }
+        for (const StartOverlap& pair : find_start_overlaps(bodies, k_most_pairs)) {
+            PlacedBody& a = bodies[static_cast<std::size_t>(by_index[static_cast<std::size_t>(pair.first)])];
+            PlacedBody& b = bodies[static_cast<std::size_t>(by_index[static_cast<std::size_t>(pair.second)])];
+            is_free = false;
+            const std::optional<Deepest> touch = deepest(a, b);
+            if (!touch) continue;
+            const double share_a = a.is_static ? 0.0 : b.is_static ? 1.0 : 0.5;
+            const Vec2 way = k_more * touch->depth * touch->normal;
+            move_by(a, -share_a * way);
+            move_by(b, (1.0 - share_a) * way);
+        }
+
+        // And away from what is around all
+        for (PlacedBody& body : bodies) {
+            if (body.is_static) continue;
+            for (const PlacedBody& thing : around) {
+                const std::optional<Deepest> touch = deepest(thing, body);
+                const double reach = body.pose.position.norm() + body.size;
+                if (!touch || touch->depth <= 0.5 * start_overlap_allowed(body.size, reach)) continue;
+                is_free = false;
+                // To the exact place first: a body that leans on a wall stays on it
+                const double farther = round < k_rounds / 2 ? 1.0 : k_more;
+                move_by(body, farther * touch->depth * touch->normal);
+            }
+        }
+    }
+    if (!is_free) return false;
+
+    for (const PlacedBody& body : bodies) {
+        BodyDef& def = scene.bodies[static_cast<std::size_t>(body.index)];
+        if ((body.pose.position - def.position).norm() > most * body.size) return false;
+        def.position = body.pose.position;
+    }
+    return true;
+}
+
+} // namespace flying

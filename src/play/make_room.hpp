@@ -1,0 +1,17 @@
+#pragma once
+
+#include "world/scene.hpp"
+
+namespace flying {
+
+/// Moves bodies that overlap apart, and those that reach through the box or into the core of a central field back, each
+/// along the shortest way, again and again until the scene can be run. Static bodies stay. What `validate` finds besides
+/// isn't touched.
+///
+/// scene  shapes, positions and angles as `validate` wants them
+/// most   how far a body may be moved, in bounding radii of its own
+///
+/// False where it can't be done; the scene is then somewhere on the way.
+[[nodiscard]] bool make_room(Scene& scene, double most);
+
+} // namespace flying

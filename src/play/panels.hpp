@@ -1,0 +1,10 @@
+#pragma once
+
+#include "play/stage.hpp"
+
+namespace flying {
+
+/// What is written and drawn over the scene: the state of the clock, bars of the mode, the notice, the help.
+void paint_panels(cairo_t* cairo, const Stage& stage, SurfaceSize size, const Theme& theme);
+
+} // namespace flying

@@ -1,0 +1,105 @@
+#include "stages.hpp"
+
+using namespace flying;
+using namespace flying::testing;
+
+TEST_CASE("a stage moves on with the time that passes, times the speed of time")
+{
+    Stage stage = stage_of(three_bodies());
+    play(stage, 1.0);
+    CHECK(stage.run.time() == doctest::Approx(1.0));
+    REQUIRE(press(stage, "plus"));
+    CHECK(stage.clock.speed == 2.0);
+    play(stage, 1.0);
+    CHECK(stage.run.time() == doctest::Approx(3.0));
+    REQUIRE(press(stage, "minus"));
+    REQUIRE(press(stage, "minus"));
+    play(stage, 1.0);
+    CHECK(stage.run.time() == doctest::Approx(3.5));
+}
+
+TEST_CASE("P holds time and lets it go on")
+{
+    Stage stage = stage_of(three_bodies());
+    press(stage, "p");
+    play(stage, 1.0);
+    CHECK(stage.run.time() == 0.0);
+    press(stage, "p");
+    play(stage, 0.5);
+    CHECK(stage.run.time() == doctest::Approx(0.5));
+}
+
+TEST_CASE("a full stop goes one frame on, a comma one back, and what is met again is the same to the bit")
+{
+    Stage stage = stage_of(three_bodies());
+    press(stage, "p");
+    std::vector<std::vector<double>> seen;
+    for (int k = 0; k < 200; ++k) {
+        seen.push_back(numbers_of(stage));
+        press(stage, "period");
+    }
+    CHECK(stage.run.time() == doctest::Approx(200.0 / 60.0));
+    for (int k = 199; k >= 0; --k) {
+        press(stage, "comma");
+        CAPTURE(k);
+        // Times are sums, which rounding makes differ: so do places, by as much
+        const std::vector<double> now = numbers_of(stage);
+        for (std::size_t i = 0; i < now.size(); ++i) CHECK(std::abs(now[i] - seen[static_cast<std::size_t>(k)][i]) <= 1e-9);
+    }
+    press(stage, "comma");
+    CHECK(stage.notice.text == "This is the earliest moment that is remembered");
+}
+
+TEST_CASE("a run that was gone back in goes on as it went before, to the bit")
+{
+    Stage stage = stage_of(gas(30));
+    play(stage, 1.0);
+    Stage other = stage_of(gas(30));
+    play(other, 1.0);
+    REQUIRE(numbers_of(stage) == numbers_of(other));
+    REQUIRE(stage.run.go_back(0.4));
+    (void)stage.run.advance(other.run.time(), -1);
+    CHECK(numbers_of(stage) == numbers_of(other));
+    CHECK(stage.run.collisions() == other.run.collisions());
+}
+
+TEST_CASE("a frame that uses up its budget says that time runs slower than asked")
+{
+    Stage stage = stage_of(gas(200));
+    set_speed(stage, 16.0);
+    for (int k = 0; k < 60; ++k) stage.advance(1.0 / 60.0, short_of_time);
+    CHECK(stage.clock.is_behind());
+    CHECK(stage.run.time() < 8.0);
+    Stage quick = stage_of(three_bodies());
+    play(quick, 2.0);
+    CHECK_FALSE(quick.clock.is_behind());
+}
+
+TEST_CASE("keys that mean nothing are refused, and nothing else is")
+{
+    Stage stage = stage_of(three_bodies());
+    CHECK_FALSE(press(stage, "ctrl+alt+f12"));
+    CHECK_FALSE(press(stage, ""));
+    for (const Binding& binding : bindings()) {
+        Stage fresh = stage_of(three_bodies());
+        const std::string first(binding.keys.substr(0, binding.keys.find(' ')));
+        CAPTURE(first);
+        CHECK(press(fresh, first));
+    }
+}
+
+TEST_CASE("no key is bound twice")
+{
+    std::vector<std::string> seen;
+    for (const Binding& binding : bindings()) {
+        std::string_view rest = binding.keys;
+        while (!rest.empty()) {
+            const std::size_t end = std::min(rest.find(' '), rest.size());
+            seen.emplace_back(rest.substr(0, end));
+            rest.remove_prefix(std::min(end + 1, rest.size()));
+        }
+    }
+    std::sort(seen.begin(), seen.end());
+    const auto twice = std::adjacent_find(seen.begin(), seen.end());
+    CHECK_MESSAGE(twice == seen.end(), (twice == seen.end() ? "" : *twice));
+}
