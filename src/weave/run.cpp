@@ -93,6 +93,7 @@ bool run_doxygen(const Folders& folders, const Tools& tools, const Woven& woven,
 
     std::string settings = read_file(folders.kit / "Doxyfile.in").value_or("");
     settings = replace_all(settings, "@PROJECT@", folders.project.string());
+    settings = replace_all(settings, "@KIT@", folders.kit.string());
     settings = replace_all(settings, "@BUILD@", folders.build.string());
     settings = replace_all(settings, "@HTML@", html.filename().string() + "/manual");
     const std::string weave = fs::read_symlink("/proc/self/exe", error).string();

@@ -20,7 +20,7 @@ tail -n 1 "$work/log"
 fail() { echo "$1" >&2; exit 1; }
 html=build/book/html
 [[ -f $html/index.html && -f $html/chapter_02.html ]] || fail "no pages"
-grep -q 'checked: [0-9]* cases, worst relative error' $html/chapter_01.html || fail "no receipt in chapter 1"
+grep -q 'Checked: [0-9]* cases, worst relative error' $html/chapter_01.html || fail "no receipt in chapter 1"
 grep -q 'evaluated as printed' $html/chapter_02.html || fail "the integral of chapter 2 was not evaluated"
 grep -q 'A weight on a string was the first good clock' $html/index.html || fail "the first page lacks the book's words"
 ! grep -qi 'polygon\|playground' $html/index.html || fail "the first page speaks of another book"
