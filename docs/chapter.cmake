@@ -14,8 +14,7 @@ set(FLYING_BOOK_FOLDER ${PROJECT_BINARY_DIR}/book)
 function(flying_page_program target source)
     add_executable(${target} ${source})
     target_link_libraries(${target} PRIVATE flying_flags ${ARGN})
-    # Of another chapter, and from my/: "02-rectangle/rectangle.hpp"
-    target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/chapters)
+    target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/src)
     flying_light(${target})
 endfunction()
 
@@ -40,7 +39,7 @@ function(flying_exercise number folder)
             add_executable(${target} ${folder}/tests.cpp)
         endif()
         target_link_libraries(${target} PRIVATE flying_test_main ${ARGN})
-        target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/chapters)
+        target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/src)
         flying_light(${target})
         target_compile_definitions(${target} PRIVATE FLYING_ANSWER="${file}" FLYING_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     endforeach()
@@ -96,7 +95,7 @@ function(flying_chapter)
     set(receipts "")
     if(TARGET chapter_${number})
         set(receipts ${FLYING_BOOK_FOLDER}/receipts/chapter_${number}.json)
-        target_include_directories(chapter_${number} PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/chapters)
+        target_include_directories(chapter_${number} PRIVATE ${PROJECT_SOURCE_DIR}/src)
         add_custom_command(OUTPUT ${receipts}
             COMMAND ${CMAKE_COMMAND} -E make_directory ${FLYING_BOOK_FOLDER}/receipts
             COMMAND ${CMAKE_COMMAND} -E echo "{}" > ${receipts}.part

@@ -7,7 +7,6 @@ flying_module(live scene)
 # Beside scenes it runs what the chapters lend to their pages
 file(GLOB live_pieces CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/chapters/*/live.cpp)
 target_sources(flying_live PRIVATE ${live_pieces})
-target_include_directories(flying_live PRIVATE ${PROJECT_SOURCE_DIR}/chapters)
 if(FLYING_WASM)
     add_executable(flying_wasm ${CMAKE_CURRENT_SOURCE_DIR}/live/exports.cpp)
     target_link_libraries(flying_wasm PRIVATE flying_live)

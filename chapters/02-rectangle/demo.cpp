@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "door.hpp"
-#include "rectangle.hpp"
+#include "mass/rectangle.hpp"
 #include "pieces.hpp"
 
 using namespace flying;

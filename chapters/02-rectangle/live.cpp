@@ -2,7 +2,7 @@
 
 #include "door.hpp"
 #include "live/pieces.hpp"
-#include "rectangle.hpp"
+#include "mass/rectangle.hpp"
 
 // What this chapter's page computes.
 

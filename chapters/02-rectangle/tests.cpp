@@ -1,5 +1,4 @@
-#include "rectangle.hpp"
-#include "mass/disc.hpp"
+#include "mass/rectangle.hpp"
 
 #include <array>
 #include <cmath>

@@ -3,8 +3,7 @@
 #include <numbers>
 
 #include "door.hpp"
-#include "rectangle.hpp"
-#include "mass/disc.hpp"
+#include "mass/rectangle.hpp"
 #include "math/random.hpp"
 #include "pieces.hpp"
 #include "support/receipts.hpp"

@@ -2,9 +2,8 @@
 
 #include <numbers>
 
-#include "02-rectangle/rectangle.hpp"
-#include "mass/disc.hpp"
-#include "regular_polygon.hpp"
+#include "mass/rectangle.hpp"
+#include "mass/regular_polygon.hpp"
 
 namespace flying {
 

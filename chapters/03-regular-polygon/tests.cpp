@@ -1,4 +1,4 @@
-#include "regular_polygon.hpp"
+#include "mass/regular_polygon.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -8,8 +8,7 @@
 #include <doctest/doctest.h>
 
 #include "geometry/moments.hpp"
-#include "02-rectangle/rectangle.hpp"
-#include "mass/disc.hpp"
+#include "mass/rectangle.hpp"
 #include "math/sine_cosine.hpp"
 
 using namespace flying;

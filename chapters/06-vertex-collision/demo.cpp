@@ -2,7 +2,7 @@
 #include <numbers>
 #include <vector>
 
-#include "vertex_edge.hpp"
+#include "collide/vertex_edge.hpp"
 #include "math/orientation.hpp"
 #include "scenes.hpp"
 #include "turns.hpp"

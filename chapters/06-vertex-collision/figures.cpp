@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "../support/sketch.hpp"
-#include "vertex_edge.hpp"
+#include "collide/vertex_edge.hpp"
 #include "math/orientation.hpp"
 #include "scenes.hpp"
 #include "turns.hpp"

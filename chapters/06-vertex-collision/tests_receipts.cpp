@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "vertex_edge.hpp"
+#include "collide/vertex_edge.hpp"
 #include "math/random.hpp"
 #include "math/sine_cosine.hpp"
 #include "misjudged.hpp"

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "broadphase/boxed_body.hpp"
+#include "broadphase/all_pairs.hpp"
 
 namespace flying {
 

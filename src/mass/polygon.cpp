@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "geometry/moments.hpp"
-#include "mass/disc.hpp"
+#include "mass/rectangle.hpp"
 
 namespace flying {
 

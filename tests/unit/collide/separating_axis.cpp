@@ -3,7 +3,6 @@
 #include <cmath>
 #include <vector>
 
-#include "chapters/05-separating-axis/find_axis.hpp"
 #include "collide/manifold.hpp"
 #include "collide/separating_axis.hpp"
 #include "collide/separation.hpp"

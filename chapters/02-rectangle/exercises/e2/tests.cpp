@@ -2,7 +2,7 @@
 
 #include FLYING_ANSWER
 
-#include "02-rectangle/rectangle.hpp"
+#include "mass/rectangle.hpp"
 
 using namespace flying;
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <numbers>
-
 #include "mass/mass_properties.hpp"
 
 namespace flying {
@@ -12,14 +10,11 @@ namespace flying {
 [[nodiscard]] MassProperties rectangle_mass(double width, double height, double density);
 // [mass.rectangle.declared]
 
-// [mass.rectangle]
-inline MassProperties rectangle_mass(double width, double height, double density)
-{
-    const double m = density * (width * height);
-    const double moment_of_inertia = m * (width * width + height * height) / 12.0;
-    return {m, moment_of_inertia};
-}
-// [mass.rectangle]
+// [mass.disc.declared]
+/// Full disc about its centre: I = m R^2 / 2 (eq. rectangle.disc).
+/// radius  positive [m]; density  positive [kg/m^2]
+[[nodiscard]] MassProperties disc_mass(double radius, double density);
+// [mass.disc.declared]
 
 // [mass.annulus.declared]
 /// Ring between two circles about its centre: I = m (a^2 + R^2) / 2
@@ -28,28 +23,10 @@ inline MassProperties rectangle_mass(double width, double height, double density
 [[nodiscard]] MassProperties annulus_mass(double inner, double outer, double density);
 // [mass.annulus.declared]
 
-// [mass.annulus]
-inline MassProperties annulus_mass(double inner, double outer, double density)
-{
-    // The difference of the squares as a product: a thin ring keeps its digits
-    const double squares = (outer - inner) * (outer + inner);
-    const double m = density * (std::numbers::pi * squares);
-    const double moment_of_inertia = 0.5 * m * (inner * inner + outer * outer);
-    return {m, moment_of_inertia};
-}
-// [mass.annulus]
-
 // [mass.parallel-axis.declared]
 /// Moment of inertia about another axis: I + m d^2 (eq. rectangle.parallel). [kg m^2]
 /// distance  of that axis from the centre of mass  [m]
 [[nodiscard]] double about_parallel_axis(const MassProperties& body, double distance);
 // [mass.parallel-axis.declared]
-
-// [mass.parallel-axis]
-inline double about_parallel_axis(const MassProperties& body, double distance)
-{
-    return body.moment_of_inertia + body.mass * (distance * distance);
-}
-// [mass.parallel-axis]
 
 } // namespace flying

@@ -3,9 +3,19 @@
 #include <cstddef>
 #include <span>
 
-#include "broadphase/boxed_body.hpp"
+#include "geometry/aabb.hpp"
 
 namespace flying {
+
+// [broadphase.boxed_body]
+/// A body as those see it who look for pairs.
+struct BoxedBody
+{
+    int body = 0; ///< its id
+    bool is_static = false;
+    Aabb box; ///< holds all of the body [m]
+};
+// [broadphase.boxed_body]
 
 // [broadphase.all_pairs]
 /// Call visit(a, b), ids with a < b, for every two bodies, not both static, whose boxes
@@ -19,7 +29,8 @@ void for_each_pair_of_all(std::span<const BoxedBody> bodies, Visit&& visit)
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         for (std::size_t k = i + 1; k < bodies.size(); ++k) {
             if (bodies[i].is_static && bodies[k].is_static) continue;
-            if (overlap(bodies[i].box, bodies[k].box)) visit(bodies[i].body, bodies[k].body);
+            if (overlap(bodies[i].box, bodies[k].box))
+                visit(bodies[i].body, bodies[k].body);
         }
     }
 }
