@@ -1,21 +1,35 @@
 #!/usr/bin/env bash
 # exercise.sh start NN            puts the beginnings of chapter NN's exercises into my/, and leaves what is there
 # exercise.sh check NN BUILD      builds the answers in my/ in the build folder BUILD and tries them
+# exercise.sh progress            which exercises are begun, and which passed when they were last checked
 # Status: 0 done, all answers pass; 1 an answer fails; 2 no such chapter, or nothing to check.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+passed=$root/my/passed.txt # a line for each answer that passed: chapter/name, checksum
 
 usage() {
-    sed -n '2,3s/^# //p' "${BASH_SOURCE[0]}" >&2
+    sed -n '2,4s/^# //p' "${BASH_SOURCE[0]}" >&2
     exit 2
 }
 
-[[ ${1:-} == start || ${1:-} == check ]] && [[ ${2:-} =~ ^[0-9]{1,2}$ ]] || usage
-number=$(printf '%02d' "$((10#$2))")
-folders=("$root"/chapters/"$number"-*/)
-[[ -d ${folders[0]} ]] || { echo "no chapter $number in chapters/" >&2; exit 2; }
-chapter=$(basename "${folders[0]}")
+find_chapter() { # NN: sets number and chapter
+    [[ ${1:-} =~ ^[0-9]{1,2}$ ]] || usage
+    number=$(printf '%02d' "$((10#$1))")
+    local folders=("$root"/chapters/"$number"-*/)
+    [[ -d ${folders[0]} ]] || { echo "no chapter $number in chapters/" >&2; exit 2; }
+    chapter=$(basename "${folders[0]}")
+}
+
+title() { # file.md: its first line as plain words
+    sed -n '1s/^# *//p' "$1" 2>/dev/null
+}
+
+sum_of() { # file
+    cksum <"$1" | tr -d ' '
+}
+
+# ---- Begin ---------------------------------------------------------------------------------------------------------------
 
 start() {
     local stub name answer found=0
@@ -36,8 +50,32 @@ start() {
     echo "When you have an answer: ./course check $number"
 }
 
-check() {
-    local build=${1:-} answer name status=0 found=0
+# ---- Check ---------------------------------------------------------------------------------------------------------------
+
+# What the first error of the compiler is, with paths from the project's folder
+compiler_says() { # log
+    grep -E -m 1 -A 3 ': (fatal )?error:' "$1" | sed "s|$root/||g; s/^/    /" || tail -n 8 "$1"
+}
+
+# The hint as a terminal shows it: references by number are only on the page
+hint() { # name
+    local file=$root/chapters/$chapter/exercises/$1/hint.md
+    [[ -f $file ]] || return 0
+    echo
+    sed -E '1d; s/\{\{eq:([^}|]*)\}\}/equation \1/g; s/\{\{ch:([^}|]*)(\|[^}]*)?\}\}/the chapter \1/g; s/\{\{given:([^}]*)\}\}/\1/g' "$file" |
+        sed -e '/./,$!d' -e 's/^/    hint: /;' | sed -E '2,$s/^    hint: /          /'
+    echo
+}
+
+remember() { # name: that its answer passed as it is now
+    mkdir -p "$(dirname "$passed")"
+    touch "$passed"
+    { grep -v "^$chapter/$1 " "$passed" || true; echo "$chapter/$1 $(sum_of "$root/my/$chapter/$1.hpp")"; } >"$passed.new"
+    mv "$passed.new" "$passed"
+}
+
+check() { # build folder
+    local build=${1:-} answer name status=0 found=0 code target
     [[ -f $build/CMakeCache.txt ]] || usage
     log=$(mktemp)
     trap 'rm -f "$log"' EXIT
@@ -46,20 +84,32 @@ check() {
         [[ -f $answer ]] || continue
         found=1
         name=$(basename "$answer" .hpp)
-        if ! cmake --build "$build" --target "exercise_${number}_${name}_mine" >"$log" 2>&1; then
-            grep -E ': (fatal )?(error|warning):' "$log" | head -n 20 || tail -n 20 "$log"
+        target=exercise_${number}_${name}_mine
+        echo "$name $(title "$root/chapters/$chapter/exercises/$name/text.md")"
+        if ! cmake --build "$build" --target "$target" >"$log" 2>&1; then
+            compiler_says "$log"
             echo "$name: does not compile"
             status=1
-        elif "$build/chapters/$chapter/exercise_${number}_${name}_mine" --no-colors=1 >"$log" 2>&1; then
+            continue
+        fi
+        code=0
+        timeout 60 "$build/chapters/$chapter/$target" --no-colors=1 --abort-after=1 --no-skipped-summary=1 >"$log" 2>&1 || code=$?
+        if ((code == 0)); then
             echo "$name: passes"
+            remember "$name"
             solution=chapters/$chapter/exercises/$name/solution.hpp
             if [[ -f $root/$solution ]] && ! cmp -s "$root/$solution" "$answer"; then
                 printf '%s: the book does it like this (%s)\n\n' "$name" "$solution"
                 sed 's/^/    /' "$root/$solution"
             fi
+        elif ((code == 124)); then
+            echo "    it ran for a minute without an end"
+            echo "$name: not yet"
+            status=1
         else
-            grep -vE '^\[doctest\] (doctest version|run with)' "$log" | head -n 40
-            echo "$name: not yet; the hint is in chapters/$chapter/exercises/$name/hint.md"
+            awk -f "$root/docs/feedback.awk" "$log"
+            hint "$name"
+            echo "$name: not yet"
             status=1
         fi
     done
@@ -67,7 +117,44 @@ check() {
     return "$status"
 }
 
-case $1 in
-start) start ;;
-check) check "${3:-$root/build/release}" ;;
+# ---- Progress ------------------------------------------------------------------------------------------------------------
+
+progress() {
+    local stub name folder answer state line all=0 pass=0 next=""
+    for folder in "$root"/chapters/[0-9][0-9]-*/; do
+        chapter=$(basename "$folder")
+        line=""
+        for stub in "$folder"exercises/*/stub.hpp; do
+            [[ -f $stub ]] || continue
+            name=$(basename "$(dirname "$stub")")
+            answer=$root/my/$chapter/$name.hpp
+            all=$((all + 1))
+            state="-"
+            if [[ -f $answer ]]; then
+                state="begun"
+                if grep -qxF "$chapter/$name $(sum_of "$answer")" "$passed" 2>/dev/null; then
+                    state="passes"
+                    pass=$((pass + 1))
+                fi
+            fi
+            [[ $state == passes || -n $next ]] || next=${chapter%%-*}
+            line+=$(printf '  %s %-7s' "$name" "$state")
+        done
+        [[ -z $line ]] || printf '%s  %-26s%s\n' "${chapter%%-*}" "$(title "${folder}chapter.md")" "${line%"${line##*[! ]}"}"
+    done
+    echo "$pass of $all exercises in code pass as they are. Those on paper only you can tick."
+    [[ -z $next ]] || echo "Next: ./course start $next"
+}
+
+case ${1:-} in
+start)
+    find_chapter "${2:-}"
+    start
+    ;;
+check)
+    find_chapter "${2:-}"
+    check "${3:-$root/build/release}"
+    ;;
+progress) progress ;;
+*) usage ;;
 esac

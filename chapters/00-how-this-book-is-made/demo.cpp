@@ -14,7 +14,6 @@ int main()
         const double s = flying::fall_by_steps(g, t, steps);
         std::printf("%7d %10.4f %9.1e\n", steps, s, (exact - s) / exact);
     }
-    std::printf("\nshare lost in 10 steps = %.3f\n",
-                1.0 - flying::fall_by_steps(g, t, 10) / exact);
+    std::printf("\nshare lost in 10 steps = %.3f\n", 1.0 - flying::fall_by_steps(g, t, 10) / exact);
 }
 // [made.demo]

@@ -71,7 +71,7 @@ void long_runs(const Orbit& orbit)
     };
     std::printf("\nHalf axis over the true one, with 1000 steps a period:\n\n periods      "
                 "Euler  symplectic     Verlet\n");
-    for (long periods = 1; periods <= 100; periods *= 10)
+    for (const long periods : {1, 10, 100, 300, 1000})
         std::printf("%8ld %10.4f  %10.4f %10.4f\n", periods, size(k_euler, periods),
                     size(k_symplectic, periods), size(k_verlet, periods));
 

@@ -341,14 +341,17 @@ void draw_orders()
         c.line({place(std::pow(10, k), 1e-10), place(std::pow(10, k), 3.0)}, 1.0);
         c.ink(k_dark);
         c.words(place(std::pow(10, k), 1e-10), "10", Vec2(-7, -19), {0.5, 17.0});
-        c.words(place(std::pow(10, k), 1e-10), std::to_string(k), Vec2(9, -11), {0.5, 13.0});
+        c.words(place(std::pow(10, k), 1e-10), std::to_string(k), Vec2(9, -11),
+                {0.5, 13.0});
     }
     for (int k = -10; k <= 0; k += 2) {
         c.ink(k_faint);
         c.line({place(100, std::pow(10, k)), place(1e5, std::pow(10, k))}, 1.0);
         c.ink(k_dark);
         c.words(place(100, std::pow(10, k)), "10", Vec2(-25, 0), {1.0, 17.0});
-        c.words(place(100, std::pow(10, k)), (k < 0 ? "−" : "") + std::to_string(std::abs(k)), Vec2(-24, 8), {0.0, 13.0});
+        c.words(place(100, std::pow(10, k)),
+                (k < 0 ? "−" : "") + std::to_string(std::abs(k)), Vec2(-24, 8),
+                {0.0, 13.0});
     }
     const double t = 0.75 * k_orbit.period();
     const auto draw = [&](const auto& step, const Ink& ink, const std::string& name,
@@ -426,7 +429,8 @@ void record_throw()
         const Vec2 exact = flight(start, g, k * h).position;
         out << "{\"time\": " << k * h << ", \"bodies\": [[" << b.x.x() << ", " << b.x.y()
             << ", 0]], \"ghosts\": [[" << exact.x() << ", " << exact.y() << ", 0]]}\n";
-        b = euler(b, [&](const Vec2&) { return g; }, h);
+        b = euler(
+            b, [&](const Vec2&) { return g; }, h);
     }
 }
 

@@ -29,7 +29,7 @@ struct Puller
 // [many.pull]
 
 // [many.wrong]
-/// WRONG: whoever comes later in the list is pulled by bodies that have moved already.
+/// WRONG: a body later in the list is pulled by bodies that have moved already.
 inline void step_in_place(std::vector<Puller>& bodies, double h)
 {
     for (std::size_t k = 0; k < bodies.size(); ++k) {

@@ -26,6 +26,52 @@ TEST_CASE("a planet stays on its orbit: the closed form does, explicit Euler spi
 }
 // [breaks.spiral]
 
+TEST_CASE("explicit Euler gains energy over a period, but not in every step")
+{
+    const auto losing = [](double eccentricity) { // share of the steps of a period
+        const Orbit o{1.0, 1.0, eccentricity};
+        constexpr int k_steps = 100000;
+        const double h = o.period() / k_steps;
+        Moving b = on_ellipse(o, 0.0);
+        const double before = energy(b, o.mu);
+        int count = 0;
+        for (int k = 0; k < k_steps; ++k) {
+            const double w = energy(b, o.mu);
+            b = euler(b, CentralPull{o.mu}, h);
+            count += energy(b, o.mu) < w ? 1 : 0;
+        }
+        CHECK(energy(b, o.mu) > before);
+        return count / static_cast<double>(k_steps);
+    };
+
+    // Falling in at the speed v_r, a step loses where v_r^2 exceeds half of mu/r + v_t^2:
+    // long orbits have such places
+    CHECK(losing(0.5) == 0.0);
+    const double share = losing(0.9);
+    CHECK(share > 0.2);
+    CHECK(share < 0.35);
+    RECORD_VALUE("steps.gain.losing", 100.0 * share);
+}
+
+TEST_CASE(
+    "symplectic Euler lets the size of an orbit swing within a percent, and brings it back")
+{
+    const Orbit o{1.0, 1.0, 0.5};
+    const double h = o.period() / 1000.0;
+    const auto axis = [&](const Moving& b) { return -o.mu / (2.0 * energy(b, o.mu)); };
+    Moving b = on_ellipse(o, 0.0);
+    double least = 1.0;
+    double most = 1.0;
+    for (int period = 0; period < 1000; ++period) {
+        b = run(k_symplectic, b, CentralPull{o.mu}, h, 1000);
+        least = std::min(least, axis(b));
+        most = std::max(most, axis(b));
+    }
+    CHECK(least > 0.99);
+    CHECK(most < 1.01);
+    RECORD_VALUE("steps.swing.late", axis(b));
+}
+
 // [breaks.degrees]
 TEST_CASE("a corner is as fast as its spin says: not where polygons turn in degrees")
 {

@@ -10,8 +10,8 @@ namespace flying::wrong {
 // [wrong.degrees]
 enum class Kind
 {
-    ball,   ///< its angle is in radians, says whoever wrote the balls
-    polygon ///< its angle is in degrees, says whoever wrote the polygons
+    ball,   ///< its angle is in radians
+    polygon ///< its angle is in degrees
 };
 
 /// A point of the body, given in its own frame, in the world's.

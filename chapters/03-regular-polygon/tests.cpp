@@ -57,7 +57,7 @@ TEST_CASE("four sides are a square")
     CHECK(relative(square.moment_of_inertia, expected.moment_of_inertia) < 1e-15);
 }
 
-TEST_CASE("the stable form is the cotangent's, to a few roundings, for 3 to a thousand million sides")
+TEST_CASE("the stable form is the cotangent's, to a few roundings, for 3 to a billion sides")
 {
     // pi/n, its sine, cosine and four products: 6 ulp
     for (const int sides : {3, 4, 5, 6, 7, 8, 12, 17, 100, 999, 12345, 1000000, 87654321, 1000000000, 2147483647}) {

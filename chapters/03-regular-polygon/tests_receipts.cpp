@@ -179,7 +179,7 @@ TEST_CASE("more sides never weigh less, and never more than the disc around")
 // [regular.tests.inside]
 
 // [regular.tests.wrong]
-TEST_CASE("the law of cosines is right at eight sides and void at a thousand million")
+TEST_CASE("the law of cosines is right at eight sides and void at a billion")
 {
     const double right = regular_polygon_mass(8, 1.0, 1.0).moment_of_inertia;
     const double wrong = wrong_polygon_mass(8, 1.0, 1.0).moment_of_inertia;

@@ -6,7 +6,7 @@
 
 namespace flying {
 
-/// Who says which way the squares push each other.
+/// What decides along which normal the squares push each other.
 enum class Rule
 {
     greatest_separation,

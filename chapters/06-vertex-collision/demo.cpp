@@ -1,8 +1,11 @@
+#include <cmath>
 #include <cstdio>
 #include <numbers>
 #include <vector>
 
+#include "collide/touching.hpp"
 #include "collide/vertex_edge.hpp"
+#include "geometry/convex_parts.hpp"
 #include "math/orientation.hpp"
 #include "scenes.hpp"
 #include "turns.hpp"
@@ -12,6 +15,49 @@ using namespace flying::corner;
 
 namespace {
 
+/// Sets B at A so that they just touch, and prints where.
+void set(const char* what, const Shape& a, const Shape& b, const Pose& world_from_b)
+{
+    std::vector<Touch> touches;
+    find_touches(a, at(0, 0), b, world_from_b, 1e-12, touches);
+    for (const Touch& touch : touches) {
+        std::printf("%-22s (%6.3f,%6.3f)   (%6.3f,%6.3f)\n", what, touch.r_a.x() + 0.0, touch.r_a.y() + 0.0,
+                    touch.normal.x() + 0.0, touch.normal.y() + 0.0);
+        what = "";
+    }
+}
+
+// [corner.demo.touches]
+void set_all()
+{
+    const double root = std::sqrt(0.5); // half the diagonal of a square of side 1
+    const Polygon floor = box(10, 1);
+    const double upright = 0.25 * std::numbers::pi;
+    std::printf("                              point            normal\n");
+    set("square on a corner", floor, box(1, 1), at(1.0, 0.5 + root, upright));
+    set("crate, flat", floor, box(2, 1), at(1.0, 1.0));
+    set("crate, half over", floor, box(2, 1), at(5.0, 1.0));
+    set("squares, diagonal", box(2, 2), box(2, 2), at(2.0, 2.0));
+    set("square beside square", box(2, 2), box(2, 2), at(2.0, 0.0));
+    set("tip on a corner", box(2, 2), box(1, 1), at(1.0, 1.0 + root, upright));
+    set("ball on a corner", box(2, 2), Disc{1.0}, at(1.6, 1.8));
+    set("table on a floor", floor, table(), at(0.0, 0.5));
+}
+// [corner.demo.touches]
+
+/// Cuts a few shapes into convex parts, and counts them.
+void cut_all()
+{
+    const auto count = [](const char* what, const Polygon& polygon) {
+        std::printf("%-10s %8zu %6zu\n", what, polygon.vertices().size(), convex_parts(polygon).size());
+    };
+    std::printf("\n           vertices  parts\n");
+    count("square", box(1, 1));
+    count("table", table());
+    count("plus", plus());
+    count("frame", frame());
+}
+
 /// Lays B on A and prints where the two have entered each other.
 void lay(const char* what, const Polygon& a, const Polygon& b, const Pose& world_from_b)
 {
@@ -19,8 +65,8 @@ void lay(const char* what, const Polygon& a, const Polygon& b, const Pose& world
     for (const Contact& contact : contacts) {
         const Vec2& p = contact.point;
         const Vec2& n = contact.normal;
-        std::printf("%-18s (%6.3f,%6.3f)   (%4.1f,%4.1f)   %.3f\n", what, p.x(), p.y(),
-                    n.x() + 0.0, n.y() + 0.0, -contact.separation);
+        std::printf("%-18s (%6.3f,%6.3f)   (%4.1f,%4.1f)   %.3f\n", what, p.x(), p.y(), n.x() + 0.0, n.y() + 0.0,
+                    -contact.separation);
         what = "";
     }
 }
@@ -30,7 +76,7 @@ void lay_all()
 {
     const Polygon floor = box(10, 1);
     const double upright = 0.25 * std::numbers::pi;
-    std::printf("                        point           normal    depth\n");
+    std::printf("\nBodies that overlap:\n                        point           normal    depth\n");
     lay("square on a corner", floor, box(1, 1), at(1.0, 1.1, upright));
     lay("crate, flat", floor, box(2, 1), at(1.0, 0.9));
     lay("crate, half over", floor, box(2, 1), at(5.0, 0.9));
@@ -63,6 +109,8 @@ void judge_grid()
 
 int main()
 {
+    set_all();
+    cut_all();
     lay_all();
     judge_grid();
 }

@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "../support/sketch.hpp"
+#include "collide/touching.hpp"
 #include "collide/vertex_edge.hpp"
+#include "geometry/convex_parts.hpp"
 #include "math/orientation.hpp"
 #include "scenes.hpp"
 #include "turns.hpp"
@@ -44,23 +46,84 @@ void draw_contacts(Sketch& s, const View& view, const Polygon& a, const Pose& po
     }
 }
 
-/// A square has come into the end of a floor: the edge's normal, and the line of centres.
+/// A square has come down on the end of a floor: the edge's normal, and the line of centres.
 void draw_struck(const std::string& folder)
 {
     Sketch s(folder + "/struck.svg", 580, 250);
     const View view{Vec2(290, 190), 54.0};
     const Polygon floor = corner::box(10, 1);
     const Polygon square = corner::box(1.7, 1.7);
-    const Pose pose = at(3.1, 1.5, 0.6);
+    const double lean = 0.6;
+    const Pose pose = at(3.1, 0.5 + 0.85 * (std::sin(lean) + std::cos(lean)), lean);
     s.polygon(view(floor.vertices(), Pose()), pale(k_ochre, 0.45), k_ink);
     s.polygon(view(square.vertices(), pose), pale(k_blue, 0.3), k_blue, 2.0);
     s.dashed(view(Vec2::Zero()), view(pose.position), k_soft, 1.8);
     for (const Vec2& centre : {Vec2(0, 0), pose.position}) s.disc(view(centre), 4.5, {0xffffff, 1.0}, k_ink, 2.0);
-    draw_contacts(s, view, floor, Pose(), square, pose, 82.0);
+    std::vector<Touch> touches;
+    find_touches(floor, Pose(), square, pose, 1e-9, touches);
+    for (const Touch& touch : touches) {
+        const Vec2 p = view(touch.r_a);
+        s.arrow(p, p + 82.0 * Vec2(touch.normal.x(), -touch.normal.y()), k_rust, 2.6);
+        s.disc(p, 4.5, k_rust, k_none);
+    }
     s.words(view(Vec2(0, 0)) + Vec2(0, 22), "A");
     s.words(view(pose.position) + Vec2(16, -6), "B");
     s.words(view(Vec2(0.0, 1.05)), "from centre to centre", Anchor::middle, k_soft);
-    s.formula(view(Vec2(2.64, 1.72)), "n", Anchor::middle, k_rust, 22.0);
+    s.formula(view(Vec2(2.3, 1.72)), "n", Anchor::middle, k_rust, 22.0);
+}
+
+/// Corner on corner, three times: the directions that part the two, and their middle.
+void draw_cone(const std::string& folder)
+{
+    Sketch s(folder + "/cone.svg", 580, 250);
+    const double pi = std::numbers::pi;
+    const auto panel = [&](double x, double alpha, double beta, const char* words) {
+        const View view{Vec2(x, 112), 74.0};
+        const Rotation turn_a = Rotation::of(pi / 4 + alpha);
+        const Rotation turn_b = Rotation::of(-3 * pi / 4 + beta);
+        const Polygon square = corner::box(1, 1);
+        const Pose pose_a{-(turn_a * Vec2(0.5, 0.5)), turn_a};
+        const Pose pose_b{-(turn_b * Vec2(0.5, 0.5)), turn_b};
+        s.polygon(view(square.vertices(), pose_a), pale(k_ochre, 0.45), k_ink);
+        s.polygon(view(square.vertices(), pose_b), pale(k_blue, 0.25), k_blue);
+
+        // The cone lies between a normal of either body
+        const double low = pi / 2 + std::max(alpha, beta) - pi / 4;
+        const double high = pi / 2 + std::min(alpha, beta) + pi / 4;
+        std::vector<Vec2> fan{view(Vec2::Zero())};
+        for (int k = 0; k <= 24; ++k) {
+            const double angle = low + (high - low) * k / 24;
+            fan.push_back(view(0.62 * Vec2(std::cos(angle), std::sin(angle))));
+        }
+        s.polygon(fan, pale(k_rust, 0.22), k_none);
+        std::vector<Touch> touches;
+        find_touches(square, pose_a, square, pose_b, 1e-9, touches);
+        for (const Touch& touch : touches) s.arrow(view(Vec2::Zero()), view(0.86 * touch.normal), k_rust, 2.6);
+        s.disc(view(Vec2::Zero()), 4.5, k_rust, k_none);
+        s.words(Vec2(x, 240), words, Anchor::middle, k_ink, 14.0);
+    };
+    panel(96, 0.0, 0.0, "along the diagonals");
+    panel(290, 0.35, -0.25, "leaning");
+    panel(484, 0.0, 0.5 * pi - 0.001, "face to face");
+}
+
+/// A plus sign and a frame, cut into convex parts.
+void draw_parts(const std::string& folder)
+{
+    Sketch s(folder + "/parts.svg", 580, 230);
+    const Tone tones[] = {k_teal, k_ochre, k_blue, k_rust, k_soft};
+    const auto panel = [&](double x, double scale, const Polygon& polygon) {
+        const View view{Vec2(x, 112), scale};
+        int k = 0;
+        for (const Polygon& part : convex_parts(polygon))
+            s.polygon(view(part.vertices(), Pose()), pale(tones[k++ % 5], 0.35), k_ink, 1.2);
+    };
+    panel(100, 30.0, corner::plus());
+    const View shifted{Vec2(290, 157), 30.0};
+    int k = 0;
+    for (const Polygon& part : convex_parts(corner::table()))
+        s.polygon(shifted(part.vertices(), Pose()), pale(tones[k++ % 5], 0.35), k_ink, 1.2);
+    panel(480, 45.0, corner::frame());
 }
 
 /// Three points, and the parallelogram whose area their turn is.
@@ -253,6 +316,8 @@ int main(int argc, char** argv)
     if (argc != 2) return 2;
     const std::string folder = argv[1];
     draw_struck(folder);
+    draw_cone(folder);
+    draw_parts(folder);
     draw_turn(folder);
     draw_grid(folder);
     draw_entered(folder);

@@ -26,6 +26,13 @@ inline Polygon table()
         {{Vec2(-3, 0), Vec2(-2, 0), Vec2(-2, 2), Vec2(2, 2), Vec2(2, 0), Vec2(3, 0), Vec2(3, 3), Vec2(-3, 3)}});
 }
 
+/// A plus sign of five squares.
+inline Polygon plus()
+{
+    return Polygon({{Vec2(-3, -1), Vec2(-1, -1), Vec2(-1, -3), Vec2(1, -3), Vec2(1, -1), Vec2(3, -1), Vec2(3, 1),
+                     Vec2(1, 1), Vec2(1, 3), Vec2(-1, 3), Vec2(-1, 1), Vec2(-3, 1)}});
+}
+
 /// A square frame, and a diamond a little too wide for its hole.
 inline Polygon frame()
 {

@@ -46,31 +46,6 @@ Meeting random_meeting(flying::Random& random)
 
 } // namespace
 
-// [impulse.tests.point]
-TEST_CASE("a point of a turning body moves as the turn takes it along")
-{
-    flying::Random random(721);
-    for (int i = 0; i < 1000; ++i) {
-        flying::BodyState body;
-        body.velocity = in_square(random, 2.0);
-        body.spin = random.uniform(-3.0, 3.0);
-        const Vec2 r = in_square(random, 1.0);
-        const Vec2 u = flying::velocity_at(body, r);
-
-        // Three roundings of numbers up to 5
-        const double v_x = body.velocity.x();
-        const double v_y = body.velocity.y();
-        const double w = body.spin;
-        CHECK_EQUATION_SCALED("impulse.point_x", u.x(), v_x - w * r.y(), 5.0, 1e-15, {"v_x", v_x}, {"\\omega", w},
-                              {"r_y", r.y()});
-        CHECK_TWIN_SCALED("impulse.point_x", u.x(), v_x + w * r.y(), 5.0, 1e-15);
-        CHECK_EQUATION_SCALED("impulse.point_y", u.y(), v_y + w * r.x(), 5.0, 1e-15, {"v_y", v_y}, {"\\omega", w},
-                              {"r_x", r.x()});
-        CHECK_TWIN_SCALED("impulse.point_y", u.y(), v_y - w * r.x(), 5.0, 1e-15);
-    }
-}
-// [impulse.tests.point]
-
 // [impulse.tests.speed]
 TEST_CASE("the normal speed is that of one point seen from the other")
 {
@@ -93,7 +68,7 @@ TEST_CASE("the normal speed is that of one point seen from the other")
 }
 // [impulse.tests.speed]
 
-TEST_CASE("a push of one newton second changes the normal speed by the inverse mass")
+TEST_CASE("a push of one newton-second changes the normal speed by the inverse mass")
 {
     flying::Random random(723);
     for (int i = 0; i < 1000; ++i) {
@@ -363,7 +338,7 @@ TEST_CASE("without a test of approach a body that leaves is thrown back, and its
 // [impulse.tests.wrong_no_test]
 
 // [impulse.tests.wrong_one_body]
-TEST_CASE("the velocity of one body alone makes the impulse depend on who looks")
+TEST_CASE("the velocity of one body alone makes the impulse depend on the observer")
 {
     for (const double train : {0.0, 1.0, 3.0, 5.0}) {
         const double v_a = 3.0 - train;

@@ -4,6 +4,7 @@
 #include <initializer_list>
 
 #include "bar.hpp"
+#include "collide/separation.hpp"
 
 using namespace flying;
 
@@ -45,31 +46,34 @@ void count_readings(double spin, double looseness)
         };
         const MarchBounds bounds = bar_bounds(y, spin, looseness);
         const MarchEnd end = march(read(0.0), read, bounds, 0.0, k_never);
-        std::printf("%5.1f m %7.2f %10d %18.1e m\n", y, spin * end.time / 6.2831853, readings,
-                    read(end.time).gap);
+        std::printf("%5.1f m %7.2f %10d %18.1e m\n", y, spin * end.time / 6.2831853, readings, read(end.time).gap);
     }
 }
 // [toi.demo.turns]
 
 // [toi.demo.far]
-/// A turning bar meets one that stands, here and far from the world's origin.
+/// A turning bar meets one that stands, here and far from the world's origin. The places are such that doubles can't
+/// hold them, and hold them worse the further out they are.
 void move_away(double spin)
 {
-    std::printf("\n     moved by               time       off by   noise of the gap\n");
+    std::printf("\n     moved by               time       off by            gap      tolerance\n");
     double here = 0.0;
     for (const double moved : {0.0, 0x1p10, 0x1p20, 0x1p30}) {
         Flyer a = turning_bar(0.0, spin);
         Flyer b;
-        a.state.position = {moved - 4.0, 0.25};
+        a.state.position = {moved - 3.9, moved + 1.0 / 3.0};
         a.state.velocity = {1.0, 0.0};
-        b.state.position = {moved, 0.0};
+        b.state.position = {moved + 0.1, moved};
         b.state.angle = 1.5;
         const Prediction answer = predict(bar(), a, bar(), b, 0.0, {.windows = 1000});
         if (moved == 0.0) here = answer.time;
-        const double reach = moved + 4.0;
+
+        const Pose pose_a = pose_of(flight(a.state, Vec2::Zero(), answer.time));
+        const double gap = separation(bar(), pose_a, bar(), pose_of(b.state));
+        const double reach = 1.5 * moved + 4.0;
         const double noise = 4.0 * gap_tolerance(1.0, 1.0, reach, 1.0 + spin, answer.time).noise;
         const double off = std::abs(answer.time - here);
-        std::printf("%11.0f m %18.15f %10.1e s %14.1e m\n", moved, answer.time, off, noise);
+        std::printf("%11.0f m %18.15f %10.1e s %12.1e m %12.1e m\n", moved, answer.time, off, gap, noise);
     }
 }
 // [toi.demo.far]

@@ -286,8 +286,8 @@ void record_bar(const std::string& folder)
         const double angle = late < 0.0 ? -spin * t : state.angle + after.spin_b * late;
         const double ghost_height = ghost < 0.0 ? y : y + j * ghost;
         const double ghost_angle = ghost < 0.0 ? -spin * t : -spin * meet + spin_after * ghost;
-        trace << "{\"time\": " << t << ", \"bodies\": [[0, " << height << ", " << angle << "], [0, 0, 0]], \"ghosts\": [[0, "
-              << ghost_height << ", " << ghost_angle << "]]}\n";
+        trace << "{\"time\": " << t << ", \"bodies\": [[0, " << height << ", " << angle
+              << "], [0, 0, 0]], \"ghosts\": [[0, " << ghost_height << ", " << ghost_angle << "]]}\n";
     }
 }
 
@@ -309,8 +309,8 @@ void record_discs(const std::string& folder)
         const double late = std::max(0.0, k / 60.0 - meet);
         const Vec2 a = k / 60.0 < meet ? Vec2(start + k / 60.0 * velocity) : Vec2(there + late * after.velocity_a);
         const Vec2 b = late * after.velocity_b;
-        trace << "{\"time\": " << k / 60.0 << ", \"bodies\": [[" << a.x() << ", " << a.y() << ", 0], [" << b.x()
-              << ", " << b.y() << ", 0]]}\n";
+        trace << "{\"time\": " << k / 60.0 << ", \"bodies\": [[" << a.x() << ", " << a.y() << ", 0], [" << b.x() << ", "
+              << b.y() << ", 0]]}\n";
     }
 }
 

@@ -43,8 +43,7 @@ TEST_CASE("a disc falls on a wall when its parabola does")
         const double u = random.uniform(-9.0, 0.0);
         const double a = random.uniform(-9.0, 0.0);
         const double t = time_to_fall(h, u, a);
-        CHECK_EQUATION("toi.fall", t, 2 * h / (std::sqrt(u * u - 2 * a * h) - u), 2e-15, {"h", h}, {"u", u},
-                       {"a", a});
+        CHECK_EQUATION("toi.fall", t, 2 * h / (std::sqrt(u * u - 2 * a * h) - u), 2e-15, {"h", h}, {"u", u}, {"a", a});
         CHECK_TWIN("toi.fall", t, 2 * h / (std::sqrt(u * u - a * h) - u), 2e-15);
     }
 }
@@ -64,8 +63,8 @@ TEST_CASE("a turning bar strikes the floor at the arc sine of its height")
         worst = std::max(worst, std::abs(read_corner(y, spin, answer.time).gap));
 
         // A few roundings of the height, over the speed at which the end comes down
-        CHECK_EQUATION("toi.bar", answer.time, t, 1e-13, {"y", y}, {"r", k_arm},
-                       {"\\alpha", k_lean}, {"\\omega", spin});
+        CHECK_EQUATION("toi.bar", answer.time, t, 1e-13, {"y", y}, {"r", k_arm}, {"\\alpha", k_lean},
+                       {"\\omega", spin});
         CHECK_TWIN("toi.bar", answer.time, std::asin(y / k_arm) / spin, 1e-13);
     }
     CHECK(worst <= 4e-15);
@@ -185,7 +184,8 @@ TEST_CASE("no gap of a turning vertex over a wall is farther off than the bound 
         const RelativeFlight relative = relative_flight(flyer, {}, 0.0);
         const Vec2 arm = Turning(flyer.state).at(t) * vertex;
         const double gap = relative.offset_at(t).y() - offset + arm.y();
-        const long double angle = static_cast<long double>(flyer.state.angle) + static_cast<long double>(flyer.state.spin) * t;
+        const long double angle =
+            static_cast<long double>(flyer.state.angle) + static_cast<long double>(flyer.state.spin) * t;
         const long double exact = static_cast<long double>(height) +
                                   static_cast<long double>(flyer.state.velocity.y()) * t - offset +
                                   std::sin(angle) * vertex.x() + std::cos(angle) * vertex.y();
@@ -259,8 +259,8 @@ TEST_CASE("round a centre, the pull of the near future is that of half the dista
         const double energy = 0.5 * (v_1 * v_1 + v_2 * v_2) - 4.0 / r_0;
         const double r_1 = l * l / (4.0 * (1.0 + std::sqrt(1.0 + 2.0 * energy * l * l / 16.0)));
         const double nearest = std::max(0.5 * r_0, r_1);
-        CHECK_EQUATION("toi.pull", outlook.acceleration, 4.0 / (nearest * nearest), 1e-9, {"\\mu", 4.0},
-                       {"r_0", r_0}, {"r_1", r_1});
+        CHECK_EQUATION("toi.pull", outlook.acceleration, 4.0 / (nearest * nearest), 1e-9, {"\\mu", 4.0}, {"r_0", r_0},
+                       {"r_1", r_1});
         CHECK_TWIN("toi.pull", outlook.acceleration, 4.0 / nearest, 1e-9);
         if (r_1 > 0.5 * r_0) {
             ++by_orbit;
@@ -351,15 +351,13 @@ TEST_CASE("a disc that is looked at step by step passes a thin wall "
         for (int k = 0; k < k_throws; ++k) {
             const Flyer flyer = thrown(-1.0 - V * step * k / k_throws, V);
             seen += first_overlap(flyer, step, 2.0 / V + 3 * step) < k_never ? 1 : 0;
-            const Prediction answer = predict(Disc{k_disc_radius}, flyer, thin_wall(), {}, 0.0,
-                                              {.windows = 1000});
+            const Prediction answer = predict(Disc{k_disc_radius}, flyer, thin_wall(), {}, 0.0, {.windows = 1000});
             CHECK(answer.kind == Prediction::Kind::impact);
         }
         // [toi.tests.wrong_steps.throws]
         const double share = static_cast<double>(seen) / k_throws;
-        CHECK_EQUATION("toi.seen", share, seen_from / (V * step), 1e-2,
-                       {"w", k_wall_thickness}, {"R", k_disc_radius}, {"V", V},
-                       {"\\Delta", step});
+        CHECK_EQUATION("toi.seen", share, seen_from / (V * step), 1e-2, {"w", k_wall_thickness}, {"R", k_disc_radius},
+                       {"V", V}, {"\\Delta", step});
         CHECK_TWIN("toi.seen", share, k_wall_thickness / (V * step), 1e-2);
         CHECK(seen < k_throws); // the wall is passed: this finds it
     }
@@ -395,8 +393,7 @@ TEST_CASE("the safe step as school has it passes roots, or does not move at all"
         const double bend = std::pow(10.0, random.uniform(-6.0, 0.0));
 
         // The worst that the bound allows is the parabola; here is its root by long double
-        const double root =
-            static_cast<double>(2.0L * f / (1.0L + std::sqrt(1.0L + 2.0L * bend * f)));
+        const double root = static_cast<double>(2.0L * f / (1.0L + std::sqrt(1.0L + 2.0L * bend * f)));
         CHECK(safe_step(f, -1.0, bend) <= root * (1.0 + 4e-16));
         const double wrong = school_step(f, -1.0, bend);
         passed += wrong > root * (1.0 + 1e-9) ? 1 : 0;

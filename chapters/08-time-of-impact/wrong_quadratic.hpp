@@ -35,7 +35,7 @@ inline FarPair far_pair(double distance, double miss)
     return {-distance * along + miss * perp(along), 3.0 * along};
 }
 
-/// When they meet, to twice the digits and more: the roundings of the given numbers aside, which nobody can undo.
+/// When they meet, to twice the digits and more: but for the rounding of the given numbers.
 inline double exactly(const FarPair& pair, double s)
 {
     using Wide = boost::multiprecision::cpp_bin_float_100;

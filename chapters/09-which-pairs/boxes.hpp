@@ -59,7 +59,7 @@ inline Vec2 middle(const Aabb& box)
 }
 
 /// The pairs that a grid finds, and how many it compares to find them. Moving bodies lie in
-/// the cells of their middles; static ones are named to all who come near.
+/// the cells of their middles; static ones are listed in all cells near them.
 struct GridLook
 {
     Pairs pairs;

@@ -200,7 +200,7 @@ TEST_CASE(
 // [events.tests.fold]
 
 // [events.tests.looks]
-TEST_CASE("what happens does not depend on how often somebody looks")
+TEST_CASE("what happens does not depend on how often we look")
 {
     EventEngine once = gas_of(10, 0.3, 1012);
     EventEngine often = gas_of(10, 0.3, 1012);

@@ -34,7 +34,7 @@ void draw_stack(const std::string& folder)
         const double y = 350.0 - 52.0 * engine.state(k).position.y();
         s.polygon(sketch::box(Vec2(110, y), 52, 52), pale(k_blue, 0.2), k_blue, 2.0);
         const double foot = y + 26.0;
-        s.arrow(Vec2(170, foot), Vec2(170 + 2.9 * force[k], foot), k_rust, 3.0);
+        s.polygon(sketch::box(Vec2(170 + 1.45 * force[k], foot), 2.9 * force[k], 9.0), k_rust, k_none);
         s.words(Vec2(180 + 2.9 * force[k], foot - 6.0), text_of("%.1f N", force[k]), Anchor::left, k_ink, 17.0);
     }
 }

@@ -18,7 +18,7 @@ std::array<std::atomic<const char*>, 16> g_temporaries{};
 /// What a handler may print: formatting may allocate, and so may not be called here.
 void say(std::string_view line)
 {
-    // Where standard error is closed, nobody is there to be told
+    // Where standard error is closed, there is nowhere to report to
     [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, line.data(), line.size());
 }
 

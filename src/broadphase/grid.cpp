@@ -45,7 +45,7 @@ void Grid::insert(int body, const Cell& cell)
 // [grid.move]
 void Grid::move(int body, const Cell& to)
 {
-    // Find who names the body: its cell, or another in the chain
+    // Find what names the body: its cell, or another in the chain
     Head& head = heads_[index(cell_of_[body])];
     int* place = &head.bodies[0];
     if (*place != body) place = &head.bodies[1];

@@ -53,7 +53,7 @@ void Sweep::line_up(std::span<const BoxedBody> bodies)
     }
 
     // [sweep.line_up.sort]
-    // See where everybody is by now
+    // Find where every body is by now
     for (Span& span : line_) {
         span = span_of(bodies[static_cast<std::size_t>(span.member)], span.member);
     }

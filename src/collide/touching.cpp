@@ -163,6 +163,7 @@ void touch_vertices(const Pair& pair, const Polygon& a, const Polygon& b, bool c
             // At a corner that sticks out, both edges share the touch
             const bool at_start = std::abs(along) <= pair.tolerance && !b.is_reflex(edge.from);
             const bool at_end = std::abs(along - edge.length) <= pair.tolerance && !b.is_reflex(edge.to);
+            // [touching.vertex-on-corner]
             if (at_start && corners && from_vertex.norm() <= 2.0 * pair.tolerance) {
                 const Vec2 normal =
                     corner_normal(b_from_a * a.edges()[a.previous(k)].tangent, b_from_a * a.edges()[k].tangent,
@@ -172,6 +173,7 @@ void touch_vertices(const Pair& pair, const Polygon& a, const Polygon& b, bool c
                         {FeatureKind::corner, k, edge.from});
                 }
             }
+            // [touching.vertex-on-corner]
             if (at_start || at_end || along < -pair.tolerance || along > edge.length + pair.tolerance) continue;
             add(pair, r_a, -(pair.world_from_b.rotation * edge.normal), gap, {FeatureKind::vertex_of_a, k, edge.from});
         }

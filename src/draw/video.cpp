@@ -86,7 +86,7 @@ std::string Video::Parts::last_words() const
     }
     // A part of ffmpeg and its address come first on some lines: "[mp4 @ 0x55d0] "
     if (const auto end = last.find("] "); last.starts_with('[') && end != std::string::npos) last.erase(0, end + 2);
-    // Whoever called knows the file, perhaps by a better name
+    // The caller knows the file, perhaps by a better name
     const std::string name = "file:" + path;
     if (const auto at = last.find(name); at != std::string::npos) last.replace(at, name.size(), "the video");
     return last.empty() ? "it gave no reason" : last;

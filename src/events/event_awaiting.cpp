@@ -63,7 +63,7 @@ void EventEngine::await(int body)
 // [events.await]
 
 // [events.call_all]
-/// Put what was foreseen of nobody in particular into the queue.
+/// Put events that belong to no one body into the queue.
 void EventEngine::call_all()
 {
     for (const Event& event : foreseen_) queue_.push(event);

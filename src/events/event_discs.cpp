@@ -96,7 +96,7 @@ void EventEngine::predict_near(int body, int partner)
     const Row row = rows[body];
 
     // [events.predict_near.sift]
-    // Keep those who come near enough, and those of whom it takes more to tell
+    // Keep those that come near enough, and those that need a closer look
     int* kept = near;
     for (const int* place = near; place != end; ++place) {
         const int q = *place;

@@ -38,7 +38,7 @@ void EventEngine::place(int body, Presence presence, const BodyState& state)
     bounces_[body] = {};
     if (presence == Presence::away) return;
 
-    // Be where others look, and look at those who are there
+    // Enter the cells where others look, and look at the bodies there
     if (grid_) grid_->move(place, grid_->cell_at(row.position));
     predict_anew(place);
     if (queue_.size() > sweep_at_) sweep_queue();

@@ -46,7 +46,7 @@ void EventEngine::set_up_grid()
             continue;
         }
         // [events.set_up_grid.statics]
-        // A wall along an axis is met only near its surface: nobody is ever behind it
+        // A wall along an axis is met only near its surface: no body is ever behind it
         const auto* wall = std::get_if<HalfPlane>(&shape_of(body));
         if (!wall) {
             grid_->insert_static(body, bounding_box(shape_of(body), pose(body)), largest);
@@ -81,8 +81,8 @@ std::vector<int> EventEngine::order_along_curve(const CellOf& cell_of) const
     return order;
 }
 
-/// Put the rows in another order: row k is the one that was row old_rows[k]. No result knows of it, for order comes from
-/// ids.
+/// Put the rows in another order: row k is the one that was row old_rows[k]. No result knows of it, for order comes
+/// from ids.
 void EventEngine::line_up(const std::vector<int>& old_rows)
 {
     std::vector<Row> rows;
@@ -101,7 +101,7 @@ void EventEngine::line_up(const std::vector<int>& old_rows)
     sheets_.swap(sheets);
     waiting_.swap(waiting);
 
-    // By the time bodies have crossed so many cells, neighbours are no longer who they were
+    // By the time bodies have crossed so many cells, neighbours are no longer the same
     constexpr std::int64_t k_cells_a_body = 16;
     line_up_at_ = counts_.cells + k_cells_a_body * body_count();
     constexpr int k_fast_rows = 4096;
@@ -118,8 +118,8 @@ void EventEngine::line_up_again()
 // [events.line_up]
 
 // [events.fetch_ahead]
-/// Ask the memory for what the events to come will read, so that it is there when they do: first the bodies' places, then
-/// the rows of those that still count, then the cells about them, then the rows of those who are in them.
+/// Ask the memory for what the events to come will read, so that it is there when they do: first the bodies' places,
+/// then the rows of those that still count, then the cells about them, then the rows of the bodies in them.
 void EventEngine::fetch_ahead()
 {
     constexpr std::size_t k_places = 12; // events ahead
@@ -180,8 +180,9 @@ void EventEngine::fetch_ahead()
 // [events.fetch_ahead]
 
 // [events.predict_movers]
-/// Two bodies under one acceleration: discs meet when their circles do; others are looked at when their bounding circles
-/// do. The same numbers as `predict`, straight from the rows: in every product both signs turn with the order of the two.
+/// Two bodies under one acceleration: discs meet when their circles do; others are looked at when their bounding
+/// circles do. The same numbers as `predict`, straight from the rows: in every product both signs turn with the order
+/// of the two.
 inline void EventEngine::predict_movers(int a, int b)
 {
     // [events.predict_movers.start]
@@ -333,7 +334,7 @@ void EventEngine::handle_cell(const Event& event)
     grid_->move(body, to);
 
     // [events.handle_cell.new]
-    // Look at those who were too far away until now, in the three cells ahead
+    // Look at the bodies that were too far away until now, in the three cells ahead
     const auto look = [&](int other) {
         if (other != body) predict_pair(body, other);
     };

@@ -21,6 +21,7 @@ std::span<const Piece> pieces_of_pairs();
 std::span<const Piece> pieces_of_events();
 std::span<const Piece> pieces_of_rest();
 std::span<const Piece> pieces_of_skips();
+std::span<const Piece> pieces_of_work();
 
 std::uint64_t Answer::hash() const
 {
@@ -35,7 +36,7 @@ std::optional<Answer> answer_of(std::string_view name, std::span<const double> n
     for (const auto pieces :
          {pieces_of_falling, pieces_of_flight, pieces_of_doors, pieces_of_races, pieces_of_outlines, pieces_of_axes,
           pieces_of_corners, pieces_of_strikes, pieces_of_meetings, pieces_of_pairs, pieces_of_events, pieces_of_rest,
-          pieces_of_skips}) {
+          pieces_of_skips, pieces_of_work}) {
         for (const Piece& piece : pieces())
             if (piece.name == name && numbers.size() >= piece.least) return piece.function(numbers);
     }

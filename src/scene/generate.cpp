@@ -181,7 +181,7 @@ Faults check_options(const Generator& generator, const GenerateOptions& options)
 {
     OptionCheck check;
 
-    // Refuse what this kind has no use for, so that nobody waits for its effect
+    // Refuse what this kind has no use for, rather than ignore it
     const std::vector<std::string>& known = generator.kind.options;
     std::string names;
     for (const std::string& name : known) names += (names.empty() ? "one of " : ", ") + name;

@@ -322,10 +322,10 @@ void check_alone(FaultList& faults, const toml::table& root, const Reading& read
     }
 }
 
-/// The world's own faults with the parts that could be read: nothing is told of numbers that nobody wrote.
+/// The world's own faults with the parts that could be read: nothing is reported of numbers that the file doesn't have.
 void check(FaultList& faults, const toml::table& root, const Reading& reading)
 {
-    // What was not read whole may be elsewhere, or larger: it stands in nobody's way, and all others keep their numbers
+    // What was not read whole may be elsewhere, or larger: it is in no other's way, and all others keep their numbers
     Scene whole = reading.scene;
     for (std::size_t k = 0; k < whole.bodies.size(); ++k) {
         if (reading.bodies[k].is_whole()) continue;

@@ -1,6 +1,7 @@
 #include "weave/book.hpp"
 
 #include <algorithm>
+#include <regex>
 
 #include <fmt/format.h>
 #define TOML_HEADER_ONLY 1
@@ -33,10 +34,20 @@ ChapterEntry read_chapter(const toml::table& table, Problems& problems)
         for (const toml::node& file : *files) entry.files.push_back(file.value_or(std::string()));
     if (const toml::array* needs = table["needs"].as_array())
         for (const toml::node& need : *needs) entry.needs.push_back(need.value_or(-1));
+    entry.hours = table["hours"].value_or(0);
+    if (const toml::array* goals = table["goals"].as_array())
+        for (const toml::node& goal : *goals) entry.goals.push_back(goal.value_or(std::string()));
+    if (const toml::array* runs = table["runs"].as_array())
+        for (const toml::node& node : *runs)
+            if (const toml::array* run = node.as_array(); run != nullptr && run->size() == 2)
+                entry.runs.push_back({(*run)[0].value_or(std::string()), (*run)[1].value_or(std::string())});
 
     if (entry.number < 0) problems.add({k_book, entry.line}, "a chapter without number", "`number = N`, N >= 0");
     if (entry.title.empty())
         problems.add({k_book, entry.line}, "a chapter without title", "`title = \"...\"`, as it stands over the page");
+    if (entry.written && (entry.hours <= 0 || entry.goals.empty()))
+        problems.add({k_book, entry.line}, fmt::format("chapter {} without hours or goals", entry.number),
+                     "`hours = N`, and `goals = [\"...\"]`: what a reader can do afterwards");
     if (entry.name.rfind(fmt::format("{:02}-", entry.number), 0) != 0)
         problems.add({k_book, entry.line}, fmt::format("chapter {} in a folder named `{}`", entry.number, entry.name),
                      fmt::format("`name = \"{:02}-...\"`", entry.number));
@@ -78,6 +89,10 @@ Book read_book(const std::filesystem::path& source, Problems& problems)
     book.brief = table["brief"].value_or(std::string());
     book.front = table["front"].value_or(std::string());
     book.is_playable = table["playground"].value_or(false);
+    static const std::regex k_version(R"(project\([^)]*VERSION ([0-9.]+))");
+    const std::string project = read_file(source / "CMakeLists.txt").value_or("");
+    std::smatch version;
+    if (std::regex_search(project, version, k_version)) book.version = version[1].str();
     if (const toml::array* chapters = table["chapter"].as_array())
         for (const toml::node& node : *chapters)
             if (const toml::table* chapter = node.as_table()) book.chapters.push_back(read_chapter(*chapter, problems));

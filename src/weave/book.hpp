@@ -9,6 +9,13 @@
 
 namespace flying::weave {
 
+/// A call of a chapter's program with options.
+struct Run
+{
+    std::string options; ///< after `./course chapter NN`, such as `demo 0.9`
+    std::string what;    ///< it does
+};
+
 /// A chapter as `chapters/book.toml` lists it.
 struct ChapterEntry
 {
@@ -19,6 +26,9 @@ struct ChapterEntry
     std::string question;           ///< the one it answers; shown in the contents and on the map
     std::vector<std::string> files; ///< engine files that belong to it, from the project's folder
     std::vector<int> needs;         ///< numbers of the chapters it builds on directly
+    int hours = 0;                  ///< that it takes, with its exercises
+    std::vector<std::string> goals; ///< what a reader can do afterwards: verb first, no full stop
+    std::vector<Run> runs;          ///< its programs with options
     bool written = false;           ///< its text is there: every rule applies to it and to its files
     int line = 0;                   ///< in book.toml
 
@@ -43,6 +53,7 @@ struct Book
     std::string brief;       ///< what it is, in a few words; under the title of the manual
     std::string front;       ///< what its first page says, above the contents; Markdown
     bool is_playable = false; ///< it runs scenes of this project's engine: a playground, and a figure on the first page
+    std::string version;                ///< of the project, as CMakeLists.txt has it; empty where it has none
     std::vector<ChapterEntry> chapters; ///< in the order of their numbers
     std::vector<Waiver> waivers;
     std::map<std::string, std::string> modules; ///< what each module of src does, in a line

@@ -15,7 +15,7 @@ enum class BlockKind
     text,       ///< Markdown: paragraphs, headings, lists, tables
     fence,      ///< quoted matter that is no code of the project: ```text, ```sh, ```toml
     listing,    ///< listing region... [again]
-    equation,   ///< equation id, then a ```tex block
+    equation,   ///< equation id [kind of receipt], then a ```tex block
     definition, ///< definition id, then a ```tex block
     derivation, ///< derivation id [for m in 1..2, ...], then a ```tex block, one formula a line, its reason after %
     figure,     ///< figure name "what to see" ["what there is"]

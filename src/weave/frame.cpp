@@ -48,7 +48,17 @@ std::string book_list(const Material& material, const Page& page, const std::str
         out += entry(page, chapter.page(), std::to_string(chapter.number), chapter.title, root);
     }
     if (!part.empty()) out += "</ol>";
-    out += "<p>Reference</p><ol>";
+    out += "<p>Study</p><ol>";
+    const std::pair<const char*, const char*> study[] = {{"answers", "Answers"},
+                                                         {"glossary", "Glossary"},
+                                                         {"teachers", "For teachers"},
+                                                         {"about", "About, licence, citing"}};
+    for (const auto& [name, title] : study) {
+        if (name != std::string_view("answers") && material.extras.count(name) == 0) continue;
+        out += entry(page, name, "", title, root);
+        if (name == std::string_view("glossary")) out += entry(page, "terms", "", "Index", root);
+    }
+    out += "</ol><p>Reference</p><ol>";
     const std::pair<const char*, const char*> others[] = {
         {"playground", "Playground"}, {"equations", "Equations and receipts"},
         {"symbols", "Symbols"},       {"left_out", "What is told, and what is not"},
@@ -87,7 +97,12 @@ std::string framed(const Material& material, const Page& page, const std::string
     if (page.sections.size() > 2)
         out += fmt::format("<details class=\"onpage\"><summary>On this page</summary>{}</details>\n",
                            section_list(page.sections));
-    return out + body + "\n</article>" + page.foot + "</main>\n</body>\n</html>\n";
+    const std::string version = material.book.version.empty() ? "" : " " + material.book.version;
+    const std::string about = material.extras.count("about") == 0
+                                  ? ""
+                                  : fmt::format(" \u00b7 <a href=\"{}about.html\">licence, citing</a>", root);
+    return out + body + "\n</article>" + page.foot +
+           fmt::format("<footer class=\"imprint\">{}{}{}</footer></main>\n</body>\n</html>\n", book, version, about);
 }
 
 } // namespace flying::weave

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "weave/claims.hpp"
 #include "weave/live_matter.hpp"
 #include "weave/pages.hpp"
 #include "weave/receipts.hpp"
@@ -147,6 +148,8 @@ std::string equation_index(const Material& material, Fragments& fragments)
     int definitions = 0;
     int derivations = 0;
     int printed = 0;
+    int measured = 0;
+    int same = 0;
     std::string rows;
     for (const Numbered* numbered : all) {
         const Block& block = *numbered->block;
@@ -157,6 +160,9 @@ std::string equation_index(const Material& material, Fragments& fragments)
             ++equations;
             const auto receipt = material.ledger.equations.find(block.name);
             if (receipt != material.ledger.equations.end() && receipt->second.printed_cases > 0) ++printed;
+            const ReceiptKind kind = receipt_kind(block).value_or(ReceiptKind::oracle);
+            measured += kind == ReceiptKind::measured ? 1 : 0;
+            same += kind == ReceiptKind::same ? 1 : 0;
             tex = formula_of(block);
             break;
         }
@@ -184,10 +190,11 @@ std::string equation_index(const Material& material, Fragments& fragments)
             what.empty() ? receipt_sentence(material, *numbered) : what, escape_html(block.name));
     }
     return fmt::format(
-        "<p>{} equations hold receipts, {} of them evaluated as they are printed; {} derivations were checked line by "
-        "line; {} "
-        "formulas define. Every receipt was written by the tests of this build.</p><ol class=\"equations\">{}</ol>",
-        equations, printed, derivations, definitions, rows);
+        "<p>{} equations were held against an independent oracle, {} against what the engine measured. {} more only "
+        "repeat the code's own expression, which checks nothing and counts as no check. {} of all these were also "
+        "evaluated as they are printed. {} derivations were checked line by line; {} formulas define. Every receipt "
+        "was written by the tests of this build.</p><ol class=\"equations\">{}</ol>",
+        equations - measured - same, measured, same, printed, derivations, definitions, rows);
 }
 
 // ---- Symbols --------------------------------------------------------------------------------------------------------
@@ -229,7 +236,7 @@ std::string left_out(const Material& material, const Counts& counts, TextWriter&
 
     std::string out = fmt::format("The chapters that are written show {} of the {} lines of their engine files; {} are "
                                   "waived, for the reasons below.\n\n"
-                                  "{} formulas only define. {} decimal numbers of the text are given, not computed. {} "
+                                  "{} formulas only define. {} numbers of the text are given, not computed. {} "
                                   "chapters are planned and not "
                                   "written yet; what they will hold is not held against the book.\n\n",
                                   coverage.shown, coverage.lines, coverage.waived, definitions, counts.given, planned);

@@ -80,7 +80,7 @@ public:
                 if (exercise.name != block.name) continue;
                 add(exercise.text, page);
                 if (exercise.hint) add(*exercise.hint, page);
-                if (exercise.solution) add(*exercise.solution, page);
+                if (exercise.solution) add(*exercise.solution, "answers");
             }
         }
     }
@@ -120,6 +120,9 @@ Material read_material(const Folders& folders, Problems& problems)
     material.sources = read_sources(folders.project, problems);
     material.ledger = read_ledger(folders.build / "receipts", problems);
 
+    for (const char* name : {"about", "glossary", "teachers"})
+        if (std::optional<ChapterText> text = read_text(folders.project, fmt::format("chapters/{}.md", name), problems))
+            material.extras[name] = std::move(*text);
     for (const ChapterEntry& entry : material.book.chapters) {
         if (!entry.written) continue;
         Chapter chapter;

@@ -61,6 +61,7 @@ struct Material
     Sources sources;
     Ledger ledger;
     std::vector<Chapter> chapters;              ///< those that are written, in order
+    std::map<std::string, ChapterText> extras;  ///< pages beside the chapters: about, glossary, teachers
     std::map<std::string, std::string> outputs; ///< `02-rectangle/demo`: what that program printed
     std::map<std::string, Numbered> numbered;   ///< by id
     std::map<std::string, std::string> figures; ///< number of each, by chapter and name: `07-impulse/push` is `7.2`

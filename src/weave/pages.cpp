@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "weave/claims.hpp"
 #include "weave/live_matter.hpp"
 #include "weave/text.hpp"
 
@@ -68,9 +69,25 @@ std::string receipt_sentence(const Material& material, const Numbered& numbered)
     const auto found = material.ledger.equations.find(id);
     if (numbered.kind != BlockKind::equation || found == material.ledger.equations.end()) return "";
     const EquationReceipt& receipt = found->second;
-    return fmt::format("{} case{}, worst relative error {}, in \u201c{}\u201d; a wrong twin was rejected{}.",
-                       receipt.cases, receipt.cases == 1 ? "" : "s", shown_error(receipt.worst),
-                       escape_html(receipt.where), receipt.printed_cases > 0 ? "; evaluated as printed" : "");
+    const char* const printed = receipt.printed_cases > 0 ? "; evaluated as printed" : "";
+    const std::string cases = fmt::format("{} case{}", receipt.cases, receipt.cases == 1 ? "" : "s");
+    const std::string where = fmt::format("in \u201c{}\u201d", escape_html(receipt.where));
+    switch (receipt_kind(*numbered.block).value_or(ReceiptKind::oracle)) {
+    case ReceiptKind::same:
+        return fmt::format("Same expression: the test repeats the code's own line, {}, {}. That is no check of the "
+                           "formula{}.",
+                           cases, where, printed);
+    case ReceiptKind::measured:
+        return fmt::format("Engine measured: {}, worst relative error {}, {}; a wrong twin was rejected{}.", cases,
+                           shown_error(receipt.worst), where, printed);
+    case ReceiptKind::exact:
+        return fmt::format("Independent oracle: {}, equal to the last bit, {}; a wrong twin was rejected{}.", cases,
+                           where, printed);
+    case ReceiptKind::oracle:
+        break;
+    }
+    return fmt::format("Independent oracle: {}, worst relative error {}, {}; a wrong twin was rejected{}.", cases,
+                       shown_error(receipt.worst), where, printed);
 }
 
 std::string receipt_note(const Material& material, const Numbered& numbered)
@@ -78,11 +95,30 @@ std::string receipt_note(const Material& material, const Numbered& numbered)
     const std::string sentence = receipt_sentence(material, numbered);
     if (sentence.empty()) return "";
     const std::string& id = numbered.block->name;
-    const double worst = numbered.kind == BlockKind::derivation ? material.ledger.derivations.at(id).worst
-                                                                : material.ledger.equations.at(id).worst;
-    return fmt::format("<details class=\"receipt\"><summary>error {}</summary><p>Checked: {} "
+    std::string kind;
+    std::string summary;
+    if (numbered.kind == BlockKind::derivation) {
+        kind = "lines";
+        summary = "error " + shown_error(material.ledger.derivations.at(id).worst);
+    } else {
+        const std::string error = shown_error(material.ledger.equations.at(id).worst);
+        switch (receipt_kind(*numbered.block).value_or(ReceiptKind::oracle)) {
+        case ReceiptKind::same:
+            kind = "same";
+            summary = "same expression";
+            break;
+        case ReceiptKind::measured:
+            kind = "measured";
+            summary = "measured, error " + error;
+            break;
+        default:
+            kind = "oracle";
+            summary = "error " + error;
+        }
+    }
+    return fmt::format("<details class=\"receipt {}\"><summary>{}</summary><p>{} "
                        "<a href=\"equations.html#receipt-{}\">All receipts</a></p></details>",
-                       shown_error(worst), sentence, numbered.anchor);
+                       kind, summary, sentence, numbered.anchor);
 }
 
 namespace {
@@ -142,6 +178,7 @@ Pages make_pages(const Material& material, const Counts& counts, Problems& probl
         pages.list.push_back(std::move(page));
     }
     add_generated_pages(material, counts, writer, pages);
+    add_study_pages(material, writer, pages);
     return pages;
 }
 

@@ -66,6 +66,9 @@ public:
     [[nodiscard]] std::string inline_text(const std::vector<std::pair<int, std::string>>& lines,
                                           const std::string& file);
 
+    /// The answers to a chapter's exercises, under a heading.
+    [[nodiscard]] std::string answers(const Chapter& chapter);
+
     /// A heading, as a token. Two of one page with the same words get different anchors.
     [[nodiscard]] std::string heading(int level, const std::string& title);
 
@@ -74,7 +77,7 @@ public:
 
 private:
     [[nodiscard]] std::string block(const Chapter& chapter, const Block& block);
-    [[nodiscard]] std::string text(const Block& block);
+    [[nodiscard]] std::string text(const Chapter& chapter, const Block& block);
     [[nodiscard]] std::string listing(const Block& block);
     /// Its lines without what lies folded in it; `longest` grows to the longest of them.
     [[nodiscard]] std::string region_lines(const Region& region, const Place& place, std::size_t& longest);
@@ -84,6 +87,7 @@ private:
     [[nodiscard]] std::string live(const Chapter& chapter, const Block& block);
     [[nodiscard]] std::string output(const Chapter& chapter, const Block& block);
     [[nodiscard]] std::string exercise(const Chapter& chapter, const Block& block);
+    [[nodiscard]] static std::string answer_anchor(const Chapter& chapter, const Exercise& exercise);
     /// Where an insert stands.
     enum class Site
     {
@@ -109,6 +113,9 @@ private:
 [[nodiscard]] std::string receipt_note(const Material& material, const Numbered& numbered);
 /// How it was checked, in a sentence of HTML; empty for a definition.
 [[nodiscard]] std::string receipt_sentence(const Material& material, const Numbered& numbered);
+
+/// Pages for those who study and teach: answers, glossary, index of terms, what a teacher needs, about the book.
+void add_study_pages(const Material& material, TextWriter& writer, Pages& pages);
 
 /// Pages made from the whole: contents, map, equations, symbols, what is left out.
 void add_generated_pages(const Material& material, const Counts& counts, TextWriter& writer, Pages& pages);

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "weave/claims.hpp"
 #include "weave/formula.hpp"
 #include "weave/text.hpp"
 
@@ -100,6 +101,7 @@ void check_equation(const Block& block, Ledger& ledger, Problems& problems)
         return;
     }
     EquationReceipt& receipt = found->second;
+    check_receipt_kind(block, receipt, problems);
     if (!receipt.passed)
         problems.add(block.place,
                      fmt::format("equation {} fails its test: relative error {:.3g} in {}", block.name, receipt.worst,

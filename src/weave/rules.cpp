@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "weave/claims.hpp"
 #include "weave/inline.hpp"
 #include "weave/receipts.hpp"
 #include "weave/text.hpp"
@@ -99,6 +100,12 @@ void check_text(const Block& block, const Lines& words, int& given, Problems& pr
                                 "is given",
                                 *number));
             if (piece.kind != PieceKind::prose) continue;
+            const bool in_caption = !block.caption.empty();
+            if (const auto number = in_caption ? number_word(lines[k]) : rough_number_word(lines[k]))
+                problems.add(here, fmt::format("a number in words, `{}`", *number),
+                             fmt::format("{{{{value:name|%.0f}}}} for what the build computes, {{{{given:{}}}}} for "
+                                         "what is given",
+                                         *number));
             if (lines[k].find("![") != std::string::npos)
                 problems.add(here, "a picture in Markdown", "::figure name \"caption\"");
             if (lines[k].find("$$") != std::string::npos)
@@ -133,6 +140,9 @@ void check_pictures(const Material& material, const Chapter& chapter, const Chap
             problems.add(block.place,
                          fmt::format("::{} {} without words for those who don't see it", directive, block.name),
                          fmt::format("::{} {} \"what it shows, in a sentence\"", directive, block.name));
+        if (block.alt.empty() && block.caption.find('$') != std::string::npos)
+            problems.add(block.place, fmt::format("::{} {} with a formula in its caption", directive, block.name),
+                         "\"what there is\" after it, without formulas");
         const fs::path file = drawn_file(material, chapter, block.name + (is_figure ? ".svg" : ".ndjson"));
         if (!fs::exists(file))
             problems.add(block.place,
@@ -237,19 +247,20 @@ Coverage check_coverage(const Material& material, Problems& problems)
 int check_prose(const Material& material, Problems& problems)
 {
     int given = 0;
-    for (const Chapter& chapter : material.chapters) {
-        for (const ChapterText* text : texts_of(chapter)) {
-            for (const Block& block : text->blocks) {
-                if (block.kind == BlockKind::text) check_text(block, block.lines, given, problems);
-                if (!block.caption.empty())
-                    check_text(block, Lines{{block.place.line, block.caption}}, given, problems);
-                if (block.kind == BlockKind::fence) check_fence(block, problems);
-                if (block.kind != BlockKind::derivation) continue;
-                for (const Step& step : steps_of(block))
-                    check_text(block, Lines{{step.line, step.reason}}, given, problems);
-            }
+    const auto check = [&](const ChapterText& text) {
+        for (const Block& block : text.blocks) {
+            if (block.kind == BlockKind::text) check_text(block, block.lines, given, problems);
+            for (const std::string& words : {block.caption, block.alt})
+                if (!words.empty()) check_text(block, Lines{{block.place.line, words}}, given, problems);
+            if (block.kind == BlockKind::fence) check_fence(block, problems);
+            if (block.kind != BlockKind::derivation) continue;
+            for (const Step& step : steps_of(block))
+                check_text(block, Lines{{step.line, step.reason}}, given, problems);
         }
-    }
+    };
+    for (const auto& [name, text] : material.extras) check(text);
+    for (const Chapter& chapter : material.chapters)
+        for (const ChapterText* text : texts_of(chapter)) check(*text);
     return given;
 }
 

@@ -21,8 +21,8 @@ struct Coverage
 /// Every line of the engine is shown by its chapter, each region once as new.
 [[nodiscard]] Coverage check_coverage(const Material& material, Problems& problems);
 
-/// No decimal number is typed; no formula or code stands where the build can't see it. Returns how many numbers were
-/// declared as given.
+/// No decimal number is typed, no larger number in words; no formula or code stands where the build can't see it.
+/// Returns how many numbers were declared as given.
 int check_prose(const Material& material, Problems& problems);
 
 /// A chapter has a demo, tests, a figure, an exercise, symbols and a summary; figures have words for those who don't

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "weave/annotated.hpp"
+#include "weave/claims.hpp"
 #include "weave/finish.hpp"
 #include "weave/live_matter.hpp"
 #include "weave/receipts.hpp"
@@ -227,6 +228,7 @@ Woven weave_pages(const Folders& folders, const Tools& tools, Problems& problems
     woven.counts.coverage = check_coverage(woven.material, problems);
     woven.counts.given = check_prose(woven.material, problems);
     check_completeness(woven.material, problems);
+    check_needs(woven.material, problems);
     woven.pages = make_pages(woven.material, woven.counts, problems);
     woven.formulas = render_formulas(woven.pages.fragments, folders, tools, problems);
     return woven;

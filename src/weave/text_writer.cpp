@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cctype>
-#include <filesystem>
 #include <optional>
 #include <regex>
 #include <utility>
@@ -10,6 +9,7 @@
 #include "weave/inline.hpp"
 #include "weave/pages.hpp"
 #include "weave/receipts.hpp"
+#include "weave/study.hpp"
 #include "weave/text.hpp"
 
 namespace flying::weave {
@@ -79,7 +79,7 @@ std::string TextWriter::block(const Chapter& chapter, const Block& b)
 {
     switch (b.kind) {
     case BlockKind::text:
-        return text(b);
+        return text(chapter, b);
     case BlockKind::fence: {
         std::string quoted;
         for (const auto& line : b.lines) quoted += line.second + "\n";
@@ -104,7 +104,7 @@ std::string TextWriter::block(const Chapter& chapter, const Block& b)
     return "";
 }
 
-std::string TextWriter::text(const Block& block)
+std::string TextWriter::text(const Chapter& chapter, const Block& block)
 {
     std::string out;
     std::vector<std::pair<int, std::string>> paragraph;
@@ -124,6 +124,7 @@ std::string TextWriter::text(const Block& block)
             problems_.add({block.place.file, number}, fmt::format("heading `{}`", title),
                           "plain words after ## or ###, without formulas and code");
         out += heading(static_cast<int>(level), title);
+        if (title == "What you need") out += block_token(fragments_.add_html(goals_box(chapter.entry)));
     }
     close();
     return out;
@@ -279,9 +280,13 @@ std::string TextWriter::listing(const Block& block)
         link.kind = FragmentKind::source;
         link.text = region.file;
         link.place = block.place;
-        captions += fmt::format("<a href=\"{}#l{:05}\">{}, {} {}{}</a> ", fragments_.add(std::move(link)), region.first,
-                                escape_html(region.file), region.first == region.last ? "line" : "lines", region.first,
-                                region.first == region.last ? "" : fmt::format("\u2013{}", region.last));
+        // From its first line on that is no marker: markers have no place on the page of the source
+        const SourceFile& file = material_.sources.files.at(region.file);
+        int first = region.first;
+        while (first < region.last && file.kinds[first - 1] == LineKind::marker) ++first;
+        captions += fmt::format("<a href=\"{}#l{:05}\">{}, {} {}{}</a> ", fragments_.add(std::move(link)), first,
+                                escape_html(region.file), first == region.last ? "line" : "lines", first,
+                                first == region.last ? "" : fmt::format("\u2013{}", region.last));
     }
     return block_token(fragments_.add_html(fmt::format(
         "<figure class=\"listing{}{}\"{}><figcaption>{}{}</figcaption><div class=\"fragment\">{}</div></figure>",
@@ -422,41 +427,10 @@ std::string TextWriter::output(const Chapter& chapter, const Block& block)
     const auto found = material_.outputs.find(chapter.entry.name + "/" + block.name);
     if (found == material_.outputs.end()) return "";
     return block_token(fragments_.add_html(fmt::format("<figure class=\"output\"><figcaption>What <code>{}.cpp</code> "
-                                                       "printed in this build</figcaption><pre>{}</pre></figure>",
-                                                       escape_html(block.name), escape_html(found->second))));
-}
-
-std::string TextWriter::exercise(const Chapter& chapter, const Block& block)
-{
-    for (const Exercise& exercise : chapter.exercises) {
-        if (exercise.name != block.name) continue;
-        const auto fold = [&](const char* title, const std::string& inside) {
-            return block_token(fragments_.add_html(fmt::format("<details><summary>{}</summary>", title))) + inside +
-                   block_token(fragments_.add_html("</details>"));
-        };
-        const std::string number = exercise.name.substr(1);
-        std::string out = block_token(fragments_.add_html(
-            fmt::format("<section class=\"exercise\" id=\"exercise-{}\"><h4>Exercise {}.{} \u00b7 {}</h4>",
-                        exercise.name, chapter.entry.number, number, escape_html(exercise.text.title))));
-        out += blocks(chapter, exercise.text);
-        if (exercise.in_code && std::filesystem::exists(material_.folders.project / "course"))
-            out +=
-                block_token(fragments_.add_html(fmt::format("<p class=\"try\"><code>./course start {0:02}</code> puts "
-                                                            "the beginning into <code>my/{1}/{2}.hpp</code>; "
-                                                            "<code>./course check {0:02}</code> tries it.</p>",
-                                                            chapter.entry.number, chapter.entry.name, exercise.name)));
-        if (exercise.hint) out += fold("Hint", blocks(chapter, *exercise.hint));
-        if (exercise.in_code) {
-            const std::string code =
-                read_file(material_.folders.project / exercise.folder / "solution.hpp").value_or("");
-            out += fold("Solution, as it passed the tests of this build",
-                        block_token(fragments_.add_html("<div class=\"fragment\">" + colour_code(code) + "</div>")));
-        } else if (exercise.solution) {
-            out += fold("Solution", blocks(chapter, *exercise.solution));
-        }
-        return out + block_token(fragments_.add_html("</section>"));
-    }
-    return "";
+                                                       "printed in this build</figcaption><pre>{}</pre>{}"
+                                                       "</figure>",
+                                                       escape_html(block.name), escape_html(found->second),
+                                                       run_box(chapter.entry, block.name))));
 }
 
 } // namespace flying::weave

@@ -66,7 +66,7 @@ void Hybrid::begin()
     Change change;
     change.why = Change::Why::leaning;
     take_in(first, change);
-    if (setting_.policy == EngineChoice::rest) changes_.clear(); // nobody had them before
+    if (setting_.policy == EngineChoice::rest) changes_.clear(); // none was there before
     take_in_all_near();
 }
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # What ./course bench runs once all is built: measures, then draws.
 #
-#   bench.sh FOLDER_OF_PROGRAMS [options of flying_bench]     results go to out/bench
+#   bench.sh FOLDER_OF_PROGRAMS [options]     those of flying_diagrams, or of flying_bench; results go to out/bench
 set -euo pipefail
 export LC_ALL=C.UTF-8
 
@@ -10,13 +10,21 @@ if [[ ${1:-} == --help ]]; then
     cat <<'TEXT'
 ./course bench [options]    measure this engine beside Chipmunk and Box2D; results go to out/bench
 
+Time against error, a diagram for each scene; growth with the number of bodies; what each skip saves:
+  (no option)        all of it: an hour and more. A run that was stopped goes on where it was
+  --quick            all plots coarsely, in less than five minutes
+  --only NAME...     only these diagrams (a wrong name lists them)
+  --fresh            forget the earlier run and begin anew
+  --most S           seconds of computing that one run may take (0.2; quick: 0.1)
+
+Tables of speed at one step:
   --all              the long set: every scene over its full time, all sizes, the parts one by one
   --scene NAME...    only scenes of these names
-  --part NAME...     only these parts: scenes, precision, growth, piles (at rest: 1000 bodies, with --all 5000)
-  --repeats N        of each run; the median counts (5)
+  --part NAME...     only these parts: scenes, growth, piles (at rest: 1000 bodies, with --all 5000)
   --hertz F          steps a second of the peers (60)
-  --most S           seconds of computing after which a peer's run is given up (30)
   --until T          simulated seconds instead of each scene's own
+
+With either, --repeats N: of each run, the median counts.
 TEXT
     exit 0
 fi
@@ -32,6 +40,24 @@ out=$here/../../out/bench
 mkdir -p "$out"
 out=$(cd "$out" && pwd)
 status=0
+
+# Tables of speed are asked for by one of their own options; all else are diagrams
+kind=diagrams
+for option in "$@"; do
+    case $option in
+    --all | --scene | --scene=* | --part | --part=* | --hertz | --hertz=* | --until | --until=*) kind=tables ;;
+    esac
+done
+if [[ $kind == diagrams ]]; then
+    "$programs/flying_diagrams" --out "$out" --scenes "$here/../../chapters/scenes" "$@" |
+        { grep -v -e '^Initializing cpSpace' -e '^Compile with -DNDEBUG' || true; } || status=${PIPESTATUS[0]}
+    ((status <= 1)) || exit $((status >= 100 ? 2 : status)) # bad usage is 2 everywhere
+    echo
+    echo "In $out:"
+    (cd "$out" && ls -- *.jsonl work-*.svg growth-*.svg skips.svg 2>/dev/null | sed 's/^/    /') || true
+    exit "$status"
+fi
+
 # Chipmunk greets on the standard output
 "$programs/flying_bench" --out "$out" "$@" |
     { grep -v -e '^Initializing cpSpace' -e '^Compile with -DNDEBUG' || true; } || status=${PIPESTATUS[0]}

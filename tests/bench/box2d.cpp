@@ -14,6 +14,9 @@ struct Box2d::Parts
     std::vector<b2Body*> bodies;
     double hertz = 60.0;
     long steps = 0;
+    int effort = 1;
+    std::vector<double> masses;
+    std::optional<CentralField> centre;
 };
 
 namespace {
@@ -60,9 +63,11 @@ void add_part(b2Body* body, const Shape& part, const Material& material)
 
 } // namespace
 
-Box2d::Box2d(const Scene& scene, double hertz) : parts_(std::make_unique<Parts>())
+Box2d::Box2d(const Scene& scene, double hertz, int effort) : parts_(std::make_unique<Parts>())
 {
     parts_->hertz = hertz;
+    parts_->effort = effort;
+    if (const auto* centre = std::get_if<CentralField>(&scene.world.field)) parts_->centre = *centre;
     parts_->world.SetGravity(vect(uniform_acceleration(scene.world.field)));
     parts_->world.SetAllowSleeping(false);
 
@@ -74,8 +79,10 @@ Box2d::Box2d(const Scene& scene, double hertz) : parts_(std::make_unique<Parts>(
         def.linearVelocity = vect(from.start.velocity);
         def.angularVelocity = static_cast<float>(from.start.spin);
         def.allowSleep = false;
+        def.userData.pointer = parts_->bodies.size() + 1; // 0: the walls
         b2Body* body = parts_->world.CreateBody(&def);
         parts_->bodies.push_back(body);
+        parts_->masses.push_back(from.mass);
         for (const ConvexPart& part : make_collision_shape(from.shape).parts) {
             add_part(body, part.shape, from.material);
         }
@@ -116,7 +123,32 @@ void Box2d::advance(double time)
 {
     const long until = steps_until(time, parts_->hertz);
     const auto step = static_cast<float>(1.0 / parts_->hertz);
-    for (; parts_->steps < until; ++parts_->steps) parts_->world.Step(step, 8, 3);
+    for (; parts_->steps < until; ++parts_->steps) {
+        for (std::size_t k = 0; parts_->centre && k < parts_->bodies.size(); ++k) {
+            b2Body* body = parts_->bodies[k];
+            const Vec2 place(body->GetPosition().x, body->GetPosition().y);
+            body->ApplyForceToCenter(vect(parts_->masses[k] * acceleration_at(*parts_->centre, place)), true);
+        }
+        parts_->world.Step(step, 8 * parts_->effort, 3 * parts_->effort);
+    }
+}
+
+std::vector<Load> Box2d::loads() const
+{
+    std::vector<Load> loads;
+    for (const b2Contact* contact = parts_->world.GetContactList(); contact; contact = contact->GetNext()) {
+        if (!contact->IsTouching()) continue;
+        const auto number = [](const b2Fixture* fixture) {
+            return static_cast<int>(const_cast<b2Fixture*>(fixture)->GetBody()->GetUserData().pointer) - 1;
+        };
+        const int a = number(contact->GetFixtureA());
+        const int b = number(contact->GetFixtureB());
+        const b2Manifold* manifold = contact->GetManifold();
+        double impulse = 0.0;
+        for (int k = 0; k < manifold->pointCount; ++k) impulse += manifold->points[k].normalImpulse;
+        loads.push_back({std::min(a, b), std::max(a, b), impulse * parts_->hertz});
+    }
+    return loads;
 }
 
 std::vector<BodyState> Box2d::states() const

@@ -1,5 +1,6 @@
 #include <chipmunk/chipmunk.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -16,6 +17,7 @@ struct Chipmunk::Parts
     std::vector<cpShape*> shapes;
     double hertz = 60.0;
     long steps = 0;
+    std::optional<CentralField> centre;
 
     Parts() = default;
     Parts(const Parts&) = delete;
@@ -58,13 +60,43 @@ cpShape* part_shape(cpBody* body, const Shape& part)
     return cpPolyShapeNewRaw(body, static_cast<int>(corners.size()), corners.data(), 0.0);
 }
 
+bool has_mixed_restitution(const Scene& scene)
+{
+    return std::any_of(scene.bodies.begin(), scene.bodies.end(), [&](const BodyDef& body) {
+        return body.restitution && *body.restitution != scene.world.restitution;
+    });
+}
+
+/// As its own demonstration of planets has it: the pull where the body is now, in place of gravity.
+void pull_to_centre(cpBody* body, cpVect, cpFloat damping, cpFloat step)
+{
+    const auto* centre = static_cast<const CentralField*>(cpBodyGetUserData(body));
+    const cpVect x = cpBodyGetPosition(body);
+    cpBodyUpdateVelocity(body, vect(acceleration_at(*centre, Vec2(x.x, x.y))), damping, step);
+}
+
+/// Ours, and Box2D's: of two bodies the larger restitution counts.
+cpBool take_larger_restitution(cpArbiter* arbiter, cpSpace*, cpDataPointer)
+{
+    cpShape* a = nullptr;
+    cpShape* b = nullptr;
+    cpArbiterGetShapes(arbiter, &a, &b);
+    const double root = std::max(cpShapeGetElasticity(a), cpShapeGetElasticity(b));
+    cpArbiterSetRestitution(arbiter, root * root);
+    return cpTrue;
+}
+
 } // namespace
 
-Chipmunk::Chipmunk(const Scene& scene, double hertz) : parts_(std::make_unique<Parts>())
+Chipmunk::Chipmunk(const Scene& scene, double hertz, int effort) : parts_(std::make_unique<Parts>())
 {
     parts_->hertz = hertz;
+    if (const auto* centre = std::get_if<CentralField>(&scene.world.field)) parts_->centre = *centre;
+    if (has_mixed_restitution(scene)) {
+        cpSpaceAddDefaultCollisionHandler(parts_->space)->preSolveFunc = take_larger_restitution;
+    }
     cpSpace* space = parts_->space;
-    cpSpaceSetIterations(space, 10);
+    cpSpaceSetIterations(space, 10 * effort);
     cpSpaceSetDamping(space, 1.0);
     cpSpaceSetSleepTimeThreshold(space, std::numeric_limits<double>::infinity());
     cpSpaceSetGravity(space, vect(uniform_acceleration(scene.world.field)));
@@ -79,6 +111,10 @@ Chipmunk::Chipmunk(const Scene& scene, double hertz) : parts_(std::make_unique<P
         }
         cpSpaceAddBody(space, body);
         parts_->bodies.push_back(body);
+        if (parts_->centre) {
+            cpBodySetUserData(body, &*parts_->centre);
+            cpBodySetVelocityUpdateFunc(body, pull_to_centre);
+        }
         for (const ConvexPart& part : make_collision_shape(from.shape).parts) {
             parts_->add(part_shape(body, part.shape), from.material);
         }
@@ -104,7 +140,36 @@ Chipmunk::~Chipmunk() = default;
 void Chipmunk::advance(double time)
 {
     const long until = steps_until(time, parts_->hertz);
-    for (; parts_->steps < until; ++parts_->steps) cpSpaceStep(parts_->space, 1.0 / parts_->hertz);
+    for (; parts_->steps < until; ++parts_->steps) {
+        cpSpaceStep(parts_->space, 1.0 / parts_->hertz);
+    }
+}
+
+std::vector<Load> Chipmunk::loads() const
+{
+    // Each body tells of all that it touches: of two bodies the one of the lower number does
+    struct Listing
+    {
+        const Parts* parts;
+        int self;
+        std::vector<Load> loads;
+    } listing{parts_.get(), 0, {}};
+    const auto note = [](cpBody* self, cpArbiter* arbiter, void* data) {
+        auto& into = *static_cast<Listing*>(data);
+        cpBody* a = nullptr;
+        cpBody* b = nullptr;
+        cpArbiterGetBodies(arbiter, &a, &b);
+        const auto& bodies = into.parts->bodies;
+        const auto found = std::find(bodies.begin(), bodies.end(), a == self ? b : a);
+        const int other = found == bodies.end() ? -1 : static_cast<int>(found - bodies.begin());
+        if (other >= 0 && other < into.self) return;
+        const double impulse = std::abs(cpvdot(cpArbiterTotalImpulse(arbiter), cpArbiterGetNormal(arbiter)));
+        into.loads.push_back({std::min(into.self, other), std::max(into.self, other), impulse * into.parts->hertz});
+    };
+    for (; listing.self < static_cast<int>(parts_->bodies.size()); ++listing.self) {
+        cpBodyEachArbiter(parts_->bodies[listing.self], note, &listing);
+    }
+    return listing.loads;
 }
 
 std::vector<BodyState> Chipmunk::states() const

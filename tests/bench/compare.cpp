@@ -157,27 +157,4 @@ Comparison compare(const BenchCase& bench_case, double until, int repeats, doubl
     return comparison;
 }
 
-std::vector<WorkPrecision> work_and_precision(int repeats, const std::function<void(const std::string&)>& tell)
-{
-    const Scene scene = scene_of("gas", gas(1000, 0.1));
-    const std::vector<BodyState> exact = reference_discs(scene, k_path_time);
-    std::vector<EngineChoice> engines = {{}};
-    for (const auto kind : {EngineChoice::Kind::chipmunk, EngineChoice::Kind::box2d}) {
-        for (double hertz = 60.0; hertz <= 3840.0; hertz *= 2.0) engines.push_back({kind, hertz});
-    }
-    std::vector<std::vector<double>> seconds(engines.size());
-    std::vector<WorkPrecision> results(engines.size());
-    for (int repeat = 0; repeat < repeats; ++repeat) {
-        tell("work and precision, repeat " + std::to_string(repeat + 1));
-        for (std::size_t k = 0; k < engines.size(); ++k) {
-            Simulator simulator = make_simulator(engines[k], scene);
-            const double start = cpu_seconds();
-            advance(simulator, k_path_time);
-            seconds[k].push_back(cpu_seconds() - start);
-            results[k] = {engines[k], median(seconds[k]), median_distance(states_of(simulator), exact)};
-        }
-    }
-    return results;
-}
-
 } // namespace flying::bench

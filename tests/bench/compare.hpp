@@ -44,16 +44,4 @@ struct Comparison
 [[nodiscard]] Comparison compare(const BenchCase& bench_case, double until, int repeats, double hertz, double most,
                                  const std::function<void(const std::string&)>& tell);
 
-/// Time and error of one engine at one step.
-struct WorkPrecision
-{
-    EngineChoice engine;
-    double seconds = 0.0; ///< to compute one second [s]
-    double error = 0.0;   ///< median distance from the exact places after it [m]
-};
-
-/// 1000 discs at packing 0.1 for one second: every engine at steps from 60 a second to 3840.
-[[nodiscard]] std::vector<WorkPrecision> work_and_precision(int repeats,
-                                                            const std::function<void(const std::string&)>& tell);
-
 } // namespace flying::bench

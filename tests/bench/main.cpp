@@ -42,11 +42,12 @@ int main(int argc, char** argv)
     CLI::App app("Measure this engine beside Chipmunk and Box2D");
     app.add_flag("--all", all, "The long set: every scene over its full time, all sizes");
     app.add_option("--scene", only, "Only scenes of these names")->check(CLI::IsMember(known).description(""));
-    app.add_option("--part", parts, "Only these parts: scenes, precision, growth, piles")
-        ->check(CLI::IsMember({"scenes", "precision", "growth", "piles"}).description(""));
+    app.add_option("--part", parts, "Only these parts: scenes, growth, piles")
+        ->check(CLI::IsMember({"scenes", "growth", "piles"}).description(""));
     app.add_option("--repeats", repeats, "Of each run; the median counts")->check(CLI::Range(1, 1000));
     app.add_option("--hertz", hertz, "Steps a second of the peers")->check(CLI::Range(1.0, 1e6));
-    app.add_option("--most", most, "Seconds of computing after which a peer's run is given up")->check(CLI::PositiveNumber);
+    app.add_option("--most", most, "Seconds of computing after which a peer's run is given up")
+        ->check(CLI::PositiveNumber);
     app.add_option("--until", until, "Simulated seconds instead of each scene's own")->check(CLI::PositiveNumber);
     app.add_option("--out", out, "Folder for bench.json, bench.txt and the data of the plots");
     CLI11_PARSE(app, argc, argv);
@@ -64,7 +65,6 @@ int main(int argc, char** argv)
             write_results(results, out);
         }
     }
-    if (wants("precision")) results.work_precision = work_and_precision(std::min(repeats, 5), tell);
     if (wants("growth")) results.growths = measure_growth(all ? Extent::full : Extent::brief, tell);
     if (wants("piles")) {
         write_results(results, out);

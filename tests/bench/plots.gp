@@ -43,18 +43,5 @@ do for [kind in "svg png"] {
          [20:100] end_factor_vertices * x**end_slope_vertices lc rgb "#7f0000" lw 2 \
              title "upper half, ".fit_line(end_slope_vertices)
     }
-
-    if (is_there("work-flying.dat")) {
-    set output "work-precision.".kind
-    set title "Error against work: 1000 discs, packing 0.1, one second\n{/*0.8 ".machine.", one core; the peers are the distribution's, with assertions on}"
-    set xlabel "seconds of computing"
-    set ylabel "median distance from the exact places [m]"
-    set xrange [*:*]
-    set yrange [1e-16:10]
-    set key center right
-    plot "work-Chipmunk.dat" using 1:2:3 with linespoints pt 7 lc rgb "#ff7f0e" title "Chipmunk 7.0.3, 60 to 3840 Hz", \
-         "work-Box2D.dat" using 1:2:3 with linespoints pt 9 lc rgb "#2ca02c" title "Box2D 2.4.1 (floats), 60 to 3840 Hz", \
-         "work-flying.dat" using 1:2 with points pt 5 ps 1.5 lc rgb "#1f77b4" title "flying polygons (no step)"
-    }
 }
 unset output

@@ -33,7 +33,8 @@ std::string row(const Comparison& comparison, const Showing& showing)
     }
     const double seconds = median(showing.seconds);
     const Showing* chipmunk = chipmunk_of(comparison);
-    const std::string ratio = chipmunk && !chipmunk->stopped_at ? fmt::format("{:.3f}", seconds / median(chipmunk->seconds)) : "";
+    const std::string ratio =
+        chipmunk && !chipmunk->stopped_at ? fmt::format("{:.3f}", seconds / median(chipmunk->seconds)) : "";
     const std::string error = showing.path_error ? fmt::format("{:.1e}", *showing.path_error) : "";
     const std::string rate =
         showing.collisions > 0 ? fmt::format("{:.3g}", static_cast<double>(showing.collisions) / seconds) : "";
@@ -59,7 +60,8 @@ json json_of(const Comparison& comparison)
                        {"setup_seconds", showing.setup_seconds},       {"energy_drift", showing.drift},
                        {"deepest_overlap_m", showing.overlap}};
         if (showing.stopped_at) engine["stopped_at"] = *showing.stopped_at;
-        else if (chipmunk && !chipmunk->stopped_at) engine["ratio_to_chipmunk"] = median(showing.seconds) / median(chipmunk->seconds);
+        else if (chipmunk && !chipmunk->stopped_at)
+            engine["ratio_to_chipmunk"] = median(showing.seconds) / median(chipmunk->seconds);
         if (showing.path_error) engine["path_error_m"] = *showing.path_error;
         if (showing.collisions > 0) engine["collisions"] = showing.collisions;
         if (!showing.failure.empty()) engine["failure"] = showing.failure;
@@ -125,12 +127,6 @@ json json_of(const Results& results)
         {"note",
          "seconds are of computing on one thread, medians; the peers are the distribution's, with assertions on"}};
     for (const Comparison& comparison : results.scenes) all["scenes"].push_back(json_of(comparison));
-    for (const WorkPrecision& point : results.work_precision) {
-        all["work_precision"].push_back({{"name", name_of(point.engine.kind)},
-                                         {"hertz", point.engine.hertz},
-                                         {"seconds", point.seconds},
-                                         {"error_m", point.error}});
-    }
     for (const Growth& growth : results.growths) {
         json entry = {
             {"name", growth.name}, {"what", growth.what}, {"slope", growth.all.slope}, {"end_slope", growth.end.slope}};
@@ -171,10 +167,6 @@ std::string table(const Results& results)
             text += fmt::format("; exact path known to {:.0e} m", comparison.exact_path_error);
         }
         text += "\n";
-    }
-    if (!results.work_precision.empty()) text += "\nWork and precision, 1000 discs at packing 0.1, 1 s\n";
-    for (const WorkPrecision& point : results.work_precision) {
-        text += fmt::format("{:>36} {:>9.4f} s  error {:.1e} m\n", label(point.engine), point.seconds, point.error);
     }
     for (const Growth& growth : results.growths) {
         text += fmt::format("\n{}: slope {:.2f}, of the larger half {:.2f}\n", growth.what, growth.all.slope,
@@ -217,15 +209,6 @@ void write_results(const Results& results, const std::filesystem::path& folder)
                                 growth.end.factor);
     }
     if (!results.growths.empty()) write_file(folder / "growth.ini", settings);
-    for (const auto kind : {EngineChoice::Kind::exact, EngineChoice::Kind::chipmunk, EngineChoice::Kind::box2d}) {
-        std::string data = "# seconds error hertz\n";
-        for (const WorkPrecision& point : results.work_precision) {
-            if (point.engine.kind != kind) continue;
-            data +=
-                fmt::format("{:.6g} {:.6g} {:.0f}\n", point.seconds, std::max(point.error, 1e-16), point.engine.hertz);
-        }
-        if (!results.work_precision.empty()) write_file(folder / ("work-" + name_of(kind) + ".dat"), data);
-    }
 }
 
 } // namespace flying::bench

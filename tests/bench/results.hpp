@@ -17,7 +17,6 @@ struct Results
     Machine machine;
     std::string started; ///< date and time
     std::vector<Comparison> scenes;
-    std::vector<WorkPrecision> work_precision;
     std::vector<Growth> growths;
     std::vector<PileComparison> piles;
 };

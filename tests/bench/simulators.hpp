@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "motion/body.hpp"
+#include "precision/trial.hpp"
 #include "world/world.hpp"
 
 /// The same scene in three engines, each behind the same four functions.
@@ -28,16 +29,19 @@ private:
     std::optional<std::string> failure_;
 };
 
-/// Chipmunk 7: 10 iterations a step as it comes, no damping, no sleep. Walls are a metre thick and more.
+/// Chipmunk 7: 10 iterations a step as it comes, no damping, no sleep. Walls are a metre thick and more. The pull of a centre,
+/// which it doesn't know, takes gravity's place as in its own demonstration of planets.
 class Chipmunk
 {
 public:
-    Chipmunk(const Scene& scene, double hertz);
+    /// effort  iterations, as a multiple of 10
+    Chipmunk(const Scene& scene, double hertz, int effort = 1);
     Chipmunk(Chipmunk&&) noexcept;
     Chipmunk& operator=(Chipmunk&&) noexcept;
     ~Chipmunk();
     void advance(double time);
     [[nodiscard]] std::vector<BodyState> states() const;
+    [[nodiscard]] std::vector<Load> loads() const; ///< of the last step, between bodies and between bodies and walls
     [[nodiscard]] long collisions() const { return 0; }
     [[nodiscard]] std::optional<std::string> failure() const { return std::nullopt; }
 
@@ -48,16 +52,18 @@ private:
 };
 
 /// Box2D 2.4: 8 iterations for velocities and 3 for places, no damping, no sleep; every fixture's restitution threshold
-/// is 0 m/s (as it comes: 1 m/s). Its numbers are floats.
+/// is 0 m/s (as it comes: 1 m/s). Its numbers are floats. The pull of a centre is applied as a force before each step.
 class Box2d
 {
 public:
-    Box2d(const Scene& scene, double hertz);
+    /// effort  iterations, as a multiple of 8 and 3
+    Box2d(const Scene& scene, double hertz, int effort = 1);
     Box2d(Box2d&&) noexcept;
     Box2d& operator=(Box2d&&) noexcept;
     ~Box2d();
     void advance(double time);
     [[nodiscard]] std::vector<BodyState> states() const;
+    [[nodiscard]] std::vector<Load> loads() const; ///< of the last step, between bodies and between bodies and walls
     [[nodiscard]] long collisions() const { return 0; }
     [[nodiscard]] std::optional<std::string> failure() const { return std::nullopt; }
 

@@ -29,6 +29,8 @@ expect 2 '--matrix only; found: --all' test --all
 expect 2 'no arguments; found: fast' build fast
 expect 0 '^./course stress' help
 expect 2 'book knows --open only; found: fast' book fast
+expect 2 "chapter 02 has no program 'figures'; expected one of: breaks demo" chapter 02 figures
+expect 2 'progress takes no arguments; found: now' progress now
 for name in chapter start check; do
     expect 2 'expected the number of a chapter, such as 02; found: nothing' "$name"
     expect 2 'expected the number of a chapter, such as 02; found: two' "$name" two

@@ -89,6 +89,25 @@ TEST_CASE("a twin that is held to a tighter bound than its equation fails the bo
     check_one(tree, k_chapter, "::equation hinge.end", "twin rejected by a bound of 1e-16");
 }
 
+TEST_CASE("a receipt says of which kind it is where it is not an oracle with rounding")
+{
+    const ExampleTree tree;
+    tree.replace(k_receipts, "\"worst\": 2e-16", "\"worst\": 0");
+    check_one(tree, k_chapter, "::equation hinge.end", "equation hinge.end: no error at all in 210 cases");
+    for (const std::string kind : {"same", "exact"}) {
+        tree.replace(k_chapter, "::equation hinge.end", "::equation hinge.end " + kind);
+        CHECK(tree.problems() == "");
+        tree.replace(k_chapter, "::equation hinge.end " + kind, "::equation hinge.end");
+    }
+    tree.replace(k_receipts, "\"worst\": 0, \"bound\": 1e-15", "\"worst\": 1e-3, \"bound\": 1e-2");
+    tree.replace(k_receipts, "\"twin_bound\": 1e-15", "\"twin_bound\": 1e-2");
+    check_one(tree, k_chapter, "::equation hinge.end", "equation hinge.end: its test allows 1.0e-02");
+    tree.replace(k_chapter, "::equation hinge.end", "::equation hinge.end measured");
+    CHECK(tree.problems() == "");
+    tree.replace(k_chapter, "::equation hinge.end measured", "::equation hinge.end surely");
+    check_one(tree, k_chapter, "::equation hinge.end", "equation hinge.end of the kind `surely`");
+}
+
 TEST_CASE("a slip in the printed formula fails the book")
 {
     const ExampleTree tree;
@@ -302,6 +321,26 @@ TEST_CASE("a value that nothing computes, a reference to nothing and an unknown 
     CHECK(with("[here](there.md)").find("link to `there.md`") != std::string::npos);
 }
 
+TEST_CASE("a larger number in words fails the book in a caption, and in the text where it is a rough result")
+{
+    const ExampleTree tree;
+    tree.replace(k_chapter, "A door weighs as much as you do", "Of a hundred doors, some thirty weigh as much as you do");
+    check_one(tree, k_chapter, "Of a hundred doors", "a number in words, `some thirty`");
+    tree.replace(k_chapter, "some thirty weigh", "{{given:some thirty}} weigh");
+    CHECK(tree.problems() == "");
+    tree.replace(k_chapter, "::figure rod \"A thin rod", "::figure rod \"Twenty slices of a thin rod");
+    check_one(tree, k_chapter, "::figure rod", "a number in words, `Twenty`");
+}
+
+TEST_CASE("a caption with a formula needs words without one beside it")
+{
+    const ExampleTree tree;
+    tree.replace(k_chapter, "at the distance x\"", "at the distance $x$\"");
+    check_one(tree, k_chapter, "::figure rod", "::figure rod with a formula in its caption");
+    tree.replace(k_chapter, "at the distance $x$\"", "at the distance $x$\" \"A thin rod and a slice of it\"");
+    CHECK(tree.problems() == "");
+}
+
 TEST_CASE("code, formulas and pictures that bypass the directives fail the book")
 {
     const auto with = [&](const std::string& text) {
@@ -364,6 +403,18 @@ TEST_CASE("a chapter without demo, tests, figure, exercise, symbols or summary f
           std::string::npos);
     CHECK(without("", "exercises/e1/stub.hpp").find("an exercise in code without stub.hpp") != std::string::npos);
     CHECK(without("", "chapter.md").find("no chapters/01-hinge/chapter.md") != std::string::npos);
+}
+
+TEST_CASE("a chapter without hours and goals, or with other needs than it names, fails the book")
+{
+    const ExampleTree tree;
+    tree.replace("chapters/book.toml", "hours = 1\n", "");
+    check_one(tree, "chapters/book.toml", "[[chapter]]", "chapter 1 without hours or goals");
+    tree.replace("chapters/book.toml", "needs = []", "needs = []\nhours = 1");
+    tree.replace(k_chapter, "## Symbols", "## What you need\n\nThe chapter {{ch:hinge}}.\n\n## Symbols");
+    const std::string report = tree.problems();
+    CAPTURE(report);
+    CHECK(report.find("links to the chapters 1; expected none, as `needs` of chapter 1") != std::string::npos);
 }
 
 TEST_CASE("a book whose chapters need later ones or have no number fails")

@@ -188,7 +188,7 @@ TEST_CASE("a feature keeps its number while the bodies move a little, and differ
     for (int k = 0; k < 2; ++k) CHECK(first.contacts[k].feature == moved.contacts[k].feature);
 }
 
-TEST_CASE("two contacts of a manifold have two names, whoever comes first, and a disc's one contact is renamed with its owners")
+TEST_CASE("two contacts of a manifold have two names, whichever comes first, and a disc's one contact is renamed with its owners")
 {
     Random random(505);
     int pairs = 0;

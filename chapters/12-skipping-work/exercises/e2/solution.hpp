@@ -9,7 +9,7 @@
 /// velocity  of the other, seen from the one [m/s]
 inline bool can_meet(const flying::Vec2& offset, const flying::Vec2& velocity, double reach)
 {
-    // Who parts, or stands still, never comes nearer
+    // A pair that parts, or keeps its distance, never comes nearer
     if (offset.dot(velocity) >= 0.0) return false;
 
     // The line passes at |offset x velocity| / |velocity|; err to the side of looking

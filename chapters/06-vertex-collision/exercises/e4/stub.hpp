@@ -1,0 +1,13 @@
+#pragma once
+
+#include <vector>
+
+#include "math/orientation.hpp"
+
+using flying::Vec2;
+
+/// No two edges share a point, but neighbours their corner.
+inline bool is_simple(const std::vector<Vec2>& ring)
+{
+    return ring.size() >= 3; // your code here
+}
