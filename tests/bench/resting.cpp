@@ -5,7 +5,7 @@
 
 namespace flying::bench {
 
-Resting::Resting(const Scene& scene, double hertz, bool sleeps) : hertz_(hertz)
+Resting::Resting(const Scene& scene, double hertz, bool sleeps)
 {
     std::vector<RestBody> bodies;
     for (const WeighedBody& from : weigh(scene)) {

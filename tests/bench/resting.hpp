@@ -19,7 +19,6 @@ public:
     [[nodiscard]] const RestEngine& engine() const { return *engine_; }
 
 private:
-    double hertz_;
     std::size_t count_ = 0;
     std::optional<RestEngine> engine_;
 };
