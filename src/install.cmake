@@ -50,3 +50,18 @@ if(FLYING_PYTHON)
     set_target_properties(flying_python PROPERTIES OUTPUT_NAME flying LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/python)
     install(TARGETS flying_python DESTINATION ${Python_SITEARCH} COMPONENT python)
 endif()
+
+# The literate tool, with all that a book of one's own needs: find_package(weave), docs/BOOKS.md
+install(TARGETS weave RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT weave)
+install(FILES ${PROJECT_SOURCE_DIR}/docs/chapter.cmake ${PROJECT_SOURCE_DIR}/docs/Doxyfile.in
+    ${PROJECT_SOURCE_DIR}/docs/formulas.js ${PROJECT_SOURCE_DIR}/docs/pack_module.js
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/weave COMPONENT weave)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/theme DESTINATION ${CMAKE_INSTALL_DATADIR}/weave COMPONENT weave)
+install(FILES ${PROJECT_SOURCE_DIR}/tests/main.cpp DESTINATION ${CMAKE_INSTALL_DATADIR}/weave/tests COMPONENT weave)
+install(FILES ${PROJECT_SOURCE_DIR}/tests/support/receipts.hpp ${PROJECT_SOURCE_DIR}/tests/support/receipts.cpp
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/weave/tests/support COMPONENT weave)
+set(WEAVE_KIT_FOLDER ${CMAKE_INSTALL_DATADIR}/weave)
+set(WEAVE_BIN_FOLDER ${CMAKE_INSTALL_BINDIR})
+configure_package_config_file(${PROJECT_SOURCE_DIR}/docs/weaveConfig.cmake.in ${PROJECT_BINARY_DIR}/weaveConfig.cmake
+    INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/weave PATH_VARS WEAVE_KIT_FOLDER WEAVE_BIN_FOLDER)
+install(FILES ${PROJECT_BINARY_DIR}/weaveConfig.cmake DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/weave COMPONENT weave)

@@ -87,6 +87,9 @@ Book read_book(const std::filesystem::path& source, Problems& problems)
     }
 
     book.title = table["title"].value_or(std::string("A book"));
+    book.brief = table["brief"].value_or(std::string());
+    book.front = table["front"].value_or(std::string());
+    book.is_playable = table["playground"].value_or(false);
     static const std::regex k_version(R"(project\([^)]*VERSION ([0-9.]+))");
     const std::string project = read_file(source / "CMakeLists.txt").value_or("");
     std::smatch version;

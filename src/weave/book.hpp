@@ -43,8 +43,11 @@ struct ChapterEntry
 struct Book
 {
     std::string title;
-    std::string version;                        ///< of the project, as CMakeLists.txt has it; empty where it has none
-    std::vector<ChapterEntry> chapters;         ///< in the order of their numbers
+    std::string brief;       ///< what it is, in a few words; under the title of the manual
+    std::string front;       ///< what its first page says, above the contents; Markdown
+    bool is_playable = false; ///< it runs scenes of this project's engine: a playground, and a figure on the first page
+    std::string version;                ///< of the project, as CMakeLists.txt has it; empty where it has none
+    std::vector<ChapterEntry> chapters; ///< in the order of their numbers
     std::map<std::string, std::string> modules; ///< what each module of src does, in a line
 
     /// The chapter of that number, or null.

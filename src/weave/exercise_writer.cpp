@@ -1,3 +1,5 @@
+#include <filesystem>
+
 #include <fmt/format.h>
 
 #include "weave/pages.hpp"
@@ -27,7 +29,7 @@ std::string TextWriter::exercise(const Chapter& chapter, const Block& block)
             fragments_.add_html(fmt::format("<section class=\"exercise\" id=\"exercise-{}\"><h3>Exercise {}</h3>",
                                             exercise.name, escape_html(exercise_title(chapter, exercise)))));
         out += blocks(chapter, exercise.text);
-        if (exercise.in_code)
+        if (exercise.in_code && std::filesystem::exists(material_.folders.project / "course"))
             out +=
                 block_token(fragments_.add_html(fmt::format("<p class=\"try\"><code>./course start {0:02}</code> puts "
                                                             "the beginning into <code>my/{1}/{2}.hpp</code>; "

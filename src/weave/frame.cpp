@@ -63,7 +63,8 @@ std::string book_list(const Material& material, const Page& page, const std::str
         {"playground", "Playground"}, {"equations", "Equations and receipts"},
         {"symbols", "Symbols"},       {"told", "What is told, and what is not"},
         {"sources", "The sources"},   {"manual/index", "Manual of the code"}};
-    for (const auto& [name, title] : others) out += entry(page, name, "", title, root);
+    for (const auto& [name, title] : others)
+        if (material.book.is_playable || std::string_view(name) != "playground") out += entry(page, name, "", title, root);
     return out + "</ol>";
 }
 

@@ -272,24 +272,17 @@ void add_generated_pages(const Material& material, const Counts& counts, TextWri
         page.sections = writer.take_sections();
         pages.list.push_back(std::move(page));
     };
-    std::string front = fmt::format(
-        "{}\n\n"
-        "Begin with one flying ball, end with a simulator of colliding polygons that you understand to the last "
-        "line, and check every formula on the way.\n\n{}\n\n"
-        "When you are through, you will be able to\n\n"
-        "- weigh any polygon: find its mass, its centre and its moment of inertia from its corners alone,\n"
-        "- say when two turning polygons touch, and which push parts them, as closely as a computer can,\n"
-        "- write a simulator and know how far to trust it, from one ball to a heap that lies still.\n\n"
-        "Each chapter answers a question. Scenes of your own run in the [playground](playground.html).\n\n{}\n\n",
-        fragments.add_html(front_figure()), start, list);
+    std::string front = material.book.is_playable ? fragments.add_html(front_figure()) + "\n\n" : "";
+    front += fmt::format("{}\n\n{}\n\n{}\n\n", material.book.front, start, list);
     front += writer.heading(2, "What builds on what") +
              fmt::format("A chapter stands below all that it needs.\n\n{}\n\n", map);
     add("index", material.book.title, front);
-    add("playground", "Playground",
-        fmt::format(
-            "Every scene of the course, and your own. A scene is a text; change it, and what is wrong with it is "
-            "said with line and column.\n\n{}\n",
-            fragments.add_html(playground_figure())));
+    if (material.book.is_playable)
+        add("playground", "Playground",
+            fmt::format(
+                "Every scene of the course, and your own. A scene is a text; change it, and what is wrong with it is "
+                "said with line and column.\n\n{}\n",
+                fragments.add_html(playground_figure())));
     add("equations", "Equations and their receipts", fragments.add_html(equation_index(material, fragments)) + "\n");
     add("symbols", "Symbols", symbol_table(material, writer));
     add("told", "What is told, and what is not", told(material, counts));

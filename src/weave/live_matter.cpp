@@ -30,12 +30,12 @@ void write(const fs::path& file, const std::string& text, Problems& problems)
 
 void write_scripts(const Woven& woven, const Folders& folders, const fs::path& html, Problems& problems)
 {
-    const fs::path theme = folders.project / "docs/theme";
+    const fs::path theme = folders.kit / "theme";
     std::string common;
     for (const char* name : k_common) {
         const std::optional<std::string> script = read_file(theme / name);
         if (script) common += *script;
-        else problems.add({std::string("docs/theme/") + name, 0}, "no such script", "the theme's scripts");
+        else problems.add({std::string("theme/") + name, 0}, "no such script", "the theme's scripts");
     }
     write(html / "live.js", common, problems);
     for (const char* name : k_single)
@@ -68,10 +68,10 @@ void write_module(const Folders& folders, const Tools& tools, const fs::path& ht
 {
     if (tools.module.empty() || !fs::exists(tools.module)) return;
     const std::string command =
-        fmt::format("{} '{}' '{}' > '{}'", tools.node, (folders.project / "docs/pack_module.js").string(), tools.module,
+        fmt::format("{} '{}' '{}' > '{}'", tools.node, (folders.kit / "pack_module.js").string(), tools.module,
                     (html / "live/module.js").string());
     if (std::system(command.c_str()) != 0)
-        problems.add({"docs/pack_module.js", 0}, "a module that could not be packed", "node, and the engine's module");
+        problems.add({"pack_module.js", 0}, "a module that could not be packed", "node, and the engine's module");
 }
 
 void write_recordings(const Woven& woven, const fs::path& html, Problems& problems)

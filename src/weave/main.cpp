@@ -23,6 +23,14 @@ int conclude(const weave::Problems& problems, const std::string& success)
     return 1;
 }
 
+/// `share/weave` beside the folder of this program.
+std::filesystem::path installed_kit()
+{
+    std::error_code error;
+    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
+    return program.parent_path().parent_path() / "share/weave";
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -34,10 +42,13 @@ int main(int argc, char** argv)
     std::string project = ".";
     std::string build = "build/book";
     std::string source;
+    std::string kit;
     const auto add_folders = [&](CLI::App* command) {
         command->add_option("--project", project, "folder that holds chapters, src and docs")
             ->check(CLI::ExistingDirectory);
         command->add_option("--build", build, "folder with receipts, outputs and figures, and for what is made");
+        command->add_option("--kit", kit, "folder with the theme and Doxyfile.in; without it, the one that came with weave")
+            ->check(CLI::ExistingDirectory);
         command->add_option("--node", tools.node, "the program node");
         command->add_option("--doxygen", tools.doxygen, "the program doxygen");
     };
@@ -57,6 +68,7 @@ int main(int argc, char** argv)
     std::error_code error;
     std::filesystem::create_directories(build, error);
     folders.project = std::filesystem::canonical(project);
+    folders.kit = kit.empty() ? installed_kit() : std::filesystem::canonical(kit);
     folders.build = std::filesystem::canonical(build);
     const auto start = std::chrono::steady_clock::now();
     weave::Problems problems;

@@ -18,6 +18,7 @@ namespace flying::weave {
 struct Folders
 {
     std::filesystem::path project; ///< holds `chapters`, `src`, `docs`
+    std::filesystem::path kit;     ///< holds Doxyfile.in, the theme and the scripts: `docs` of this project, or installed
     std::filesystem::path build;   ///< holds `receipts`, `outputs`, `figures`, which the programs of the chapters leave
 };
 

@@ -61,9 +61,9 @@ bool write_header(const Folders& folders, const Tools& tools, Problems& problems
         run(fmt::format("cd {} && {} -w html header.html footer.html sheet.css", quoted(folders.build), tools.doxygen),
             log);
     const std::optional<std::string> text = read_file(header);
-    const std::optional<std::string> ours = read_file(folders.project / "docs/theme/manual.html");
+    const std::optional<std::string> ours = read_file(folders.kit / "theme/manual.html");
     if (!made || !text || !ours) {
-        problems.add({"docs/theme/manual.html", 0}, "no header for the pages: " + tail(log), "doxygen, and the theme");
+        problems.add({"theme/manual.html", 0}, "no header for the pages: " + tail(log), "doxygen, and the theme");
         return false;
     }
     const std::string with_theme = replace_all(*text, "</head>", *ours + "</head>");
@@ -92,13 +92,15 @@ bool run_doxygen(const Folders& folders, const Tools& tools, const Woven& woven,
     fs::remove_all(html, error);
     fs::create_directories(html, error);
 
-    std::string settings = read_file(folders.project / "docs/Doxyfile.in").value_or("");
+    std::string settings = read_file(folders.kit / "Doxyfile.in").value_or("");
     settings = replace_all(settings, "@PROJECT@", folders.project.string());
+    settings = replace_all(settings, "@KIT@", folders.kit.string());
     settings = replace_all(settings, "@BUILD@", folders.build.string());
     settings = replace_all(settings, "@HTML@", html.filename().string() + "/manual");
     const std::string weave = fs::read_symlink("/proc/self/exe", error).string();
     settings = replace_all(settings, "@FILTERS@", filter_patterns(folders, woven.material.sources, weave));
     settings = replace_all(settings, "@TITLE@", woven.material.book.title);
+    settings = replace_all(settings, "@BRIEF@", woven.material.book.brief);
     if (!write_file(folders.build / "Doxyfile", settings) || !write_header(folders, tools, problems)) return false;
 
     const fs::path log = folders.build / "doxygen.log";
@@ -117,7 +119,7 @@ bool run_doxygen(const Folders& folders, const Tools& tools, const Woven& woven,
 void copy_theme(const Folders& folders, const fs::path& html, Problems& problems)
 {
     for (const char* name : {"book.css", "page.js", "search.js"})
-        copy(folders.project / "docs/theme" / name, html / "theme" / name, problems);
+        copy(folders.kit / "theme" / name, html / "theme" / name, problems);
     const std::string charis = "/usr/share/fonts/truetype/charis/CharisSIL-";
     const std::string inter = "/usr/share/fonts/opentype/inter/Inter-";
     const std::string mono = "/usr/share/fonts/truetype/jetbrains-mono/JetBrainsMono-";
@@ -192,12 +194,12 @@ std::vector<std::string> render_formulas(const Fragments& fragments, const Folde
         const fs::path answer = folders.build / "formulas-out.json";
         const bool asked = write_file(question, wanted.dump());
         const bool answered =
-            asked && std::system(fmt::format("{} {} {} > {}", tools.node, quoted(folders.project / "docs/formulas.js"),
+            asked && std::system(fmt::format("{} {} {} > {}", tools.node, quoted(folders.kit / "formulas.js"),
                                              quoted(question), quoted(answer))
                                      .c_str()) == 0;
         const json result = json::parse(read_file(answer).value_or(""), nullptr, false);
         if (!answered || !result.is_object()) {
-            problems.add({"docs/formulas.js", 0}, "formulas that could not be rendered",
+            problems.add({"formulas.js", 0}, "formulas that could not be rendered",
                          "node, and KaTeX (Debian: katex)");
             return std::vector<std::string>(list.size());
         }

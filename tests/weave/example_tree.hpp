@@ -61,7 +61,7 @@ public:
 
     [[nodiscard]] flying::weave::Woven weave(flying::weave::Problems& problems) const
     {
-        return flying::weave::weave_pages({root_, root_ / "build"}, {}, problems);
+        return flying::weave::weave_pages({root_, root_ / "docs", root_ / "build"}, {}, problems);
     }
 
     /// What is wrong with the example, as it is printed.

@@ -62,7 +62,7 @@ TEST_CASE("a warning of Doxygen fails the book, and the last good book stays")
     const ExampleTree tree;
     std::filesystem::copy(std::filesystem::path(FLYING_SOURCE_DIR) / "docs", tree.root() / "docs",
                           std::filesystem::copy_options::recursive | std::filesystem::copy_options::overwrite_existing);
-    const Folders folders{tree.root(), tree.root() / "build"};
+    const Folders folders{tree.root(), tree.root() / "docs", tree.root() / "build"};
     tree.write("build/html/index.html", "the last good book");
 
     // Any program that warns will do for Doxygen's warning
