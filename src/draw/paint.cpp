@@ -249,7 +249,7 @@ void paint(cairo_t* cairo, const Picture& picture, SurfaceSize size, const Theme
     paint_ground(cairo, picture, layout, theme);
     for (const Trail& trail : picture.trails) paint_trail(cairo, trail, layout.map, theme);
     for (const DrawnBody& body : picture.bodies) {
-        if (is_in_sight(body, sight)) paint_shadow(cairo, body, layout);
+        if (picture.has_shadows && is_in_sight(body, sight)) paint_shadow(cairo, body, layout);
     }
     for (const DrawnBody& body : picture.bodies) {
         if (is_in_sight(body, sight)) paint_body(cairo, body, layout, theme);

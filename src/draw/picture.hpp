@@ -40,6 +40,7 @@ struct Picture
     std::string title;          ///< above the picture; empty for none
     std::optional<double> time; ///< in the caption [s]
     bool has_scale_bar = true;
+    bool has_shadows = true; ///< under the bodies; a third of the time that drawing takes
 };
 
 /// The world at its clock, without trails: its bodies in order, then the core of a central field. The view is that of `fitting_view`.

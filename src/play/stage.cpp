@@ -29,6 +29,7 @@ Colour random_colour(int body)
 constexpr double k_shown_for = 3.0;       ///< a mode's bar, and a notice [s]
 constexpr double k_longest_wall = 0.1;    ///< of one frame: what is longer was a hitch [s]
 constexpr double k_averaged_over = 1.0;   ///< [s]
+constexpr std::size_t k_most_shadows = 150; ///< of more bodies they would cost frames
 constexpr double k_mean = 0.05;           ///< share of a frame in the mean costs
 constexpr double k_remembered_every = 12; ///< [frames]
 
@@ -90,6 +91,7 @@ void Stage::refresh()
         const Aabb old = picture.view;
         picture = picture_of(run.world());
         picture.title.clear();
+        picture.has_shadows = picture.bodies.size() <= k_most_shadows;
         if (keeps_view) picture.view = old;
         generation = run.generation();
     } else {

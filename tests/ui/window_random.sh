@@ -29,15 +29,24 @@ DISPLAY=:$(cat "$work/display")
 export DISPLAY
 
 fail() {
+    ! command -v import >/dev/null || [[ -z ${SHOT:-} ]] || import -window root "$SHOT" || true
+    [[ -z $window ]] || ps -o pid,stat,time,pcpu,rss -p "$window" || true
     echo "seed $seed, after $((SECONDS - start)) s: $*"
     tail -n 60 "$work/log"
     exit 1
+}
+ask() { # for the state; a dialog that has come up is closed first: without a window manager nobody gives it the keys
+    local other
+    for other in $(xdotool search --onlyvisible --name '.' 2>/dev/null); do
+        [[ $other == "$id" ]] || xdotool windowfocus "$other" key Escape 2>/dev/null || true
+    done
+    xdotool windowfocus "$id" key Escape key Escape key F8 || true
 }
 answer() { # the window says what it knows, within so many tenths of a second
     rm -f "$work/state.json"
     local k
     for ((k = 0; k < $1; ++k)); do
-        ((k % 20)) || xdotool key Escape key Escape key F8
+        ((k % 20)) || ask
         [[ ! -e $work/state.json ]] || return 0
         sleep 0.1
     done
