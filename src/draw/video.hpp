@@ -15,7 +15,7 @@ class Video
 public:
     /// Start ffmpeg.
     ///
-    /// path               file to write, replaced where it exists; whoever calls takes it away where a video fails
+    /// path               file to write, replaced where it exists; the caller takes it away where a video fails
     /// size               of all frames, both sides even
     /// frames_per_second  of play, > 0
     ///

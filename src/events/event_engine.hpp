@@ -129,7 +129,7 @@ public:
     enum class Presence {
         flies, ///< yes
         lies,  ///< no: it is struck where it lies, with the mass that it has, and is away from then on
-        away,  ///< no: nobody meets it
+        away,  ///< no: nothing meets it
     };
     /// Give a body to others, or take it back.  state  at the engine's time
     void place(int body, Presence presence, const BodyState& state);

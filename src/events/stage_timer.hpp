@@ -3,7 +3,7 @@
 namespace flying {
 
 
-/// Adds the time of its own life to a sum, where somebody lent a clock.
+/// Adds the time of its own life to a sum, where a clock was lent.
 class StageTimer
 {
 public:

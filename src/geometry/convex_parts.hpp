@@ -17,7 +17,7 @@ namespace flying {
 /// vertices.
 ///
 /// No part has a side of the polygon and a cut in one line, one after the other: what lies on such a line would lie on
-/// both, and whoever asks for contacts with sides alone could not tell the two apart by their normals. A plus sign is
+/// both, and a search for contacts with sides alone could not tell the two apart by their normals. A plus sign is
 /// cut into five and not into three.
 ///
 /// polygon  as `make_polygon` returns it; the parts lie in its frame

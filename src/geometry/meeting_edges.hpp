@@ -7,7 +7,7 @@
 
 namespace flying {
 
-/// An edge of a ring that nobody has checked yet.
+/// An edge of a ring that is not checked yet.
 struct GivenEdge
 {
     std::size_t ring = 0;

@@ -20,7 +20,7 @@ public:
     /// at        where the fault stands in the text
     /// label     what it is about, such as `body "left", shape.radius`; may be empty
     void add(const toml::source_position& at, const std::string& label, std::string found, std::string expected);
-    /// The same of a key that nobody knows: all that was asked for is there.
+    /// The same of an unknown key: all that was asked for is there.
     void add_unknown_key(const toml::source_position& at, const std::string& label, std::string found,
                          std::string expected);
 

@@ -12,7 +12,7 @@
 #define TOML_ENABLE_FORMATTERS 0
 #define TOML_MAX_NESTED_VALUES 32
 
-// The library's parser asserts, of some bytes that its caller wrote, that nobody writes them ("[1, }"), and goes on to
+// The library's parser asserts, of some bytes that its caller wrote, that they are never written ("[1, }"), and goes on to
 // refuse them properly. Such an assertion would end the program, and where assertions are off, clang would be told to
 // rely on it; so it is made to say nothing, whether or not this build has assertions.
 #define TOML_ASSERT(expr) static_assert(true)

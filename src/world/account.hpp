@@ -13,7 +13,7 @@
 /// What a report says, worked out from the engine's bodies and counts.
 namespace flying {
 
-/// One body at one moment, whoever moves it.
+/// One body at one moment, by whichever integrator it moves.
 struct BodyView
 {
     BodyState state;

@@ -93,14 +93,9 @@ Trial oblique()
     return trial;
 }
 
-/// Blocks on a slope, as gravity that is tilted: some slide, some stay.
-Trial incline()
+/// Two seconds on a slope, to be filled with bodies.
+Scene& lay_on_slope(Trial& trial)
 {
-    Trial trial;
-    trial.name = "incline";
-    trial.title = "blocks on a slope of 20 degrees, friction 0 to 0.5";
-    trial.why = "friction acts all the time: how far each block has slid after two seconds";
-    trial.truth = "constant acceleration g (sin t - mu cos t), or none";
     trial.until = 2.0;
     trial.looks = looks_every(0.5, trial.until);
     trial.rests = true;
@@ -109,6 +104,18 @@ Trial incline()
     scene.world.restitution = 0.0;
     scene.world.friction = 0.5;
     scene.world.box = BoxDef{Vec2(-10.0, 0.0), Vec2(200.0, 20.0)};
+    return scene;
+}
+
+/// Blocks on a slope, as gravity that is tilted: some slide, some stay.
+Trial incline()
+{
+    Trial trial;
+    trial.name = "incline";
+    trial.title = "blocks on a slope of 20 degrees, friction 0 to 0.5";
+    trial.why = "friction acts all the time: how far each block has slid after two seconds";
+    trial.truth = "constant acceleration g (sin t - mu cos t), or none";
+    Scene& scene = lay_on_slope(trial);
     std::vector<double> frictions;
     for (int k = 0; k < 8; ++k) {
         const double mu = 0.07 * k;
@@ -136,14 +143,7 @@ Trial rolling()
     trial.title = "discs that roll down a slope";
     trial.why = "way and turn must fit each other while friction, not known beforehand, holds the point of contact";
     trial.truth = "two thirds of what a smooth slope would give";
-    trial.until = 2.0;
-    trial.looks = looks_every(0.5, trial.until);
-    trial.rests = true;
-    Scene& scene = trial.scene;
-    scene.world.field = UniformField{k_tilted};
-    scene.world.restitution = 0.0;
-    scene.world.friction = 0.5;
-    scene.world.box = BoxDef{Vec2(-10.0, 0.0), Vec2(200.0, 20.0)};
+    Scene& scene = lay_on_slope(trial);
     std::vector<double> radii;
     for (int k = 0; k < 8; ++k) {
         radii.push_back(0.25 + 0.05 * k);
