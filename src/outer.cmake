@@ -45,7 +45,7 @@ flying_light(flying_play)
 pkg_check_modules(GTKMM IMPORTED_TARGET gtkmm-4.0)
 if(GTKMM_FOUND)
     flying_module(window play files)
-    target_link_libraries(flying_window PUBLIC PkgConfig::GTKMM)
+    target_link_libraries(flying_window PRIVATE PkgConfig::GTKMM)
     # gtkmm's headers take longer to read than all of these files: read them once
     set_target_properties(flying_window PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
     flying_light(flying_window)
