@@ -28,19 +28,25 @@ function unfold() {
     for (const details of document.querySelectorAll('details:not(.receipt):not(.inner)')) details.open = true;
 }
 
-// In the page: the number behind each line of the contents and each place of the index; how many have none
+// In the page: the number behind each line of the contents and each place of the index, and where an answer is; how many
+// have none. Of two places of a term on one page the index names one.
 function setNumbers(pages) {
     let without = 0;
-    for (const link of document.querySelectorAll('.to a[href^="#"], #terms a[href^="#"]')) {
+    for (const link of document.querySelectorAll('.to a[href^="#"], #terms a[href^="#"], .try a[href^="#"]')) {
         const number = pages[decodeURIComponent(link.hash.slice(1))];
         if (!number) ++without;
         else link.dataset.page = number;
+        const before = link.previousElementSibling;
+        if (!number || !link.closest('#terms') || !before || Number(before.dataset.page) !== number) continue;
+        link.previousSibling.remove();
+        link.remove();
     }
     return without;
 }
 
-async function print(browser) {
-    const { data } = await browser.send('Page.printToPDF', { preferCSSPageSize: true, printBackground: true, generateDocumentOutline: true, generateTaggedPDF: true });
+async function print(browser, isLast) {
+    const { data } = await browser.send('Page.printToPDF',
+        { preferCSSPageSize: true, printBackground: true, generateDocumentOutline: isLast, generateTaggedPDF: isLast });
     fs.writeFileSync(`${file}.part`, Buffer.from(data, 'base64'));
     return pagesOf(`${file}.part`);
 }
@@ -55,11 +61,11 @@ async function main() {
     await browser.ask('document.fonts.ready.then(() => true)');
     await browser.ask(`(${unfold})()`);
 
-    let pages = await print(browser);
+    let pages = await print(browser, false);
     for (let tries = 1; ; ++tries) {
         const without = await browser.ask(`(${setNumbers})(${JSON.stringify(pages)})`);
         if (without) throw new Error(`${without} lines of the contents or the index lead nowhere`);
-        const after = await print(browser);
+        const after = await print(browser, true);
         const isSame = JSON.stringify(after) === JSON.stringify(pages);
         pages = after;
         if (isSame) break;

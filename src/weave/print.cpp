@@ -1,7 +1,9 @@
 #include "weave/print.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -14,6 +16,9 @@ namespace {
 
 /// What follows the chapters, in this order. What isn't here is for a screen: the playground, the sources, the counts.
 constexpr const char* k_behind[] = {"answers", "glossary", "terms", "symbols", "equations", "teachers", "about"};
+
+/// Sections that every chapter has: the contents leave them out.
+constexpr std::string_view k_everywhere[] = {"what-you-need", "exercises", "summary", "further-reading", "symbols"};
 
 /// Rewrites what stands between `open` and the next quotation mark, wherever `open` occurs.
 template <typename Rewrite>
@@ -67,11 +72,12 @@ std::string contents(const Material& material, const std::vector<const FinishedP
         if (own != part)
             out += fmt::format("{}<h2>{}</h2><ol>", part.empty() ? "" : "</ol>", escape_html(own));
         part = own;
-        out += "<li>" + contents_line(page.name, is_chapter ? std::to_string(chapter->number) : "", page.title);
+        out += "<li>" + contents_line(page.name, is_chapter ? chapter->label() : "", page.title);
         if (is_chapter) {
             out += "<ul>";
             for (const Section& section : page.sections)
-                if (section.level == 2)
+                if (section.level == 2 && std::find(std::begin(k_everywhere), std::end(k_everywhere), section.anchor) ==
+                                              std::end(k_everywhere))
                     out += "<li>" + contents_line(page.name + "." + section.anchor, "", section.title) + "</li>";
             out += "</ul>";
         }
@@ -115,7 +121,7 @@ std::string page_for_print(const Material& material, const std::vector<FinishedP
         "<link rel=\"stylesheet\" href=\"katex/katex.min.css\">\n<link rel=\"stylesheet\" href=\"theme/book.css\">\n"
         "<script src=\"live.js\" defer></script>{1}\n</head>\n<body class=\"print\">\n<main>\n"
         "<header class=\"cover\"><h1>{0}</h1><p>{2}</p>{3}</header>\n"
-        "<nav class=\"leaf to\" id=\"contents\" aria-label=\"Contents\"><h1>Contents</h1>{4}</nav>\n{5}</main>\n"
+        "<nav class=\"leaf to\" id=\"contents\" aria-label=\"Contents\"><h1>Contents</h1><div class=\"columns\">{4}</div></nav>\n{5}</main>\n"
         "</body>\n</html>\n",
         title, scripts, escape_html(material.book.brief), version, contents(material, chosen), text);
 }
