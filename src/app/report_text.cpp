@@ -62,6 +62,14 @@ std::string energy_text(const Report& report)
     return text;
 }
 
+/// How islands were solved, and what was done to them besides.
+[[nodiscard]] std::string rest_text(const RestAccount& rest)
+{
+    return fmt::format("  islands at rest: {} swept, {} unsolved, {} in parts, {} projected, {} limited by {:.3g} J; {} in all\n",
+                       grouped(rest.swept), grouped(rest.unsolved), grouped(rest.parts), grouped(rest.projected),
+                       grouped(rest.limited), rest.energy_limited, grouped(rest.islands));
+}
+
 } // namespace
 
 std::string report_text(const Scene& scene, const Report& report, const RunSeconds& seconds,
@@ -96,6 +104,7 @@ std::string stats_text(const Report& report, const RunSeconds& seconds)
     }
     text += fmt::format("  {:<36}{:>14.6f}{:>7.1f} %\n", "engine", seconds.engine, 100.0);
     text += fmt::format("  {:<36}{:>14.6f}\n", "drawing and writing", std::max(0.0, seconds.wall - seconds.engine));
+    if (report.rest) text += rest_text(*report.rest);
     text += fmt::format("  {:.4g} events/s, {:.4g} collisions/s\n", static_cast<double>(report.events) / engine,
                         static_cast<double>(report.collisions) / engine);
     return text;

@@ -67,6 +67,14 @@ Json stages_json(const std::vector<StageCost>& stages)
     return json;
 }
 
+Json rest_json(const RestAccount& rest)
+{
+    return {{"islands", rest.islands},     {"solved", rest.solved},
+            {"swept", rest.swept},         {"unsolved", rest.unsolved},
+            {"parts", rest.parts},         {"projected", rest.projected},
+            {"limited", rest.limited},     {"energy_limited", rest.energy_limited}};
+}
+
 Json handovers_json(const std::vector<Handover>& handovers)
 {
     Json json = Json::array();
@@ -124,6 +132,7 @@ std::string report_json(const Report& report, double wall_seconds, const std::op
         {"plan", plan_json(report.plan)},
         {"stages", stages_json(report.stages)},
         {"wall_seconds", wall_seconds}};
+    if (report.rest) json["rest"] = rest_json(*report.rest);
     if (failure)
         json["failure"] = {{"time", failure->time}, {"bodies", failure->bodies}, {"message", failure->message}};
 

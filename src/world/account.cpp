@@ -133,6 +133,22 @@ std::vector<StageCost> stage_costs(const RestCounts& counts, const RestSeconds& 
 
 
 
+RestAccount rest_account(const RestCounts& counts, const SolveCounts& solves)
+{
+    RestAccount account;
+    account.islands = counts.groups;
+    account.solved = solves.accepted + solves.solved;
+    account.swept = solves.swept;
+    account.unsolved = solves.unsolved;
+    account.parts = counts.parts;
+    account.projected = counts.projected;
+    account.limited = counts.limited;
+    account.energy_limited = counts.energy_limited;
+    return account;
+}
+
+
+
 Handover describe(const Hybrid::Change& change, const Scene& scene)
 {
     using Why = Hybrid::Change::Why;

@@ -47,6 +47,8 @@ struct Account
 [[nodiscard]] std::vector<StageCost> stage_costs(const EventCounts& counts, const EventSeconds& seconds);
 [[nodiscard]] std::vector<StageCost> stage_costs(const RestCounts& counts, const RestSeconds& seconds);
 
+[[nodiscard]] RestAccount rest_account(const RestCounts& counts, const SolveCounts& solves);
+
 /// A hand-over in the words of the scene.
 [[nodiscard]] Handover describe(const Hybrid::Change& change, const Scene& scene);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -56,6 +57,20 @@ struct EnergyLedger
     double handovers = 0.0; ///< hand-overs, and blows to bodies that lay [J]
 };
 
+/// How the steps of the resting integrator were made, since the world was made or resumed: how islands were solved, and
+/// how often something other than forces of contact changed what their bodies do.
+struct RestAccount
+{
+    std::int64_t islands = 0;    ///< in all steps, and in parts of them
+    std::int64_t solved = 0;     ///< searches for impulses that ended at rounding, those that had nothing to change included
+    std::int64_t swept = 0;      ///< that ended with what sweeps could do: the island was too large to be solved whole
+    std::int64_t unsolved = 0;   ///< of which no solution was found: the best impulses that were met have acted
+    std::int64_t parts = 0;      ///< steps that were made in parts, since they ended early
+    std::int64_t projected = 0;  ///< islands whose overlap was taken off by moving bodies apart
+    std::int64_t limited = 0;    ///< islands slowed down, so that they have no more energy than before
+    double energy_limited = 0.0; ///< the energy that this took [J]
+};
+
 /// The world at one moment, and what it took to get there.
 struct Report
 {
@@ -73,6 +88,7 @@ struct Report
     std::uint64_t hash = 0;   ///< of the log of events and the final state
     Plan plan;
     std::vector<StageCost> stages;
+    std::optional<RestAccount> rest; ///< where anything ever leant on anything
     std::vector<BodyReport> bodies; ///< in the scene's order
 };
 

@@ -296,6 +296,7 @@ Report World::report()
     if (rest) {
         const std::vector<StageCost> more = stage_costs(rest->counts(), rest->seconds());
         report.stages.insert(report.stages.end(), more.begin(), more.end());
+        report.rest = rest_account(rest->counts(), rest->solve_counts());
     }
     return report;
 }

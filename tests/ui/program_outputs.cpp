@@ -50,6 +50,7 @@ static = true
         CHECK(report.contains(key));
     }
     CHECK(!report.contains("failure"));
+    CHECK(!report.contains("rest")); // the two only fly
     CHECK(report["time"] == 1.0);
     CHECK(report["engine"] == "events");
     CHECK(report["collisions"] == 1);
@@ -169,4 +170,20 @@ TEST_CASE("an older file is replaced, a link is followed, a device is written to
     CHECK(
         json::parse(folder.run("$FLYING simulate s.toml --quiet --report /dev/stdout | cat").output).contains("hash"));
     CHECK(folder.run("$FLYING simulate s.toml --quiet --report /dev/null && test -c /dev/null").status == 0);
+}
+
+TEST_CASE("how the steps of a pile were made stands in its report, and on one line of --stats")
+{
+    const Folder folder;
+    REQUIRE(folder.run("$FLYING generate stack --count 6 --until 1 > s.toml").status == 0);
+    const Outcome outcome = folder.run("$FLYING simulate s.toml --report r.json --stats");
+    REQUIRE(outcome.status == 0);
+    const json rest = json::parse(folder.read("r.json"))["rest"];
+    for (const char* key : {"islands", "solved", "swept", "unsolved", "parts", "projected", "limited", "energy_limited"}) {
+        CAPTURE(key);
+        CHECK(rest.contains(key));
+    }
+    CHECK(rest["islands"] > 0);
+    CHECK(rest["unsolved"] == 0);
+    CHECK(contains(outcome.output, "islands at rest: 0 swept, 0 unsolved"));
 }
