@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <regex>
+#include <tuple>
 
 #include <fmt/format.h>
 #define TOML_HEADER_ONLY 1
@@ -25,6 +26,7 @@ ChapterEntry read_chapter(const toml::table& table, Problems& problems)
     ChapterEntry entry;
     entry.line = line_of(table);
     entry.number = table["number"].value_or(-1);
+    entry.appendix = table["appendix"].value_or(std::string());
     entry.name = table["name"].value_or(std::string());
     entry.title = table["title"].value_or(std::string());
     entry.part = table["part"].value_or(std::string());
@@ -57,6 +59,21 @@ ChapterEntry read_chapter(const toml::table& table, Problems& problems)
 
 } // namespace
 
+std::string ChapterEntry::called() const
+{
+    return (appendix.empty() ? "chapter " : "appendix ") + label();
+}
+
+std::string ChapterEntry::called_first() const
+{
+    return (appendix.empty() ? "Chapter " : "Appendix ") + label();
+}
+
+std::string ChapterEntry::command_name() const
+{
+    return appendix.empty() ? fmt::format("{:02}", number) : appendix;
+}
+
 std::string ChapterEntry::page() const
 {
     return fmt::format("chapter_{:02}", number);
@@ -67,6 +84,12 @@ const ChapterEntry* Book::chapter(int number) const
     const auto found = std::find_if(chapters.begin(), chapters.end(),
                                     [number](const ChapterEntry& entry) { return entry.number == number; });
     return found == chapters.end() ? nullptr : &*found;
+}
+
+std::string Book::label(int number) const
+{
+    const ChapterEntry* const entry = chapter(number);
+    return entry == nullptr ? std::to_string(number) : entry->label();
 }
 
 Book read_book(const std::filesystem::path& source, Problems& problems)
@@ -100,7 +123,9 @@ Book read_book(const std::filesystem::path& source, Problems& problems)
     if (const toml::table* modules = table["modules"].as_table())
         for (const auto& [name, says] : *modules) book.modules[std::string(name.str())] = says.value_or(std::string());
     std::sort(book.chapters.begin(), book.chapters.end(),
-              [](const ChapterEntry& a, const ChapterEntry& b) { return a.number < b.number; });
+              [](const ChapterEntry& a, const ChapterEntry& b) {
+                  return std::tie(a.appendix, a.number) < std::tie(b.appendix, b.number);
+              });
 
     for (const ChapterEntry& entry : book.chapters)
         for (const int need : entry.needs)

@@ -19,7 +19,8 @@ struct Run
 /// A chapter as `chapters/book.toml` lists it.
 struct ChapterEntry
 {
-    int number = 0;
+    int number = 0;                 ///< of its folder: it needs, and its files include, what has a lower one
+    std::string appendix;           ///< its letter, where it is an appendix: these come last, whatever their number
     std::string name;               ///< of its folder under `chapters`, such as `02-rectangle`
     std::string title;              ///< what the heading of its page says
     std::string part;               ///< heading under which the contents list it
@@ -33,6 +34,14 @@ struct ChapterEntry
     bool written = false;           ///< its text is there: every rule applies to it and to its files
     int line = 0;                   ///< in book.toml
 
+    /// `2`, or `A`: what stands before its title, its equations and its figures.
+    [[nodiscard]] std::string label() const { return appendix.empty() ? std::to_string(number) : appendix; }
+    /// `chapter 2`, or `appendix A`.
+    [[nodiscard]] std::string called() const;
+    /// `Chapter 2`, or `Appendix A`.
+    [[nodiscard]] std::string called_first() const;
+    /// `02`, or `A`: what commands take.
+    [[nodiscard]] std::string command_name() const;
     /// `chapter_02`: the name of its page.
     [[nodiscard]] std::string page() const;
     /// `chapters/02-rectangle`
@@ -47,11 +56,13 @@ struct Book
     std::string front;       ///< what its first page says, above the contents; Markdown
     bool is_playable = false; ///< it runs scenes of this project's engine: a playground, and a figure on the first page
     std::string version;                ///< of the project, as CMakeLists.txt has it; empty where it has none
-    std::vector<ChapterEntry> chapters; ///< in the order of their numbers
+    std::vector<ChapterEntry> chapters; ///< in the order of their numbers, then the appendices by their letters
     std::map<std::string, std::string> modules; ///< what each module of src does, in a line
 
     /// The chapter of that number, or null.
     [[nodiscard]] const ChapterEntry* chapter(int number) const;
+    /// Its label, or the number where there is no such chapter.
+    [[nodiscard]] std::string label(int number) const;
 };
 
 /// Reads `chapters/book.toml` of the project in `source`. What is wrong with it goes to `problems`, and what could be

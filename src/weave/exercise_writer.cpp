@@ -16,7 +16,7 @@ std::string block_token(const std::string& token)
 
 std::string exercise_title(const Chapter& chapter, const Exercise& exercise)
 {
-    return fmt::format("{}.{} \u00b7 {}", chapter.entry.number, exercise.name.substr(1), exercise.text.title);
+    return fmt::format("{}.{} \u00b7 {}", chapter.entry.label(), exercise.name.substr(1), exercise.text.title);
 }
 
 } // namespace
@@ -31,10 +31,10 @@ std::string TextWriter::exercise(const Chapter& chapter, const Block& block)
         out += blocks(chapter, exercise.text);
         if (exercise.in_code && std::filesystem::exists(material_.folders.project / "course"))
             out +=
-                block_token(fragments_.add_html(fmt::format("<p class=\"try\"><code>./course start {0:02}</code> puts "
+                block_token(fragments_.add_html(fmt::format("<p class=\"try\"><code>./course start {0}</code> puts "
                                                             "the beginning into <code>my/{1}/{2}.hpp</code>; "
-                                                            "<code>./course check {0:02}</code> tries it.</p>",
-                                                            chapter.entry.number, chapter.entry.name, exercise.name)));
+                                                            "<code>./course check {0}</code> tries it.</p>",
+                                                            chapter.entry.command_name(), chapter.entry.name, exercise.name)));
         if (exercise.hint) {
             out += block_token(fragments_.add_html("<details><summary>Hint</summary>"));
             out += blocks(chapter, *exercise.hint) + block_token(fragments_.add_html("</details>"));
@@ -54,7 +54,7 @@ std::string TextWriter::answer_anchor(const Chapter& chapter, const Exercise& ex
 
 std::string TextWriter::answers(const Chapter& chapter)
 {
-    std::string out = heading(2, fmt::format("Chapter {}: {}", chapter.entry.number, chapter.entry.title));
+    std::string out = heading(2, fmt::format("{}: {}", chapter.entry.called_first(), chapter.entry.title));
     for (const Exercise& exercise : chapter.exercises) {
         out += block_token(fragments_.add_html(fmt::format("<section class=\"exercise\" id=\"{}\"><h3>{}</h3>",
                                                            answer_anchor(chapter, exercise),

@@ -8,6 +8,7 @@
 
 #include "weave/frame.hpp"
 #include "weave/markdown.hpp"
+#include "weave/print.hpp"
 #include "weave/text.hpp"
 
 namespace flying::weave {
@@ -361,9 +362,12 @@ void finish_pages(const Material& material, const Pages& pages, const std::vecto
             problems.add({path.filename().string(), 0}, "a page that can't be written", "a folder to write to");
     };
     Finisher finisher(material, pages.fragments.list(), formulas, manual, html, problems);
-    for (const Page& page : pages.list)
-        write(html / (page.name + ".html"),
-              framed(material, page, finisher.replace(markdown_to_html(page.markdown)), ""));
+    std::vector<FinishedPage> finished_pages;
+    for (const Page& page : pages.list) {
+        finished_pages.push_back({&page, finisher.replace(markdown_to_html(page.markdown))});
+        write(html / (page.name + ".html"), framed(material, page, finished_pages.back().body, ""));
+    }
+    write(html / fmt::format("{}.html", k_print_page), page_for_print(material, finished_pages));
 
     const std::map<std::string, std::string> notes = chapter_notes(material);
     std::map<std::string, std::string> by_page; // note by page of the manual

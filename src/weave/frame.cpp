@@ -45,7 +45,7 @@ std::string book_list(const Material& material, const Page& page, const std::str
         if (chapter.part != part)
             out += fmt::format("{}<p>{}</p><ol>", part.empty() ? "" : "</ol>", escape_html(chapter.part));
         part = chapter.part;
-        out += entry(page, chapter.page(), std::to_string(chapter.number), chapter.title, root);
+        out += entry(page, chapter.page(), chapter.label(), chapter.title, root);
     }
     if (!part.empty()) out += "</ol>";
     out += "<p>Study</p><ol>";

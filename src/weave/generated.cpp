@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
@@ -97,7 +98,7 @@ std::string chapter_map(const Book& book)
             "<text class=\"name\" x=\"{6}\" y=\"{7}\">{8} \u00b7 {9}</text><text class=\"part\" x=\"{6}\" "
             "y=\"{10}\">{11}</text></g>",
             entry.written ? "written" : "planned", escape_html(entry.question), spot.x(), spot.y(), k_box_width,
-            k_box_height, spot.x() + k_box_width / 2, spot.y() + 25, entry.number, escape_html(entry.title),
+            k_box_height, spot.x() + k_box_width / 2, spot.y() + 25, entry.label(), escape_html(entry.title),
             spot.y() + 45, entry.written ? escape_html(entry.part) : "not written yet");
         boxes += entry.written ? fmt::format("<a href=\"{}.html\">{}</a>", entry.page(), box) : box;
     }
@@ -120,14 +121,16 @@ std::string contents(const Material& material)
     std::string part;
     for (const ChapterEntry& entry : material.book.chapters) {
         if (entry.part != part)
-            out += fmt::format("{}<h2>{}</h2><ol>", part.empty() ? "" : "</ol>", escape_html(entry.part));
+            out += fmt::format("{}<h2>{}</h2><ol{}>", part.empty() ? "" : "</ol>", escape_html(entry.part),
+                               entry.appendix.empty() ? "" : " type=\"A\"");
         part = entry.part;
         const std::string title = escape_html(entry.title);
         std::string needs;
-        for (const int need : entry.needs) needs += (needs.empty() ? "builds on " : ", ") + std::to_string(need);
+        for (const int need : entry.needs) needs += (needs.empty() ? "builds on " : ", ") + material.book.label(need);
         out += fmt::format(
             "<li value=\"{}\">{} <span class=\"question\">{}</span> <span class=\"needs\">{}{}</span></li>",
-            entry.number, entry.written ? fmt::format("<a href=\"{}.html\">{}</a>", entry.page(), title) : title,
+            entry.appendix.empty() ? entry.number : entry.appendix[0] - 'A' + 1,
+            entry.written ? fmt::format("<a href=\"{}.html\">{}</a>", entry.page(), title) : title,
             escape_html(entry.question), needs,
             entry.written ? "" : (needs.empty() ? "" : "; ") + std::string("not written yet"));
     }
@@ -141,8 +144,13 @@ std::string equation_index(const Material& material, Fragments& fragments)
     std::vector<const Numbered*> all;
     for (const auto& [id, numbered] : material.numbered) all.push_back(&numbered);
     std::sort(all.begin(), all.end(), [](const Numbered* a, const Numbered* b) {
-        const auto count = [](const Numbered* n) { return std::stoi(n->number.substr(n->number.find('.') + 1)); };
-        return std::pair(a->chapter, count(a)) < std::pair(b->chapter, count(b));
+        const auto place = [](const Numbered* n) { // appendices have letters, which come after the chapters
+            const std::size_t dot = n->number.find('.');
+            const std::string label = n->number.substr(0, dot);
+            const bool is_appendix = label.find_first_not_of("0123456789") != std::string::npos;
+            return std::tuple(is_appendix, is_appendix ? label[0] : std::stoi(label), std::stoi(n->number.substr(dot + 1)));
+        };
+        return place(a) < place(b);
     });
     int equations = 0;
     int definitions = 0;
@@ -218,7 +226,7 @@ std::string symbol_table(const Material& material, TextWriter& writer)
         std::string line = fmt::format("| ${}$ | {} | {} | {} |", symbol.tex, symbol.meaning, symbol.unit,
                                        symbol.code.empty() ? "" : "`" + symbol.code + "`");
         for (const Chapter* chapter : row.chapters)
-            line += fmt::format(" {{{{ch:{}|{}}}}}", chapter->entry.name.substr(3), chapter->entry.number);
+            line += fmt::format(" {{{{ch:{}|{}}}}}", chapter->entry.name.substr(3), chapter->entry.label());
         out += writer.inline_text({{symbol.place.line, line + " |"}}, symbol.place.file);
     }
     return out;

@@ -74,7 +74,7 @@ public:
             if (is_formula) add(block, page);
             if (block.kind == BlockKind::figure || block.kind == BlockKind::live)
                 material_.figures.emplace(chapter_.entry.name + "/" + figure_key(block),
-                                          fmt::format("{}.{}", chapter_.entry.number, ++figures_));
+                                          fmt::format("{}.{}", chapter_.entry.label(), ++figures_));
             if (block.kind != BlockKind::exercise) continue;
             for (const Exercise& exercise : chapter_.exercises) {
                 if (exercise.name != block.name) continue;
@@ -90,8 +90,7 @@ private:
     {
         Numbered numbered;
         numbered.kind = block.kind;
-        numbered.number = fmt::format("{}.{}", chapter_.entry.number, ++count_);
-        numbered.chapter = chapter_.entry.number;
+        numbered.number = fmt::format("{}.{}", chapter_.entry.label(), ++count_);
         numbered.page = page;
         numbered.anchor = "eq-" + slug(block.name);
         numbered.block = &block;
@@ -160,7 +159,7 @@ fs::path drawn_file(const Material& material, const Chapter& chapter, const std:
 
 std::string page_title(const ChapterEntry& entry)
 {
-    return fmt::format("{} \u00b7 {}", entry.number, entry.title);
+    return fmt::format("{} \u00b7 {}", entry.label(), entry.title);
 }
 
 } // namespace flying::weave

@@ -46,7 +46,6 @@ struct Numbered
 {
     BlockKind kind = BlockKind::equation;
     std::string number; ///< `4.7`
-    int chapter = 0;
     std::string page;   ///< name of the page, without .html
     std::string anchor; ///< on it
     const Block* block = nullptr;

@@ -35,7 +35,7 @@ std::string masthead(const Material& material, const ChapterEntry& entry)
     for (const int number : entry.needs) {
         const ChapterEntry* other = material.book.chapter(number);
         if (other == nullptr) continue;
-        const std::string words = fmt::format("{} {}", number, escape_html(other->title));
+        const std::string words = fmt::format("{} {}", other->label(), escape_html(other->title));
         needs += (needs.empty() ? "" : ", ") + (other->written ? link(*other, words, "reference") : words);
     }
     return fmt::format("<p class=\"question\">{}</p>{}", escape_html(entry.question),
@@ -156,8 +156,8 @@ Pages make_pages(const Material& material, const Counts& counts, Problems& probl
         Page page;
         page.name = chapter.entry.page();
         page.title = chapter.entry.title;
-        page.over = fmt::format("<p class=\"part\">{} \u00b7 Chapter {}</p>", escape_html(chapter.entry.part),
-                                chapter.entry.number);
+        page.over = fmt::format("<p class=\"part\">{} \u00b7 {}</p>", escape_html(chapter.entry.part),
+                                chapter.entry.called_first());
         page.under = masthead(material, chapter.entry);
         page.foot = neighbours(material, k);
         Block symbols;

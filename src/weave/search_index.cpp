@@ -52,7 +52,7 @@ public:
     void close()
     {
         const bool is_head = anchor_.empty();
-        const std::string where = is_head ? fmt::format("Chapter {}", chapter_.entry.number) : chapter_name();
+        const std::string where = is_head ? chapter_.entry.called_first() : chapter_name();
         entry(section_, where, address(), is_head ? k_chapter : k_section,
               words_ + (is_head ? chapter_.entry.question : ""));
         words_.clear();
@@ -96,7 +96,7 @@ private:
         case BlockKind::exercise:
             for (const Exercise& exercise : chapter_.exercises)
                 if (exercise.name == block.name)
-                    entry(fmt::format("Exercise {}.{}: {}", chapter_.entry.number, block.name.substr(1),
+                    entry(fmt::format("Exercise {}.{}: {}", chapter_.entry.label(), block.name.substr(1),
                                       exercise.text.title),
                           chapter_name(), page_ + "#exercise-" + block.name, k_figure, exercise.text.title);
             return;

@@ -18,7 +18,7 @@ std::string goals_box(const ChapterEntry& entry)
 std::string run_box(const ChapterEntry& entry, const std::string& program)
 {
     const auto row = [&](const std::string& options, const std::string& what) {
-        return fmt::format("<li><code>./course chapter {:02}{}</code> {}</li>", entry.number,
+        return fmt::format("<li><code>./course chapter {}{}</code> {}</li>", entry.command_name(),
                            options.empty() ? "" : " " + escape_html(options), escape_html(what));
     };
     std::string rows = row(program, "this output");

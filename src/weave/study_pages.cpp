@@ -73,7 +73,7 @@ std::string index_of_terms(const Material& material, const std::vector<std::stri
                 for (const std::string& term : terms) {
                     if (!mentions(words, lower(term)) || !here.insert(term).second) continue;
                     places[term].push_back(fmt::format("<a href=\"{0}.html{1}\">{2}&nbsp;{3}</a>", chapter.entry.page(),
-                                                       anchor.empty() ? "" : "#" + anchor, chapter.entry.number,
+                                                       anchor.empty() ? "" : "#" + anchor, chapter.entry.label(),
                                                        escape_html(title)));
                 }
             }
@@ -98,12 +98,12 @@ std::string plan_table(const Material& material)
         const ChapterEntry& entry = chapter.entry;
         hours += entry.hours;
         std::string needs;
-        for (const int need : entry.needs) needs += (needs.empty() ? "" : ", ") + std::to_string(need);
+        for (const int need : entry.needs) needs += (needs.empty() ? "" : ", ") + material.book.label(need);
         const auto in_code = std::count_if(chapter.exercises.begin(), chapter.exercises.end(),
                                            [](const Exercise& exercise) { return exercise.in_code; });
         rows += fmt::format("<tr><td>{}</td><td><a href=\"{}.html\">{}</a></td><td>{}</td><td>{}</td><td>{}, {} in "
                             "code</td></tr>",
-                            entry.number, entry.page(), escape_html(entry.title), entry.hours, needs,
+                            entry.label(), entry.page(), escape_html(entry.title), entry.hours, needs,
                             chapter.exercises.size(), in_code);
     }
     return fmt::format(

@@ -237,8 +237,8 @@ std::string TextWriter::insert(const std::string& text, Site site, const Place& 
     if (insert.kind == "ch") {
         for (const ChapterEntry& entry : material_.book.chapters) {
             if (entry.name.substr(std::min<std::size_t>(3, entry.name.size())) != insert.name) continue;
-            const char* const word = site == Site::sentence_start ? "Chapter" : "chapter";
-            const std::string words = insert.format.empty() ? fmt::format("{} {}", word, entry.number) : insert.format;
+            const std::string called = site == Site::sentence_start ? entry.called_first() : entry.called();
+            const std::string words = insert.format.empty() ? called : insert.format;
             if (!entry.written) return words;
             return fragments_.add_html(fmt::format("<a class=\"reference\" title=\"{}\" href=\"{}.html\">{}</a>",
                                                    escape_html(entry.title), entry.page(), escape_html(words)));

@@ -8,7 +8,7 @@
 
 const fs = require('node:fs');
 const path = require('node:path');
-const { Browser } = require('./browser.js');
+const { Browser } = require('../../../docs/browser.js');
 
 const html = path.resolve(process.argv[2]);
 const faults = [];
@@ -154,7 +154,7 @@ async function checkKeyboard(browser) {
 }
 
 async function main() {
-    const all = fs.readdirSync(html).filter((name) => name.endsWith('.html'));
+    const all = fs.readdirSync(html).filter((name) => name.endsWith('.html') && name !== 'print.html');
     const sources = fs.readdirSync(path.join(html, 'manual')).filter((name) => /^(rectangle|geometry_2polygon|one__point|event__queue)_8.pp_source\.html$/.test(name));
     const pages = [...all, ...sources.map((name) => 'manual/' + name)];
     const browser = new Browser();

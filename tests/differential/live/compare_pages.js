@@ -11,7 +11,7 @@ const { execFileSync } = require('node:child_process');
 const fs = require('node:fs');
 const os = require('node:os');
 const path = require('node:path');
-const { Browser } = require('./browser.js');
+const { Browser } = require('../../../docs/browser.js');
 
 const [html, flying, pieces] = process.argv.slice(2).map((name) => path.resolve(name));
 const work = fs.mkdtempSync(path.join(os.tmpdir(), 'flying-pages-'));
@@ -154,7 +154,7 @@ async function checkHands(browser) {
 }
 
 async function main() {
-    const isLive = (name) => name.endsWith('.html') && /<figure class="live/.test(fs.readFileSync(path.join(html, name), 'utf8'));
+    const isLive = (name) => name.endsWith('.html') && name !== 'print.html' && /<figure class="live/.test(fs.readFileSync(path.join(html, name), 'utf8'));
     const pages = fs.readdirSync(html).filter(isLive);
     const browser = new Browser();
     await browser.open();
