@@ -94,6 +94,13 @@ void undo(Stage& stage)
     stage.say(label.empty() ? "Nothing to undo" : "Undone: " + label);
 }
 
+void redo(Stage& stage)
+{
+    const std::string label = stage.run.redo();
+    stage.refresh();
+    stage.say(label.empty() ? "Nothing to redo" : "Redone: " + label);
+}
+
 constexpr auto k_bindings = std::to_array<Binding>({
     {"p space", "P, space", "pause, go on", [](Stage& s) { s.clock.is_paused = !s.clock.is_paused; }},
     {"period", ".", "one frame on", [](Stage& s) { step(s, 1); }},
@@ -103,6 +110,7 @@ constexpr auto k_bindings = std::to_array<Binding>({
     {"plus shift+plus equal kp_add", "+", "time runs faster", [](Stage& s) { set_speed(s, 2.0 * s.clock.speed); }},
     {"minus kp_subtract", "-", "time runs slower", [](Stage& s) { set_speed(s, 0.5 * s.clock.speed); }},
     {"ctrl+z", "Ctrl+Z", "undo", undo},
+    {"ctrl+shift+z ctrl+y", "Ctrl+Y", "redo; also Ctrl+Shift+Z", redo},
     {"home f5", "Home, F5", "reset",
      [](Stage& s) {
          s.run.reset();

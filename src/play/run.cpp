@@ -116,6 +116,7 @@ Faults PlayRun::change(Scene scene, const std::string& label, Crowding crowding)
         moments_.back().undoes = label;
     }
     stroke_ = label;
+    undone_.clear();
     moments_.back().holds_until = time();
     earlier_events_ += world_.events();
     earlier_collisions_ += world_.collisions();
@@ -150,17 +151,44 @@ bool PlayRun::can_undo() const
 std::string PlayRun::undo()
 {
     stroke_.clear();
-    while (moments_.size() > 1 && moments_.back().undoes.empty()) moments_.pop_back();
-    if (moments_.back().undoes.empty()) return {};
+    if (!can_undo()) return {};
+    Undone undone;
+    undone.followed.push_back(moment());
+    while (moments_.back().undoes.empty()) {
+        undone.followed.push_back(std::move(moments_.back()));
+        moments_.pop_back();
+    }
+    std::reverse(undone.followed.begin(), undone.followed.end());
+    undone.before = moments_.back();
+    undone_.push_back(std::move(undone));
     const std::string label = std::exchange(moments_.back().undoes, {});
     moments_.back().holds_until = std::numeric_limits<double>::infinity();
     restore(moments_.back());
     return label;
 }
 
+std::string PlayRun::redo()
+{
+    stroke_.clear();
+    if (undone_.empty()) return {};
+    Undone undone = std::move(undone_.back());
+    undone_.pop_back();
+
+    // What has happened since the undo gives way to what was undone
+    const double start = undone.before.time();
+    while (!moments_.empty() && moments_.back().undoes.empty() && moments_.back().time() >= start) moments_.pop_back();
+    const std::string label = undone.before.undoes;
+    moments_.push_back(std::move(undone.before));
+    for (Moment& moment : undone.followed) moments_.push_back(std::move(moment));
+    restore(moments_.back());
+    forget_some();
+    return label;
+}
+
 void PlayRun::reset()
 {
     stroke_.clear();
+    undone_.clear();
     Expected<World> world = World::make(*first_, options_);
     if (!world) return; // it ran before
     world_ = std::move(world).value();
@@ -176,6 +204,7 @@ void PlayRun::reset()
 bool PlayRun::go_back(double time)
 {
     stroke_.clear();
+    undone_.clear();
     while (moments_.size() > 1 && moments_.back().time() > time) moments_.pop_back();
     Moment& last = moments_.back();
     const double end = std::min(time, last.holds_until);

@@ -70,6 +70,10 @@ public:
     /// Back to before the last change, and what was undone; empty where there is nothing left.
     [[nodiscard]] std::string undo();
     [[nodiscard]] bool can_undo() const;
+    /// Forward again to the moment from which was undone, with the same bits, and what is done again; empty where nothing
+    /// was undone since the last change.
+    [[nodiscard]] std::string redo();
+    [[nodiscard]] bool can_redo() const { return !undone_.empty(); }
     /// Back to the start of the first scene.
     void reset();
     /// Back to an earlier moment, as far as is remembered. True where that was reached.  [s]
@@ -91,6 +95,13 @@ private:
         [[nodiscard]] double time() const { return origin + snapshot->time; }
     };
 
+    /// What an undo took back.
+    struct Undone
+    {
+        Moment before;                ///< as it was, with the change's label
+        std::vector<Moment> followed; ///< up to the moment from which was undone
+    };
+
     PlayRun(World world, std::shared_ptr<const Scene> scene, const WorldOptions& options);
     [[nodiscard]] Moment moment() const;
     void restore(const Moment& moment);
@@ -106,6 +117,7 @@ private:
     int generation_ = 0;
     std::vector<Inertia> inertia_;
     std::deque<Moment> moments_; // in the order of time
+    std::vector<Undone> undone_; // the latest last
     std::string stroke_;         // label of the change that goes on
 };
 

@@ -122,6 +122,7 @@ std::string state_json(const Stage& stage, const std::string& more)
                              spread(stage.watch.drawing), spread(stage.watch.intervals)));
     add("notice", json_text(stage.now < stage.notice.until ? stage.notice.text : std::string()));
     add("can_undo", truth(stage.run.can_undo()));
+    add("can_redo", truth(stage.run.can_redo()));
     add("bodies", bodies_json(stage.run.world()));
     if (!more.empty()) out += ",\n" + more;
     return out + "}\n";

@@ -10,7 +10,7 @@ namespace flying {
 /// All that the stage knows, as JSON text with its line end: time, generation, paused, speed, share, behind, events, collisions, restitution,
 /// friction, field {kind, gravity | mu, radius, centre}, box, tool, arrow_keys, selected, holds, pointer, points, sides, size, layers
 /// [names], colouring, dark, faces_turn, face, ship {body, heading, thrust, burns}, view, surface, map [pixels a metre, x and y of the origin], costs {simulating,
-/// drawing, interval: {median, p95}} [s], notice, can_undo, bodies [{name, static, mover, x, y, angle, vx, vy, spin}].
+/// drawing, interval: {median, p95}} [s], notice, can_undo, can_redo, bodies [{name, static, mover, x, y, angle, vx, vy, spin}].
 /// more  members besides, as JSON: `"scene":"a.toml"`; may be empty
 [[nodiscard]] std::string state_json(const Stage& stage, const std::string& more = {});
 

@@ -187,7 +187,12 @@ void Panel::add_tool_part()
     undo_->set_tooltip_text("Ctrl+Z");
     undo_->signal_clicked().connect([this] { act([this] { press(stage_, "ctrl+z"); }); });
     controls_.emplace_back("Undo", undo_);
-    grid->attach(*undo_, 2, 1);
+    grid->attach(*undo_, 0, 2);
+    redo_ = Gtk::make_managed<Gtk::Button>("Redo");
+    redo_->set_tooltip_text("Ctrl+Shift+Z, Ctrl+Y");
+    redo_->signal_clicked().connect([this] { act([this] { press(stage_, "ctrl+y"); }); });
+    controls_.emplace_back("Redo", redo_);
+    grid->attach(*redo_, 1, 2);
     column_.append(*grid);
 }
 
@@ -258,6 +263,7 @@ void Panel::sync(bool is_filming, bool is_tracing)
     turn_->set_active(stage_.look.faces_turn);
     colouring_->set_selected(static_cast<guint>(stage_.look.colouring));
     undo_->set_sensitive(stage_.run.can_undo());
+    redo_->set_sensitive(stage_.run.can_redo());
     video_->set_label(is_filming ? "End video" : "Video");
     trace_->set_label(is_tracing ? "End trace" : "Trace");
     is_syncing_ = false;

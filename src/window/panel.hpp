@@ -73,6 +73,7 @@ private:
     Gtk::CheckButton* turn_ = nullptr;
     Gtk::DropDown* colouring_ = nullptr;
     Gtk::Button* undo_ = nullptr;
+    Gtk::Button* redo_ = nullptr;
     Gtk::Button* video_ = nullptr;
     Gtk::Button* trace_ = nullptr;
 };

@@ -10,6 +10,7 @@
 #include "scene/generate.hpp"
 #include "scene/read.hpp"
 #include "support/effort.hpp"
+#include "support/scaled_scene.hpp"
 #include "support/worlds.hpp"
 #include "world/world.hpp"
 
@@ -241,36 +242,9 @@ TEST_CASE("lengths, times and masses by powers of two scale a run bit for bit")
             const double length = std::ldexp(1.0, power);
             const double time = std::ldexp(1.0, -power / 3);
             const double density = std::ldexp(1.0, power / 2);
-            Scene scaled = scene;
-            if (auto* field = std::get_if<UniformField>(&scaled.world.field)) field->gravity *= length / (time * time);
-            if (scaled.world.box) {
-                scaled.world.box->min *= length;
-                scaled.world.box->max *= length;
-            }
-            for (BodyDef& body : scaled.bodies) {
-                body.position *= length;
-                body.velocity *= length / time;
-                body.spin /= time;
-                body.density = density;
-                if (auto* disc = std::get_if<DiscDef>(&body.shape)) disc->radius *= length;
-                if (auto* regular = std::get_if<RegularDef>(&body.shape)) regular->radius *= length;
-                if (auto* rectangle = std::get_if<RectangleDef>(&body.shape)) {
-                    rectangle->width *= length;
-                    rectangle->height *= length;
-                }
-                if (auto* square = std::get_if<SquareDef>(&body.shape)) square->side *= length;
-                if (auto* triangle = std::get_if<TriangleDef>(&body.shape)) {
-                    for (double& side : triangle->sides) side *= length;
-                }
-                if (auto* polygon = std::get_if<PolygonDef>(&body.shape)) {
-                    for (Vec2& vertex : polygon->vertices) vertex *= length;
-                    for (auto& hole : polygon->holes) {
-                        for (Vec2& vertex : hole) vertex *= length;
-                    }
-                }
-            }
+            const Scene scaled = in_units(scene, {length, time, density});
             World world = events_of(scaled);
-            (void)world.advance(scene.until * time);
+            (void)world.advance(scaled.until);
             INFO("seed " << seed << ", lengths by 2^" << power);
             CHECK(world.collisions() == plain.collisions());
             for (int k = 0; k < world.body_count(); ++k) {

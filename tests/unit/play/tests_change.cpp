@@ -68,6 +68,44 @@ TEST_CASE("undo brings back what was before the change; without changes there is
     CHECK(stage.run.time() == doctest::Approx(0.7));
 }
 
+TEST_CASE("redo brings back what undo has taken, to the bit, one change after the other; a new change ends that")
+{
+    Stage stage = stage_of(three_bodies());
+    press(stage, "ctrl+y");
+    CHECK(stage.notice.text == "Nothing to redo");
+    play(stage, 0.5);
+    set_friction(stage, 0.4);
+    set_restitution(stage, 0.5); // at the same moment
+    play(stage, 0.5);
+    const std::vector<double> between = numbers_of(stage);
+    set_field(stage, NoField{});
+    play(stage, 0.5);
+    const std::vector<double> last = numbers_of(stage);
+
+    for (int k = 0; k < 3; ++k) {
+        press(stage, "ctrl+z");
+        play(stage, 0.1); // what happens meanwhile gives way
+    }
+    CHECK_FALSE(stage.run.can_undo());
+    press(stage, "ctrl+y");
+    CHECK(stage.notice.text == "Redone: friction");
+    CHECK(stage.run.scene().world.friction == 0.4);
+    CHECK(stage.run.scene().world.restitution == 1.0);
+    press(stage, "ctrl+shift+z");
+    CHECK(stage.run.scene().world.restitution == 0.5);
+    press(stage, "ctrl+y");
+    CHECK(stage.run.time() == doctest::Approx(1.5));
+    CHECK(numbers_of(stage) == last);
+    CHECK_FALSE(stage.run.can_redo());
+
+    // And undone again
+    press(stage, "ctrl+z");
+    CHECK(numbers_of(stage) == between);
+    CHECK(stage.run.can_redo());
+    set_friction(stage, 0.2);
+    CHECK_FALSE(stage.run.can_redo());
+}
+
 TEST_CASE("changes of one stroke are undone together")
 {
     Stage stage = stage_of(three_bodies());
