@@ -46,7 +46,7 @@ function inspect() {
     for (const figure of document.querySelectorAll('figure.picture')) {
         const words = (figure.querySelector('img').alt || '').trim();
         const caption = figure.querySelector('figcaption');
-        if (!/^Figure \d+\.\d+\./.test(caption.textContent)) say('a figure without a number', caption);
+        if (!/^Figure (\d+|[A-Z])\.\d+\./.test(caption.textContent)) say('a figure without a number', caption);
         if (words.length < 10) say('a figure without words', figure);
     }
     for (const element of document.querySelectorAll('a[href], button, summary')) if (shown(element) && !nameOf(element)) say('nothing to call it by', element);
