@@ -11,7 +11,6 @@
 
 namespace flying {
 
-
 EventEngine::EventEngine(std::vector<EventBody> bodies, const EventEngineOptions& options) : options_(options)
 {
     for (EventBody& body : bodies) {
@@ -34,11 +33,7 @@ EventEngine::EventEngine(std::vector<EventBody> bodies, const EventEngineOptions
     predict_all();
 }
 
-
-
 Pose EventEngine::pose(int body) const { return {rows_[body].position, Rotation::of(sheets_[body].angle)}; }
-
-
 
 /// Bound on the speed of any point of a body.  [m/s]
 double EventEngine::top_speed(int body) const
@@ -47,8 +42,6 @@ double EventEngine::top_speed(int body) const
     return rows_[body].velocity.norm() + (spin == 0.0 ? 0.0 : std::abs(spin) * rows_[body].radius);
 }
 
-
-
 EventEngine::Resume EventEngine::resume() const
 {
     Resume resume{now_, log_.value(), max_overlap_, {}, energy_lost_, {}, bounces_};
@@ -56,8 +49,6 @@ EventEngine::Resume EventEngine::resume() const
     for (int body = 0; body < body_count(); ++body) resume.presence.push_back(presence(body));
     return resume;
 }
-
-
 
 void EventEngine::go_on_from(const Resume& resume, const std::vector<BodyState>& states)
 {
@@ -91,8 +82,6 @@ void EventEngine::go_on_from(const Resume& resume, const std::vector<BodyState>&
     predict_all();
 }
 
-
-
 std::optional<EventFailure> EventEngine::advance(double time, std::int64_t most)
 {
     noticed_ = false;
@@ -119,8 +108,6 @@ std::optional<EventFailure> EventEngine::advance(double time, std::int64_t most)
     return std::nullopt;
 }
 
-
-
 std::optional<EventFailure> EventEngine::handle(const Event& event)
 {
     switch (event.kind) {
@@ -130,8 +117,6 @@ std::optional<EventFailure> EventEngine::handle(const Event& event)
     }
     return std::nullopt;
 }
-
-
 
 std::optional<EventFailure> EventEngine::handle_impact(const Event& event)
 {
@@ -150,8 +135,6 @@ std::optional<EventFailure> EventEngine::handle_impact(const Event& event)
     // [events.impact.foresee]
     return std::nullopt;
 }
-
-
 
 /// Impacts in a row, without room between them, after which a pair that sinks is crowded.
 constexpr int k_sinking = 16;
@@ -215,7 +198,6 @@ std::optional<EventFailure> EventEngine::strike(const Event& event, int a, int b
     if (bounces_end) return EventFailure{EventFailure::Kind::settled, event.time, event.a, event.b, *bounces_end};
     if (stays_on) return EventFailure{EventFailure::Kind::stays, event.time, event.a, event.b};
 
-
     const int crowding_a = is_fixed(a) ? 0 : sheets_[a].crowding;
     const int crowding_b = is_fixed(b) ? 0 : sheets_[b].crowding;
     if (std::max(crowding_a, crowding_b) > (sinks ? k_sinking : options_.most_crowded)) {
@@ -224,8 +206,6 @@ std::optional<EventFailure> EventEngine::strike(const Event& event, int a, int b
 
     return std::nullopt;
 }
-
-
 
 /// Bring a body to a moment; tells whether it went anywhere since its last impact.
 bool EventEngine::move_to(int body, double time)
@@ -241,8 +221,6 @@ bool EventEngine::move_to(int body, double time)
     sheets_[body].angle = after.angle;
     return way > tolerance::k_touch * row.radius;
 }
-
-
 
 /// The pair approaches no faster than what presses it together brings about within the tolerance of touching: its hops
 /// can't be told from contact that lasts, however fast it slides or rolls.
@@ -263,8 +241,6 @@ bool EventEngine::is_creeping(int a, int b, double touch) const
     return approach * approach <= 2.0 * press * (k_hop * touch);
 }
 
-
-
 /// New velocities, which make all that was foreseen of the body stale.
 void EventEngine::set_motion(int body, const Vec2& velocity, double spin)
 {
@@ -276,8 +252,6 @@ void EventEngine::set_motion(int body, const Vec2& velocity, double spin)
     forget(body);
 }
 
-
-
 void EventEngine::log_impact(const Event& event, int row_a, int row_b)
 {
     last_impact_ = event;
@@ -288,8 +262,6 @@ void EventEngine::log_impact(const Event& event, int row_a, int row_b)
                         sheets_[row_a].spin, b.position.x(), b.position.y(), b.velocity.x(), b.velocity.y(),
                         sheets_[row_b].angle, sheets_[row_b].spin});
 }
-
-
 
 /// All points at which a pair touches at the time of its impact; where rounding hides even the one that was foreseen, the
 /// search is widened until it shows.
@@ -333,6 +305,5 @@ void EventEngine::add_points()
         max_overlap_ = std::max(max_overlap_, -touch.separation);
     }
 }
-
 
 } // namespace flying

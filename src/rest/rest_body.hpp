@@ -14,7 +14,7 @@ struct RestBody
     Material material;
     Vec2 acceleration = Vec2::Zero(); ///< of a field that is the same everywhere [m/s^2]
     bool is_static = false;           ///< never moves
-    bool is_active = true;            ///< false: not here for now; touches nothing, and keeps its state
+    bool is_active = true;            ///< false: elsewhere; touches nothing, and keeps its state
 };
 
 } // namespace flying

@@ -10,7 +10,6 @@
 namespace flying {
 namespace {
 
-
 [[nodiscard]] BodyReport report_body(const BodyView& body, const std::string& name)
 {
     const auto inverse_or_zero = [](double x) { return x > 0.0 ? 1.0 / x : 0.0; };
@@ -38,9 +37,7 @@ namespace {
     return named ? "\"" + body_label(scene, index) + "\"" : body_label(scene, index);
 }
 
-
 } // namespace
-
 
 Account take_account(const std::vector<BodyView>& bodies, const Scene& scene)
 {
@@ -63,8 +60,6 @@ Account take_account(const std::vector<BodyView>& bodies, const Scene& scene)
     return account;
 }
 
-
-
 double deepest_overlap(const std::vector<BodyView>& bodies, const std::vector<CollisionShape>& shapes)
 {
     std::vector<Pose> poses;
@@ -83,8 +78,6 @@ double deepest_overlap(const std::vector<BodyView>& bodies, const std::vector<Co
     return deepest;
 }
 
-
-
 std::uint64_t final_hash(std::uint64_t log_hash, const std::vector<BodyReport>& bodies)
 {
     Hash hash(log_hash);
@@ -97,8 +90,6 @@ std::uint64_t final_hash(std::uint64_t log_hash, const std::vector<BodyReport>& 
     }
     return hash.value();
 }
-
-
 
 Plan plan_with_savings(Plan plan, const EventCounts& counts, const RestEngine* rest)
 {
@@ -131,8 +122,6 @@ std::vector<StageCost> stage_costs(const RestCounts& counts, const RestSeconds& 
             {"move", counts.steps, seconds.move}};
 }
 
-
-
 RestAccount rest_account(const RestCounts& counts, const SolveCounts& solves)
 {
     RestAccount account;
@@ -146,8 +135,6 @@ RestAccount rest_account(const RestCounts& counts, const SolveCounts& solves)
     account.energy_limited = counts.energy_limited;
     return account;
 }
-
-
 
 Handover describe(const Hybrid::Change& change, const Scene& scene)
 {
@@ -211,6 +198,5 @@ RunFailure describe(const EventFailure& failure, const Scene& scene)
     }
     return described;
 }
-
 
 } // namespace flying

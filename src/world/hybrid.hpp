@@ -24,7 +24,7 @@ namespace flying {
 /// Steps end at whole multiples of the step's length, and where a body changes hands between two of them. A body that
 /// might meet one that leans before the step ends is taken in at its start; one that bears no load and will touch
 /// nothing for two steps is let go. So the two never meet anywhere else, and what happens does not depend on when
-/// somebody asks. Where the user chose one integrator for all, no body ever changes hands.
+/// it is looked at. Where the user chose one integrator for all, no body ever changes hands.
 class Hybrid
 {
 public:
@@ -146,7 +146,7 @@ private:
     std::vector<Change> changes_;
     double energy_of_steps_ = 0.0;
     double energy_of_blows_ = 0.0;
-    std::vector<std::vector<Leg>> ways_;     // through the present step, where somebody asked within it; else empty
+    std::vector<std::vector<Leg>> ways_;     // through the present step, where it was looked at within; else empty
 };
 
 } // namespace flying

@@ -32,7 +32,7 @@ struct StageCost
 {
     std::string name;       ///< "predict", "impact", ...
     std::int64_t count = 0; ///< how often it was entered
-    double seconds = 0.0;   ///< in all; 0 where nobody lent the world a stopwatch [s]
+    double seconds = 0.0;   ///< in all; 0 where the world was lent no stopwatch [s]
 };
 
 /// Bodies given from one integrator to the other.
