@@ -136,7 +136,7 @@ TEST_CASE(
 TEST_CASE("the billiard of 1 : 100^7 counts eight digits")
 {
     // Nine seconds on a plain build; with sanitizers a tenth of it will do
-#if defined(__SANITIZE_ADDRESS__)
+#ifdef FLYING_SANITIZED
     const int k = 6;
 #else
     const int k = 7;

@@ -263,7 +263,7 @@ void paint(cairo_t* cairo, const Picture& picture, SurfaceSize size, const Theme
 
 } // namespace flying
 
-#if defined(__SANITIZE_ADDRESS__)
+#ifdef FLYING_SANITIZED
 /// What fontconfig keeps until the program ends is no leak of ours; the leak checker asks for this by name.
 extern "C" const char* __lsan_default_suppressions();
 extern "C" const char* __lsan_default_suppressions() { return "leak:libfontconfig\n"; }

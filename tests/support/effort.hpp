@@ -14,7 +14,7 @@ namespace flying::testing {
 [[nodiscard]] inline int tried(int many)
 {
     const char* const times = std::getenv("FLYING_TIMES");
-#ifdef __SANITIZE_ADDRESS__
+#ifdef FLYING_SANITIZED
     many = std::max(many / 8, 1);
 #endif
     return times == nullptr ? many : many * std::max(std::atoi(times), 1);
