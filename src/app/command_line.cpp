@@ -36,7 +36,7 @@ report, with the key "failure".
 Report: JSON, numbers with 17 digits: time, engine, events, collisions, handovers, handover_log, energy {kinetic,
 potential, total, initial_total}, energy_changes {impacts, steps, handovers}, momentum, angular_momentum, max_overlap,
 hash, plan, stages, wall_seconds, bodies [{name, position, angle, velocity, spin, mass, inertia}]; where bodies leant on
-others, rest {islands, solved, swept, unsolved, parts, projected, limited, energy_limited}: how their steps were made.
+others, rest {islands, solved, swept, unsolved, parts, projected, limited, energy_limited, elastic_ended, elastic_braked}: how their steps were made; warnings, if any.
 Trace: one JSON object a line, at the times 0, DT, 2 DT, ... and at the end:
   {"time": t, "events": n, "bodies": [[x, y, angle, vx, vy, spin], ...]}     bodies in the scene's order
 Looking never changes a run: the same hash comes out whatever is traced, drawn or filmed.

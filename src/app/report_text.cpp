@@ -83,6 +83,7 @@ std::string report_text(const Scene& scene, const Report& report, const RunSecon
     add("events", fmt::format("{}, collisions {}", grouped(report.events), grouped(report.collisions)));
     if (!report.handovers.empty()) add("handed over", handovers_text(report));
     add("energy", energy_text(report));
+    for (const std::string& warning : report.warnings) add("warning", warning);
     add("deepest overlap", fmt::format("{:.3g} m", report.max_overlap));
     add("hash", fmt::format("{:016x}", report.hash));
     add("took", fmt::format("{:.3g} s, the engine {:.3g} s of it", seconds.wall, seconds.engine));

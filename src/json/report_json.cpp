@@ -72,7 +72,8 @@ Json rest_json(const RestAccount& rest)
     return {{"islands", rest.islands},     {"solved", rest.solved},
             {"swept", rest.swept},         {"unsolved", rest.unsolved},
             {"parts", rest.parts},         {"projected", rest.projected},
-            {"limited", rest.limited},     {"energy_limited", rest.energy_limited}};
+            {"limited", rest.limited},     {"energy_limited", rest.energy_limited},
+            {"elastic_ended", rest.elastic_ended}, {"elastic_braked", rest.elastic_braked}};
 }
 
 Json handovers_json(const std::vector<Handover>& handovers)
@@ -132,6 +133,7 @@ std::string report_json(const Report& report, double wall_seconds, const std::op
         {"plan", plan_json(report.plan)},
         {"stages", stages_json(report.stages)},
         {"wall_seconds", wall_seconds}};
+    if (!report.warnings.empty()) json["warnings"] = report.warnings;
     if (report.rest) json["rest"] = rest_json(*report.rest);
     if (failure)
         json["failure"] = {{"time", failure->time}, {"bodies", failure->bodies}, {"message", failure->message}};

@@ -29,6 +29,30 @@ EnergyGain gain_of(const RestData& data, const Island& island)
     return gain;
 }
 
+double kinetic_energy(const Island& island, std::span<const Mover> movers)
+{
+    double sum = 0.0;
+    for (const int member : island.members) {
+        const Mover& m = movers[member];
+        sum += 0.5 * ((m.v_x * m.v_x + m.v_y * m.v_y) / m.inv_mass + m.spin * m.spin / m.inv_moment);
+    }
+    return sum;
+}
+
+bool is_lossless(const Island& island)
+{
+    return std::all_of(island.points.begin(), island.points.end(),
+                       [](const ContactPoint& c) { return c.restitution == 1.0 && c.friction == 0.0; });
+}
+
+void count_elastic_loss(RestData& data, const Island& island)
+{
+    if (!is_lossless(island)) return;
+    data.counts.elastic_ended += island.ended;
+    const EnergyGain gain = gain_of(data, island);
+    if (gain.gained < -rest_tolerance::k_rounding * gain.scale) data.counts.elastic_braked -= gain.gained;
+}
+
 namespace {
 
 /// A motion of an island as one rigid body.

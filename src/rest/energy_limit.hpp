@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "rest/island.hpp"
 
 namespace flying {
@@ -11,6 +13,15 @@ struct EnergyGain
     double scale = 0.0;  ///< sum of the sizes of all that `gained` is made of [J]
 };
 [[nodiscard]] EnergyGain gain_of(const RestData& data, const Island& island);
+
+/// Kinetic energy of an island's bodies with some velocities.  [J]
+[[nodiscard]] double kinetic_energy(const Island& island, std::span<const Mover> movers);
+
+/// Nothing may take energy from an island: none of its contacts loses any, by impact or by friction.
+[[nodiscard]] bool is_lossless(const Island& island);
+
+/// Counts what a step has nevertheless taken from such an island, after its impacts and besides what the field did.
+void count_elastic_loss(RestData& data, const Island& island);
 
 /// The one limit of energy: what a step has gained beyond the field's work is taken from the motion of bodies relative
 /// to each other; where that isn't enough from all motion, and then from the way that they rise. Counted, since it

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "rest/energy_limit.hpp"
 #include "rest/impact.hpp"
 #include "rest/rest_tolerance.hpp"
 #include "rest/step_field.hpp"
@@ -73,7 +74,7 @@ double missed_impact(const RestData& data, const Island& island)
 /// Impacts of an island, at the moment at which the step, or the part of one, begins: first those that throw back, then
 /// the rest of the approaches, all at once and without rebound. True where there were any; `before` is what they
 /// leave. Where impacts have no moments of their own, all that closes within the step counts as closed.
-bool Impacts::strike(RestData& data, const Island& island, HeapSweeps& sweeps)
+bool Impacts::strike(RestData& data, Island& island, HeapSweeps& sweeps)
 {
     // Find what is closed, or closes
     const double slowest = slowest_blow(data, island);
@@ -95,8 +96,13 @@ bool Impacts::strike(RestData& data, const Island& island, HeapSweeps& sweeps)
     const auto approaches = [&](const ContactPoint& c) {
         return normal_speed(c, data.motion.before[c.a], data.motion.before[c.b]) < -slowest;
     };
-    if (std::any_of(struck_.begin(), struck_.end(), approaches)) end_approaches(data, island, sweeps);
+    if (std::any_of(struck_.begin(), struck_.end(), approaches)) {
+        const double energy = kinetic_energy(island, data.motion.before);
+        end_approaches(data, island, sweeps);
+        island.ended = energy - kinetic_energy(island, data.motion.before);
+    }
     if (!island.in_turn) return true;
+    if (is_lossless(island)) data.counts.elastic_ended += island.ended;
     for (const int member : island.members) {
         const Mover& now = data.motion.before[member];
         BodyState& state = data.bodies.list[member].state;

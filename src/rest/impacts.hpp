@@ -22,7 +22,7 @@ public:
     /// First what is thrown back, then the rest of the approaches, all at once and without rebound;
     /// `data.motion.before` is what they leave. Where impacts have no moments of their own, all that closes within the
     /// step counts as closed. True where there were any.
-    bool strike(RestData& data, const Island& island, HeapSweeps& sweeps);
+    bool strike(RestData& data, Island& island, HeapSweeps& sweeps);
 
 private:
     void end_approaches(RestData& data, const Island& island, HeapSweeps& sweeps);

@@ -15,6 +15,7 @@ struct Island
     bool has_ways = false;          ///< places are found already, along curves
     bool is_content = true;         ///< the impulses that were found are right to rounding
     bool in_turn = false;           ///< its impacts have moments of their own
+    double ended = 0.0;             ///< energy of approaches that were ended without rebound, at the start [J]
     double cut_at = 0.0;            ///< where its step is to end early, and to go on from; 0 if nowhere [s]
 
     [[nodiscard]] int member_count() const { return static_cast<int>(members.size()); }

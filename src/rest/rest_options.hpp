@@ -34,6 +34,8 @@ struct RestCounts
     std::int64_t projected = 0;  ///< islands whose overlap was taken off
     std::int64_t limited = 0;    ///< islands slowed down, so that they have no more energy than before
     double energy_limited = 0.0; ///< the energy that this took [J]
+    double elastic_ended = 0.0;  ///< lost at e = 1 without friction: approaches that rounds of impacts did not end [J]
+    double elastic_braked = 0.0; ///< the same, by gaps that were braked to close as the step ends [J]
 };
 
 /// Seconds spent, where a clock was lent.

@@ -232,7 +232,10 @@ void RestEngine::finish_islands(int depth, std::span<const int> pairs)
             note_again(island, again);
             continue;
         }
-        if (!island.points.empty()) limit_energy(data_, island);
+        if (!island.points.empty()) {
+            count_elastic_loss(data_, island);
+            limit_energy(data_, island);
+        }
         move_island(island);
     }
     if (!again.parts.empty()) find_pairs_of(again, pairs);

@@ -17,6 +17,14 @@ namespace {
             inverse_or_zero(body.inertia.inv_moment_of_inertia)};
 }
 
+/// With three digits, as people quote it.
+[[nodiscard]] std::string rounded(double number)
+{
+    char digits[32];
+    const auto end = std::to_chars(std::begin(digits), std::end(digits), number, std::chars_format::general, 3).ptr;
+    return {digits, end};
+}
+
 /// Shortest decimal that reads back to the same number.
 [[nodiscard]] std::string decimal(double number)
 {
@@ -133,7 +141,19 @@ RestAccount rest_account(const RestCounts& counts, const SolveCounts& solves)
     account.projected = counts.projected;
     account.limited = counts.limited;
     account.energy_limited = counts.energy_limited;
+    account.elastic_ended = counts.elastic_ended;
+    account.elastic_braked = counts.elastic_braked;
     return account;
+}
+
+std::vector<std::string> warnings_of(const RestAccount& rest, double energy)
+{
+    constexpr double k_kept = 1e-9; // of the energy, where nothing may take any
+    const double lost = rest.elastic_ended + rest.elastic_braked;
+    if (!(lost > k_kept * energy)) return {};
+    return {rounded(lost) + " J lost at e = 1 without friction: " + rounded(rest.elastic_ended) +
+            " J by impacts at one moment that did not end, " + rounded(rest.elastic_braked) +
+            " J by gaps that closed within a step; bodies that touch bounce more often than a step can follow"};
 }
 
 Handover describe(const Hybrid::Change& change, const Scene& scene)

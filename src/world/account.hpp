@@ -49,6 +49,10 @@ struct Account
 
 [[nodiscard]] RestAccount rest_account(const RestCounts& counts, const SolveCounts& solves);
 
+/// What a run did that its scene doesn't say, a sentence each.
+/// energy  of the run, against which losses are judged [J]
+[[nodiscard]] std::vector<std::string> warnings_of(const RestAccount& rest, double energy);
+
 /// A hand-over in the words of the scene.
 [[nodiscard]] Handover describe(const Hybrid::Change& change, const Scene& scene);
 

@@ -69,6 +69,8 @@ struct RestAccount
     std::int64_t projected = 0;  ///< islands whose overlap was taken off by moving bodies apart
     std::int64_t limited = 0;    ///< islands slowed down, so that they have no more energy than before
     double energy_limited = 0.0; ///< the energy that this took [J]
+    double elastic_ended = 0.0;  ///< lost at e = 1 without friction: approaches that rounds of impacts did not end [J]
+    double elastic_braked = 0.0; ///< the same, by gaps that were braked to close as the step ends [J]
 };
 
 /// The world at one moment, and what it took to get there.
@@ -88,6 +90,7 @@ struct Report
     std::uint64_t hash = 0;   ///< of the log of events and the final state
     Plan plan;
     std::vector<StageCost> stages;
+    std::vector<std::string> warnings; ///< sentences: what the run did that the scene doesn't say
     std::optional<RestAccount> rest; ///< where anything ever leant on anything
     std::vector<BodyReport> bodies; ///< in the scene's order
 };

@@ -297,6 +297,8 @@ Report World::report()
         const std::vector<StageCost> more = stage_costs(rest->counts(), rest->seconds());
         report.stages.insert(report.stages.end(), more.begin(), more.end());
         report.rest = rest_account(rest->counts(), rest->solve_counts());
+        const double energy = std::max(std::abs(report.initial_total), report.energy.kinetic);
+        report.warnings = warnings_of(*report.rest, energy);
     }
     return report;
 }
