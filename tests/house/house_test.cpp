@@ -230,6 +230,29 @@ TEST_CASE("an include of a later chapter's file is found")
 // ---- The top of the tree
 // ----------------------------------------------------------------------------------------------
 
+TEST_CASE("everything public in src is reached by a program, a page or those who install the library")
+{
+    const std::vector<Source> sources = house::read_sources(k_root, "src");
+    const std::set<std::string> installed = house::installed_headers(k_root, sources);
+    CHECK(installed.contains("src/world/world.hpp"));
+    CHECK(installed.contains("src/math/vec2.hpp"));
+    check_none(house::reach_faults(sources, installed));
+}
+
+TEST_CASE("a function and a type that nothing in src uses are found, those that are installed or used are not")
+{
+    const Tree tree({{"src/math/a.hpp", "struct Used\n{\n};\nstruct Idle\n{\n};\n[[nodiscard]] Used make(int);\n"
+                                        "[[nodiscard]] Used leave(int a,\n                         int b);\n"},
+                     {"src/math/a.cpp", "Used make(int)\n{\n    return {};\n}\nUsed leave(int a, int b)\n{\n    return make(a + b);\n}\n"},
+                     {"src/math/b.hpp", "void given();\n"},
+                     {"src/public_headers.cmake", "set(FLYING_PUBLIC_HEADERS math/b.hpp)\n"}});
+    const std::vector<Source> sources = tree.sources();
+    const std::set<std::string> installed = house::installed_headers(tree.root(), sources);
+    CHECK(installed == std::set<std::string>{"src/math/b.hpp"});
+    CHECK(house::reach_faults(sources, installed) ==
+          Faults{"src/math/a.hpp:4: nothing in src uses Idle", "src/math/a.hpp:8: nothing in src uses leave"});
+}
+
 TEST_CASE("nothing stands at the top that the design doesn't list")
 {
     check_none(house::top_level_faults(k_root));

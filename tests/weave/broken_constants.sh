@@ -11,15 +11,15 @@ jobs=${FLYING_JOBS:-$(nproc 2>/dev/null || echo 2)}
 # file | what stands there, as a fixed string | what is put in its place | page | the equation that must be named
 breaks=(
     'src/motion/flight.hpp|(0.5 * t) * g|(0.5005 * t) * g|01|flight.position'
-    'src/motion/kepler.cpp|Twofold(2.0 * mu)|Twofold(2.002 * mu)|01|kepler'
-    'src/mass/rectangle.cpp|(width * width + height * height) / 12.0|(width * width + height * height) / 12.012|02|rectangle.inertia'
-    'src/mass/rectangle.cpp|0.5 * m * (radius * radius)|0.5005 * m * (radius * radius)|02|rectangle.disc'
-    'src/mass/rectangle.cpp|0.5 * m * (inner * inner|0.5005 * m * (inner * inner|02|rectangle.annulus'
-    'src/mass/regular_polygon.cpp|half.sine / 3.0|half.sine / 3.003|03|regular.inertia'
+    'src/motion/kepler.cpp|Twofold(2.0 * mu)|Twofold(2.002 * mu)|16|kepler'
+    'chapters/02-rectangle/rectangle.hpp|(width * width + height * height) / 12.0|(width * width + height * height) / 12.012|02|rectangle.inertia'
+    'src/mass/disc.cpp|0.5 * m * (radius * radius)|0.5005 * m * (radius * radius)|02|rectangle.disc'
+    'chapters/02-rectangle/rectangle.hpp|0.5 * m * (inner * inner|0.5005 * m * (inner * inner|02|rectangle.annulus'
+    'chapters/03-regular-polygon/regular_polygon.hpp|half.sine / 3.0|half.sine / 3.003|03|regular.inertia'
     'src/geometry/moments.cpp|Twofold(0.5) * sums.twice_area|Twofold(0.5005) * sums.twice_area|04|polygon.area'
     'src/geometry/moments.cpp|sums.second / Twofold(12.0)|sums.second / Twofold(12.012)|04|polygon.inertia'
     'src/collide/manifold.cpp|const double part = (along|const double part = 1.001 * (along|05|axis.cut'
-    'src/collide/vertex_edge.cpp|along = 0.5 * (low + high)|along = 0.5005 * (low + high)|06|corner.middle'
+    'chapters/06-vertex-collision/vertex_edge.hpp|along = 0.5 * (low + high)|along = 0.5005 * (low + high)|06|corner.middle'
     'src/response/one_point.cpp|return -(1.0 + e) * v_n|return -(1.001 + e) * v_n|07|impulse.normal'
     'src/response/one_point.cpp|const double newton = (1.0 + e)|const double newton = (1.001 + e)|07|impulse'
     'src/toi/bend.hpp|turn * turn * arm) *|1.001 * turn * turn * arm) *|08|toi.bend'
@@ -39,7 +39,7 @@ make_page() { # chapter: builds its programs and runs what its page quotes
 refresh
 cmake -S "$folder/sources" -B "$folder/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DFLYING_OPTIMISE=-O1 \
     >"$folder/configure.log"
-for page in 01 02 03 04 05 06 07 08; do
+for page in 01 02 03 04 05 06 07 08 16; do
     make_page "$page" || {
         tail -n 40 "$folder/page.log"
         echo "page $page can't be made even with every constant right"
