@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "collide/manifold.hpp"
-#include "find_axis.hpp"
+#include "collide/separating_axis.hpp"
 #include "shadows.hpp"
 
 using namespace flying;

@@ -71,4 +71,12 @@ struct BestEdges
 [[nodiscard]] Axis greater_of(const BestEdges& edges, const Polygon& a, const Polygon& b, const Pose& a_from_b);
 
 
+
+/// An axis along which two convex polygons are apart, or none where they touch or overlap. Stops at the first it finds.
+///
+/// guess  the axis that parted the pair the last time, tried first; its separation and vertex don't matter
+[[nodiscard]] std::optional<Axis> find_separating_axis(const Polygon& a, const Polygon& b, const Pose& a_from_b,
+                                                       const std::optional<Axis>& guess = {});
+
+
 } // namespace flying

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "collide/manifold.hpp"
-#include "../../../chapters/05-separating-axis/find_axis.hpp"
+#include "collide/separating_axis.hpp"
 #include "collide/separation.hpp"
 #include "math/tolerance.hpp"
 #include "support/random_polygons.hpp"
