@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "door.hpp"
-#include "mass/rectangle.hpp"
+#include "rectangle.hpp"
 #include "pieces.hpp"
 
 using namespace flying;

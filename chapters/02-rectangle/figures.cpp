@@ -7,7 +7,7 @@
 
 #include "../support/sketch.hpp"
 #include "door.hpp"
-#include "mass/rectangle.hpp"
+#include "rectangle.hpp"
 #include "math/sine_cosine.hpp"
 #include "pieces.hpp"
 #include "wrong_triangle.hpp"

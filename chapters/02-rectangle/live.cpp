@@ -2,7 +2,7 @@
 
 #include "door.hpp"
 #include "live/pieces.hpp"
-#include "mass/rectangle.hpp"
+#include "rectangle.hpp"
 
 // What this chapter's page computes.
 

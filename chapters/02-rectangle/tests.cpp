@@ -1,4 +1,4 @@
-#include "mass/rectangle.hpp"
+#include "rectangle.hpp"
 
 #include <array>
 #include <cmath>

@@ -2,8 +2,8 @@
 
 #include <numbers>
 
-#include "mass/rectangle.hpp"
-#include "mass/regular_polygon.hpp"
+#include "../02-rectangle/rectangle.hpp"
+#include "regular_polygon.hpp"
 
 namespace flying {
 

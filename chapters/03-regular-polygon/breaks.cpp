@@ -2,7 +2,7 @@
 #include <initializer_list>
 
 #include "by_side.hpp"
-#include "mass/regular_polygon.hpp"
+#include "regular_polygon.hpp"
 
 
 int main()

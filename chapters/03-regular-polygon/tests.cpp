@@ -1,4 +1,4 @@
-#include "mass/regular_polygon.hpp"
+#include "regular_polygon.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -8,7 +8,7 @@
 #include <doctest/doctest.h>
 
 #include "geometry/moments.hpp"
-#include "mass/rectangle.hpp"
+#include "../02-rectangle/rectangle.hpp"
 #include "math/sine_cosine.hpp"
 
 using namespace flying;

@@ -5,8 +5,8 @@
 
 #include "beside_disc.hpp"
 #include "by_side.hpp"
-#include "mass/rectangle.hpp"
-#include "mass/regular_polygon.hpp"
+#include "../02-rectangle/rectangle.hpp"
+#include "regular_polygon.hpp"
 #include "math/random.hpp"
 #include "support/receipts.hpp"
 

@@ -4,7 +4,7 @@
 
 #include "exact_moments.hpp"
 #include "mass/polygon.hpp"
-#include "mass/rectangle.hpp"
+#include "../02-rectangle/rectangle.hpp"
 #include "math/random.hpp"
 #include "outlines.hpp"
 #include "support/receipts.hpp"

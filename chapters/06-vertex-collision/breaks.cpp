@@ -1,7 +1,7 @@
 #include <cstdio>
 #include <initializer_list>
 
-#include "collide/vertex_edge.hpp"
+#include "vertex_edge.hpp"
 #include "misjudged.hpp"
 #include "wrong_normal.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "../support/sketch.hpp"
 #include "collide/touching.hpp"
-#include "collide/vertex_edge.hpp"
+#include "vertex_edge.hpp"
 #include "geometry/convex_parts.hpp"
 #include "math/orientation.hpp"
 #include "scenes.hpp"

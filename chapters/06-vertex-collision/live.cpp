@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <array>
 
-#include "collide/vertex_edge.hpp"
+#include "vertex_edge.hpp"
 #include "live/pieces.hpp"
 #include "scenes.hpp"
 

@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "collide/touching.hpp"
-#include "collide/vertex_edge.hpp"
+#include "vertex_edge.hpp"
 #include "math/random.hpp"
 #include "math/sine_cosine.hpp"
 #include "misjudged.hpp"

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "collide/separating_axis.hpp"
-#include "collide/vertex_edge.hpp"
+#include "vertex_edge.hpp"
 #include "math/tolerance.hpp"
 #include "support/random_polygons.hpp"
 #include "support/receipts.hpp"

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "broadphase/all_pairs.hpp"
+#include "all_pairs.hpp"
 #include "broadphase/grid.hpp"
 #include "broadphase/sweep.hpp"
 #include "math/random.hpp"

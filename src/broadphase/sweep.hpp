@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "broadphase/all_pairs.hpp"
+#include "broadphase/boxed_body.hpp"
 
 namespace flying {
 

@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "geometry/moments.hpp"
-#include "mass/rectangle.hpp"
+#include "mass/disc.hpp"
 
 namespace flying {
 

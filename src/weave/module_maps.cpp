@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// `mass/rectangle` of src/mass/rectangle.hpp: a header and its source are one thing here.
+/// `mass/disc` of src/mass/disc.hpp: a header and its source are one thing here.
 std::string unit_of(const std::string& path)
 {
     return path.substr(4, path.rfind('.') - 4);

@@ -47,7 +47,7 @@ struct Sources
     std::map<std::string, int> by_name;                           ///< index into regions
     std::map<std::string, std::vector<Declaration>> declarations; ///< by path
 
-    /// The region of that name; the declaration `mass/rectangle.cpp:rectangle_mass`, comment included; or, where `name`
+    /// The region of that name; the declaration `mass/disc.cpp:disc_mass`, comment included; or, where `name`
     /// is the path of a file without markers, a region for the whole of it. -1 where there is none.
     [[nodiscard]] int find(const std::string& name) const;
 };

@@ -237,10 +237,8 @@ TEST_CASE("everything public in src is reached by a program, a page or those who
     CHECK(installed.contains("src/world/world.hpp"));
     CHECK(installed.contains("src/math/vec2.hpp"));
     Faults faults = house::reach_faults(sources, installed);
-    // What only chapters call and still stands in src; the list may grow shorter, not longer
-    const std::set<std::string> to_move = {"about_parallel_axis", "annulus_mass", "corner_has_entered", "entered_contacts", "find_separating_axis",
-                                           "for_each_pair_of_all", "rectangle_mass", "regular_polygon_mass"};
-    std::erase_if(faults, [&](const std::string& fault) { return to_move.contains(fault.substr(fault.rfind(' ') + 1)); });
+    // The question of chapter 5, which the engine asks otherwise; the next one who touches that header may move it there
+    std::erase_if(faults, [](const std::string& fault) { return fault.ends_with(" find_separating_axis"); });
     check_none(faults);
 }
 

@@ -10,8 +10,8 @@
 
 #include "chapters/04-arbitrary-polygon/exact_moments.hpp"
 #include "mass/polygon.hpp"
-#include "mass/rectangle.hpp"
-#include "mass/regular_polygon.hpp"
+#include "../../../chapters/02-rectangle/rectangle.hpp"
+#include "../../../chapters/03-regular-polygon/regular_polygon.hpp"
 #include "math/random.hpp"
 #include "math/sine_cosine.hpp"
 

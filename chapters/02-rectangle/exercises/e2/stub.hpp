@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mass/rectangle.hpp"
+#include "02-rectangle/rectangle.hpp"
 
 /// A rectangular frame about its centre.
 /// width, height  outer sides [m]; thickness  of its bars, below half of either [m]; density [kg/m^2]

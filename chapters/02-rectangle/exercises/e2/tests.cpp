@@ -2,7 +2,7 @@
 
 #include FLYING_ANSWER
 
-#include "mass/rectangle.hpp"
+#include "02-rectangle/rectangle.hpp"
 
 using namespace flying;
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "mass/rectangle.hpp"
-#include "mass/regular_polygon.hpp"
+#include "02-rectangle/rectangle.hpp"
+#include "03-regular-polygon/regular_polygon.hpp"
 #include "math/sine_cosine.hpp"
 
 /// A nut about its centre.

@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "../../../01-flying-balls/orbits.hpp"
+#include "01-flying-balls/orbits.hpp"
 
 #include FLYING_ANSWER
 

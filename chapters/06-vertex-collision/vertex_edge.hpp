@@ -1,4 +1,4 @@
-#include "collide/vertex_edge.hpp"
+#pragma once
 
 #include <algorithm>
 #include <cmath>
@@ -6,33 +6,36 @@
 #include <optional>
 #include <span>
 #include <tuple>
+#include <vector>
 
+#include "collide/contact.hpp"
 #include "collide/separating_axis.hpp"
+#include "geometry/polygon.hpp"
 #include "math/orientation.hpp"
+#include "math/rotation.hpp"
 #include "math/tolerance.hpp"
 
 namespace flying {
 
-
-bool segments_cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d)
+/// Segments a-b and c-d cross: each has its ends strictly on different sides of the other. Exact.
+[[nodiscard]] inline bool segments_cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d)
 {
-    return orientation(a, b, c) * orientation(a, b, d) < 0 &&
-           orientation(c, d, a) * orientation(c, d, b) < 0;
+    return orientation(a, b, c) * orientation(a, b, d) < 0 && orientation(c, d, a) * orientation(c, d, b) < 0;
 }
 
-
-
-bool corner_has_entered(const Vec2& before, const Vec2& corner, const Vec2& after,
-                        const Vec2& from, const Vec2& to)
+/// A corner has entered a body over one of its edges: both sides of the corner cross the edge, and the corner lies on
+/// its inner side, which is its left. Exact.
+///
+/// before, corner, after  three vertices of a ring, in order
+/// from, to               ends of the other body's edge
+[[nodiscard]] inline bool corner_has_entered(const Vec2& before, const Vec2& corner, const Vec2& after,
+                                             const Vec2& from, const Vec2& to)
 {
     const bool is_inside = orientation(from, to, corner) > 0;
-    return is_inside && segments_cross(before, corner, from, to) &&
-           segments_cross(corner, after, from, to);
+    return is_inside && segments_cross(before, corner, from, to) && segments_cross(corner, after, from, to);
 }
 
-
-namespace {
-
+namespace vertex_edge {
 
 /// Both polygons in A's frame.
 struct Pair
@@ -44,8 +47,6 @@ struct Pair
     double rounding = 0.0;        ///< of a distance [m]
 };
 
-
-
 /// A point where the boundaries of the two cross.
 struct Crossing
 {
@@ -56,12 +57,10 @@ struct Crossing
     bool is_used = false;
 };
 
-
-
 /// On which side of the line from -> to the point lies, +1 left or -1 right. A point on the
 /// line counts as if it were pushed by next to nothing along `push`, and if that leads
 /// along the line, to the left of `push`.
-int side(const Vec2& from, const Vec2& to, const Vec2& point, const Vec2& push)
+inline int side(const Vec2& from, const Vec2& to, const Vec2& point, const Vec2& push)
 {
     const int turn = orientation(from, to, point);
     if (turn != 0) return turn;
@@ -70,10 +69,8 @@ int side(const Vec2& from, const Vec2& to, const Vec2& point, const Vec2& push)
     return pushed != 0 ? pushed : orientation(Vec2::Zero(), along, perp(push));
 }
 
-
-
 /// Every crossing of an edge of A with an edge of B.
-std::vector<Crossing> crossings_of(const Pair& pair)
+inline std::vector<Crossing> crossings_of(const Pair& pair)
 {
     std::vector<Crossing> crossings;
     for (const Edge& edge_a : pair.polygon[0]->edges()) {
@@ -108,10 +105,8 @@ std::vector<Crossing> crossings_of(const Pair& pair)
     return crossings;
 }
 
-
-
 /// The crossings on each edge of one body, in the order in which its boundary meets them.
-std::vector<std::vector<int>> order_along(const Pair& pair, std::span<const Crossing> crossings, int body)
+inline std::vector<std::vector<int>> order_along(const Pair& pair, std::span<const Crossing> crossings, int body)
 {
     std::vector<std::vector<int>> on_edge(pair.vertices[body].size());
     for (int k = 0; k < static_cast<int>(crossings.size()); ++k) on_edge[crossings[k].edge[body]].push_back(k);
@@ -128,8 +123,6 @@ std::vector<std::vector<int>> order_along(const Pair& pair, std::span<const Cros
     return on_edge;
 }
 
-
-
 /// What bounds one common piece of A and B.
 struct Piece
 {
@@ -138,12 +131,10 @@ struct Piece
     std::vector<Vec2> corners;    ///< all round, crossings included
 };
 
-
-
 /// Walk round the common piece that begins where A enters B at the crossing `first`, along
 /// A and along B in turn. None if the walk doesn't close, which only rounding can cause.
-std::optional<Piece> walk(const Pair& pair, std::span<Crossing> crossings,
-                          const std::vector<std::vector<int>> (&on_edge)[2], int first)
+inline std::optional<Piece> walk(const Pair& pair, std::span<Crossing> crossings,
+                                 const std::vector<std::vector<int>> (&on_edge)[2], int first)
 {
     Piece piece;
     int at = first;
@@ -178,8 +169,6 @@ std::optional<Piece> walk(const Pair& pair, std::span<Crossing> crossings,
     return piece;
 }
 
-
-
 /// How deep the other body has come in over one edge.
 struct Entry
 {
@@ -189,18 +178,14 @@ struct Entry
     double depth = 0.0; ///< [m]
 };
 
-
-
 /// What rounding and the width of a touch do to a depth measured along an edge.  [m]
-double allowance(const Pair& pair, const Edge& edge)
+inline double allowance(const Pair& pair, const Edge& edge)
 {
     return pair.rounding + tolerance::k_touch * edge.length;
 }
 
-
-
 /// Neither neighbour of the entry's vertex lies deeper: pushed out along the edge's normal, this vertex leaves last.
-bool leaves_last(const Pair& pair, const Entry& entry)
+inline bool leaves_last(const Pair& pair, const Entry& entry)
 {
     const int other = 1 - entry.owner;
     const Polygon& polygon = *pair.polygon[other];
@@ -213,12 +198,10 @@ bool leaves_last(const Pair& pair, const Entry& entry)
     return true;
 }
 
-
-
 /// How deep the other's vertices in a piece lie below one of its edges. None if there are
 /// no such vertices, or if all lie above the edge's line, as happens beside a reflex
 /// corner: then they have come in over another edge.
-std::optional<Entry> entry_over(const Pair& pair, const Piece& piece, int owner, int edge)
+inline std::optional<Entry> entry_over(const Pair& pair, const Piece& piece, int owner, int edge)
 {
     const int other = 1 - owner;
     const Vec2& start = pair.vertices[owner][edge];
@@ -228,15 +211,12 @@ std::optional<Entry> entry_over(const Pair& pair, const Piece& piece, int owner,
         const double depth = -normal.dot(pair.vertices[other][vertex] - start);
         if (!entry || depth > entry->depth) entry = {owner, edge, vertex, depth};
     }
-    if (entry && entry->depth < -allowance(pair, pair.polygon[owner]->edges()[edge]))
-        return std::nullopt;
+    if (entry && entry->depth < -allowance(pair, pair.polygon[owner]->edges()[edge])) return std::nullopt;
     return entry;
 }
 
-
-
 /// The width of a piece below one of its edges.
-Entry width_below(const Pair& pair, const Piece& piece, int owner, int edge)
+inline Entry width_below(const Pair& pair, const Piece& piece, int owner, int edge)
 {
     Entry width{owner, edge, -1, 0.0};
     for (const Vec2& corner : piece.corners) {
@@ -246,12 +226,10 @@ Entry width_below(const Pair& pair, const Piece& piece, int owner, int edge)
     return width;
 }
 
-
-
 /// The edge of a piece over which the least depth has been reached: one over which the
 /// vertex leaves last, if there is one; if no vertex is inside, the edge with the least
 /// width below it.
-Entry shallowest_entry(const Pair& pair, const Piece& piece)
+inline Entry shallowest_entry(const Pair& pair, const Piece& piece)
 {
     std::optional<Entry> entered;
     std::optional<Entry> narrowest;
@@ -264,8 +242,7 @@ Entry shallowest_entry(const Pair& pair, const Piece& piece)
             const std::optional<Entry> entry = entry_over(pair, piece, owner, edge);
             if (!entry) continue;
             const bool last = leaves_last(pair, *entry);
-            const bool is_less =
-                last == entered_leaves_last && entered && entry->depth < entered->depth;
+            const bool is_less = last == entered_leaves_last && entered && entry->depth < entered->depth;
             if (entered && !(last && !entered_leaves_last) && !is_less) continue;
             entered = entry;
             entered_leaves_last = last;
@@ -274,12 +251,10 @@ Entry shallowest_entry(const Pair& pair, const Piece& piece)
     return entered ? *entered : *narrowest; // every piece has edges
 }
 
-
-
 /// The point of the entered body's edge line above the contact: the foot of the deepest
 /// vertex, or the middle of the stretch that an edge at this vertex and the entered edge
 /// share, if the two are parallel.
-Vec2 foot_of(const Pair& pair, const Entry& entry)
+inline Vec2 foot_of(const Pair& pair, const Entry& entry)
 {
     const int other = 1 - entry.owner;
     const Edge& edge = pair.polygon[entry.owner]->edges()[entry.edge];
@@ -305,9 +280,7 @@ Vec2 foot_of(const Pair& pair, const Entry& entry)
     return start + along * tangent;
 }
 
-
-
-Pair in_frame_of_a(const Polygon& a, const Polygon& b, const Pose& a_from_b)
+inline Pair in_frame_of_a(const Polygon& a, const Polygon& b, const Pose& a_from_b)
 {
     Pair pair;
     pair.polygon[0] = &a;
@@ -323,17 +296,32 @@ Pair in_frame_of_a(const Polygon& a, const Polygon& b, const Pose& a_from_b)
     return pair;
 }
 
+} // namespace vertex_edge
 
-} // namespace
-
-
-std::vector<Contact> entered_contacts(const Polygon& a, const Pose& world_from_a,
-                                      const Polygon& b, const Pose& world_from_b)
+/// Where two overlapping polygons have entered each other, by following their boundaries; convex or not, with or
+/// without holes. Normals point from A to B.
+///
+/// Every piece that the two have in common has a boundary that consists of chains of vertices of A inside B and of B
+/// inside A, joined where edges cross. One corner inside, between two crossings with the same edge, is
+/// `corner_has_entered`. Of the edges that bound the piece, the one over which the other's chain has entered the least
+/// deep makes the contact, at the deepest vertex of that chain: along the edge's own normal, which its turning tells,
+/// and at the middle of the common stretch where an edge of the chain is parallel. Where two edges of the piece cross
+/// but no vertex is inside (two bars laid crosswise), the depth is the width of the piece, and the contact lies at its
+/// middle.
+///
+/// One contact per piece, in the order of A's edges. None where the polygons are apart or one holds the other without
+/// a crossing. Which side of an edge a vertex is on is decided exactly, from vertices rounded once; where one lies
+/// exactly on the other's line, as if A were pushed towards B's origin by less than any number. So two convex polygons
+/// that merely touch make a contact of depth zero. `Contact::feature` is as in `make_manifold`.
+///
+/// Time: the product of the two numbers of edges.
+[[nodiscard]] inline std::vector<Contact> entered_contacts(const Polygon& a, const Pose& world_from_a, const Polygon& b,
+                                                           const Pose& world_from_b)
 {
+    using namespace vertex_edge;
     const Pair pair = in_frame_of_a(a, b, relative_pose(world_from_a, world_from_b));
     std::vector<Crossing> crossings = crossings_of(pair);
-    const std::vector<std::vector<int>> on_edge[2] = {order_along(pair, crossings, 0),
-                                                      order_along(pair, crossings, 1)};
+    const std::vector<std::vector<int>> on_edge[2] = {order_along(pair, crossings, 0), order_along(pair, crossings, 1)};
     std::vector<Contact> contacts;
     for (int k = 0; k < static_cast<int>(crossings.size()); ++k) {
         if (!crossings[k].a_enters || crossings[k].is_used) continue;
@@ -348,21 +336,17 @@ std::vector<Contact> entered_contacts(const Polygon& a, const Pose& world_from_a
         if (entry.vertex >= 0) {
             point = foot_of(pair, entry) - 0.5 * entry.depth * outward;
         } else {
-            for (const Vec2& corner : piece->corners)
-                point += corner / static_cast<double>(piece->corners.size());
+            for (const Vec2& corner : piece->corners) point += corner / static_cast<double>(piece->corners.size());
         }
 
         const Vec2 from_a_to_b = entry.owner == 0 ? outward : Vec2(-outward);
         const std::uint32_t is_of_b = entry.owner == 0 ? 1u : 0u;
-        const std::uint32_t feature =
-            is_of_b | (static_cast<std::uint32_t>(entry.vertex) & 0x7fffu) << 1 |
-            (static_cast<std::uint32_t>(entry.edge) & 0xffffu) << 16;
-        contacts.push_back({world_from_a * point, world_from_a.rotation * from_a_to_b,
-                            -entry.depth, feature});
+        const std::uint32_t feature = is_of_b | (static_cast<std::uint32_t>(entry.vertex) & 0x7fffu) << 1 |
+                                      (static_cast<std::uint32_t>(entry.edge) & 0xffffu) << 16;
+        contacts.push_back({world_from_a * point, world_from_a.rotation * from_a_to_b, -entry.depth, feature});
         // [collide.vertex_edge.stands]
     }
     return contacts;
 }
-
 
 } // namespace flying

@@ -3,20 +3,9 @@
 #include <cstddef>
 #include <span>
 
-#include "geometry/aabb.hpp"
+#include "broadphase/boxed_body.hpp"
 
 namespace flying {
-
-
-/// A body as those see it who look for pairs.
-struct BoxedBody
-{
-    int body = 0; ///< its id
-    bool is_static = false;
-    Aabb box; ///< holds all of the body [m]
-};
-
-
 
 /// Call visit(a, b), ids with a < b, for every two bodies, not both static, whose boxes
 /// share a point. Every two are compared: dear, and plain enough to be the oracle of
@@ -29,11 +18,9 @@ void for_each_pair_of_all(std::span<const BoxedBody> bodies, Visit&& visit)
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         for (std::size_t k = i + 1; k < bodies.size(); ++k) {
             if (bodies[i].is_static && bodies[k].is_static) continue;
-            if (overlap(bodies[i].box, bodies[k].box))
-                visit(bodies[i].body, bodies[k].body);
+            if (overlap(bodies[i].box, bodies[k].box)) visit(bodies[i].body, bodies[k].body);
         }
     }
 }
-
 
 } // namespace flying

@@ -1,13 +1,19 @@
-#include "mass/regular_polygon.hpp"
+#pragma once
 
 #include <numbers>
 
+#include "mass/mass_properties.hpp"
 #include "math/sine_cosine.hpp"
 
 namespace flying {
 
-
-MassProperties regular_polygon_mass(int sides, double radius, double density)
+/// Regular polygon about its centre: I = (m l^2 / 24) (1 + 3 cot^2(pi/n)), l its side,
+/// written without l (eq. regular.inertia).
+///
+/// sides    n >= 3
+/// radius   of the circle through the vertices, positive   [m]
+/// density  positive                                       [kg/m^2]
+[[nodiscard]] inline MassProperties regular_polygon_mass(int sides, double radius, double density)
 {
     const double n = sides;
     const SineCosine half = sine_cosine(std::numbers::pi / n);
@@ -22,6 +28,5 @@ MassProperties regular_polygon_mass(int sides, double radius, double density)
     const double moment_of_inertia = m * squared_radius * share;
     return {m, moment_of_inertia};
 }
-
 
 } // namespace flying

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "geometry/aabb.hpp"
+
+namespace flying {
+
+/// A body as those see it who look for pairs.
+struct BoxedBody
+{
+    int body = 0; ///< its id
+    bool is_static = false;
+    Aabb box; ///< holds all of the body [m]
+};
+
+} // namespace flying
