@@ -1,6 +1,6 @@
-# Headers that nearly every file reads, Eigen's above all, are read once for all of them: a file compiles in a second less.
-# What a file of src forgets to include, the builds with clang find, where only tests and the programs of pages have them;
-# what the warnings below would have found there, the preset `instructions` finds, which goes without.
+# Headers that nearly every file reads, Eigen's above all, are read once for all of them: a file of src compiles in a second
+# less with g++, in four seconds less with clang. What a file forgets to include, and what the warnings below would have found
+# there, the preset `instructions` finds, which goes without.
 
 function(flying_targets_of folder result)
     get_property(targets DIRECTORY ${folder} PROPERTY BUILDSYSTEM_TARGETS)
@@ -63,9 +63,7 @@ if(NOT FLYING_WASM AND NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
     endforeach()
     set(often <Eigen/Core> <algorithm> <array> <cmath> <cstdint> <cstdio> <functional> <limits> <map> <numbers>
         <optional> <span> <string> <string_view> <utility> <variant> <vector>)
-    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-        flying_precompile(flying_precompiled HEADERS ${often} TARGETS ${sources})
-    endif()
+    flying_precompile(flying_precompiled HEADERS ${often} TARGETS ${sources})
     # doctest.h leaves something to link with in every file, which programs of pages go without
     if(tests)
         flying_precompile(flying_precompiled_tests LIGHT HEADERS ${often} <doctest/doctest.h> TARGETS ${tests})

@@ -449,7 +449,6 @@ int main(int argc, char** argv)
     draw_spiral();
     record_orbits();
     draw_orders();
-    draw_anomaly(file("anomaly.svg"));
     draw_conics(file("conics.svg"));
     draw_order();
     record_throw();

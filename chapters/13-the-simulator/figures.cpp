@@ -296,6 +296,42 @@ void draw_original(const std::string& folder)
     cairo_surface_destroy(surface);
 }
 
+/// Scenes that people try, each at a moment of its run.
+void draw_gallery(const std::string& folder)
+{
+    struct Panel
+    {
+        const char* scene;
+        double time; // [s]
+    };
+    const Panel panels[] = {{"dominoes", 0.9}, {"arch", 1.0}, {"cards", 1.0}, {"hopper", 1.2}, {"chain", 1.0},
+                            {"bowl", 0.3},     {"seesaw", 1.0}, {"wall", 0.3}, {"pour", 0.6}};
+    constexpr int k_wide = 224;
+    constexpr int k_high = 180;
+    cairo_surface_t* surface = cairo_svg_surface_create((folder + "/gallery.svg").c_str(), 3 * k_wide, 3 * k_high);
+    cairo_t* cairo = cairo_create(surface);
+    int place = 0;
+    for (const Panel& panel : panels) {
+        World world = start(scene_of_course(FLYING_SCENES, panel.scene));
+        go(world, panel.time);
+        Picture picture = picture_of(world);
+        picture.title.clear();
+        picture.time.reset();
+        picture.has_scale_bar = false;
+        picture.has_shadows = false;
+        if (std::string(panel.scene) == "bowl") picture.view = {{-1.25, -1.25}, {1.25, 0.1}}; // not the ball alone
+        cairo_save(cairo);
+        cairo_translate(cairo, place % 3 * k_wide, place / 3 * k_high);
+        cairo_rectangle(cairo, 0, 0, k_wide, k_high);
+        cairo_clip(cairo);
+        paint(cairo, picture, {k_wide, k_high}, paper_theme());
+        cairo_restore(cairo);
+        ++place;
+    }
+    cairo_destroy(cairo);
+    cairo_surface_destroy(surface);
+}
+
 /// The house and the dumbbell as the original weighed them.
 void draw_weighed(const std::string& folder)
 {
@@ -382,6 +418,7 @@ int main(int argc, char** argv)
     draw_bow(folder);
     draw_reach(folder);
     draw_original(folder);
+    draw_gallery(folder);
     draw_weighed(folder);
     draw_apart(folder);
 }

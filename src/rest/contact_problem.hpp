@@ -7,7 +7,7 @@
 
 namespace flying {
 
-/// One island as the direct solvers see it: impulses are sought from none.
+/// One island as the direct solvers see it, and what they answer.
 struct ContactProblem
 {
     /// Where a point stands in the island.
@@ -18,11 +18,11 @@ struct ContactProblem
         int edge = -1; ///< of the block system, where both move
     };
 
-    std::span<const ContactPoint> points;
-    std::vector<Seat> seats;   ///< of each point
-    std::vector<Mover> bodies; ///< the members, with the velocities that they would have without contacts
-    std::vector<double>
-        slip; ///< normal speed less the bound, and tangential speed, of each point without contacts [m/s]
+    std::span<const ContactPoint> points; ///< with the impulses that changes are sought from
+    std::vector<Seat> seats;              ///< of each point
+    std::vector<Mover> bodies;            ///< the members, with the velocities that they would have without contacts
+    std::vector<double> slip;             ///< normal speed less the bound, and tangential speed, of each point [m/s]
+    std::vector<double> impulse;          ///< normal and tangential, of each point: the answer [N s]
 };
 
 } // namespace flying

@@ -1,19 +1,19 @@
-#include <algorithm>
-#include <cmath>
+#include "rest/group_sweeps.hpp"
 
-#include "rest/group_solver.hpp"
-#include "rest/rest_tolerance.hpp"
+#include <algorithm>
+
+#include "rest/sweeps.hpp"
 
 namespace flying {
 
-void GroupSolver::sweep_group(std::span<Mover> movers, std::span<const int> members, std::span<ContactPoint> points,
-                              const SweepPlan& plan, std::span<Mover> pushed)
+void GroupSweeps::sweep(std::span<Mover> movers, std::span<const int> members, std::span<ContactPoint> points,
+                        const SweepPlan& plan, std::span<Mover> pushed, SolveCounts& counts)
 {
-    set_start(points);
+    if (!plan.is_warm) forget_impulses(points);
     warm_start(points, movers);
     if (are_content(points, movers, plan.tolerance)) {
         for (const int member : members) pushed[member] = movers[member];
-        ++counts_.accepted;
+        ++counts.accepted;
     } else {
         // What bears nothing and is far from closing has its turn once, at the end
         swept_.clear();
@@ -26,27 +26,27 @@ void GroupSolver::sweep_group(std::span<Mover> movers, std::span<const int> memb
         }
         batches_.lay_out(points, swept_, movers, members);
         if (plan.looks_ahead) {
-            counts_.sweeps += batches_.sweep_ahead({plan.sweeps, std::max(plan.sweeps, plan.most_sweeps), plan.enough});
+            counts.sweeps += batches_.sweep_ahead({plan.sweeps, std::max(plan.sweeps, plan.most_sweeps), plan.enough});
         } else {
             batches_.sweep_to_and_fro(plan.sweeps);
-            counts_.sweeps += plan.sweeps;
+            counts.sweeps += plan.sweeps;
         }
         batches_.get_impulses(points);
         batches_.get_velocities(movers, members);
         sweep_far(points, movers);
         for (const int member : members) pushed[member] = movers[member];
-        ++counts_.swept;
+        ++counts.swept;
     }
     if (plan.push_sweeps > 0) push_apart(members, points, plan, pushed);
 }
 
-void GroupSolver::sweep_far(std::span<ContactPoint> points, std::span<Mover> movers)
+void GroupSweeps::sweep_far(std::span<ContactPoint> points, std::span<Mover> movers)
 {
     for (const int k : far_) {
         ContactPoint& c = points[k];
         if (normal_speed(c, movers[c.a], movers[c.b]) >= c.bound) continue;
         SweepPoint point = sweep_point(c);
-        sweep(std::span(&point, 1), movers);
+        flying::sweep(std::span(&point, 1), movers);
         c.normal = point.normal;
         c.tangent = point.tangent;
     }
@@ -54,7 +54,7 @@ void GroupSolver::sweep_far(std::span<ContactPoint> points, std::span<Mover> mov
 
 /// Push overlap apart, for the places alone: from the velocities that were found, and with impulses of its own, so that
 /// no load remembers it.
-void GroupSolver::push_apart(std::span<const int> members, std::span<const ContactPoint> points, const SweepPlan& plan,
+void GroupSweeps::push_apart(std::span<const int> members, std::span<const ContactPoint> points, const SweepPlan& plan,
                              std::span<Mover> pushed)
 {
     swept_.clear();

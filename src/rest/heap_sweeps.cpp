@@ -34,7 +34,8 @@ void HeapSweeps::sweep_large(RestData& data, Island& island)
     const double before = greatest_speed(data.motion.before, data.bodies.radius, members);
     bound_swept(data, island, before <= rest_tolerance::k_calm * field);
     set_free(data, island, data.motion.before, data.motion.span);
-    GroupSolver::SweepPlan plan;
+    SweepPlan plan;
+    plan.is_warm = data.options.warm_starts;
     plan.sweeps = data.options.sweeps;
     plan.looks_ahead = true;
     plan.most_sweeps = data.options.most_sweeps;
@@ -46,7 +47,7 @@ void HeapSweeps::sweep_large(RestData& data, Island& island)
         plan.push_sweeps = data.options.push_sweeps;
         plan.push_share = rest_tolerance::k_push_share;
     }
-    data.solver.sweep_group(data.motion.now, members, points, plan, pushed_);
+    sweeps_.sweep(data.motion.now, members, points, plan, pushed_, data.solver.counts());
     if (island.member_count() <= rest_tolerance::k_most_swept_on) {
         const double most =
             before > rest_tolerance::k_standing * field ? rest_tolerance::k_deep : rest_tolerance::k_slow_approach;
@@ -80,14 +81,14 @@ double HeapSweeps::approaches_left(const RestData& data, std::span<const Contact
 }
 
 /// Sweeps take the longer the more masses differ: what they leave is swept on, and what that leaves is solved whole.
-void HeapSweeps::end_approaches_whole(RestData& data, const Island& island, GroupSolver::SweepPlan plan, double most)
+void HeapSweeps::end_approaches_whole(RestData& data, const Island& island, SweepPlan plan, double most)
 {
     const std::span<ContactPoint> points = island.points;
     const std::span<const int> members = island.members;
     plan.sweeps = plan.most_sweeps = rest_tolerance::k_more_sweeps;
     plan.tolerance = 0.0;
     set_free(data, island, data.motion.before, data.motion.span);
-    data.solver.sweep_group(data.motion.now, members, points, plan, pushed_);
+    sweeps_.sweep(data.motion.now, members, points, plan, pushed_, data.solver.counts());
     if (approaches_left(data, points) <= most) return;
     set_free(data, island, data.motion.before, data.motion.span);
     data.solver.solve(data.motion.now, members, points, rest_tolerance::k_content * top_speed(data, island));
@@ -185,12 +186,13 @@ void HeapSweeps::sweep_heap(RestData& data, const Island& island, std::span<Move
                             std::span<ContactPoint> points, double tolerance)
 {
     const std::span<const int> members = island.members;
-    GroupSolver::SweepPlan plan;
+    SweepPlan plan;
+    plan.is_warm = data.options.warm_starts;
     plan.sweeps = rest_tolerance::k_heap_sweeps;
     plan.looks_ahead = true;
     plan.tolerance = tolerance;
     work_.resize(data.motion.now.size());
-    data.solver.sweep_group(movers, members, points, plan, work_);
+    sweeps_.sweep(movers, members, points, plan, work_, data.solver.counts());
 }
 
 } // namespace flying

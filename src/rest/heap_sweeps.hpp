@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "rest/group_sweeps.hpp"
 #include "rest/island.hpp"
 
 namespace flying {
@@ -23,11 +24,12 @@ public:
 private:
     void bound_swept(const RestData& data, const Island& island, bool is_calm) const;
     [[nodiscard]] double approaches_left(const RestData& data, std::span<const ContactPoint> points) const;
-    void end_approaches_whole(RestData& data, const Island& island, GroupSolver::SweepPlan plan, double most);
+    void end_approaches_whole(RestData& data, const Island& island, SweepPlan plan, double most);
     void bear_less(RestData& data, const Island& island);
     void move_as_swept(RestData& data, const Island& island);
     [[nodiscard]] Vec2 push_of(const RestData& data, int member) const;
 
+    GroupSweeps sweeps_;
     std::vector<Mover> pushed_; // velocities by which places move
     std::vector<Mover> work_;
 };

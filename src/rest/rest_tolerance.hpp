@@ -57,7 +57,7 @@ inline constexpr double k_fair_overlap = 0x1p-9;
 /// [energies] Rise that rounding explains.
 inline constexpr double k_rounding = 0x1p-46;
 
-// ---- Path of solutions (group_path)
+// ---- Path of solutions (piece_path)
 /// [shifts at the start] Where shifts grow beyond, the path comes from nowhere.
 inline constexpr double k_path_farthest = 0x1p10;
 
@@ -67,7 +67,7 @@ inline constexpr double k_path_before = 0x1p-10;
 /// [shifts] Points have shifts that differ by up to this much, so that no two close at one place of the path.
 inline constexpr double k_path_apart = 0.25;
 
-// ---- Direct solver (group_solver)
+// ---- Direct solver (piece_system, group_solver)
 /// Newton's steps until the pieces must have been found, and corrections of what rounding leaves.
 inline constexpr int k_newton_steps = 8;
 

@@ -97,6 +97,11 @@ double complaint(const ContactPoint& c, const Mover& a, const Mover& b)
 
 } // namespace
 
+void forget_impulses(std::span<ContactPoint> points)
+{
+    for (ContactPoint& c : points) c.normal = c.tangent = 0.0;
+}
+
 double worst_complaint(std::span<const ContactPoint> points, std::span<const Mover> movers)
 {
     double worst = 0.0;

@@ -10,6 +10,8 @@ namespace flying {
 /// Apply the impulses that the points already hold, from the step before.
 void warm_start(std::span<const ContactPoint> points, std::span<Mover> movers);
 
+void forget_impulses(std::span<ContactPoint> points);
+
 /// How far the worst point is from content: the change of its velocity that it would ask for.  [m/s]
 [[nodiscard]] double worst_complaint(std::span<const ContactPoint> points, std::span<const Mover> movers);
 /// None asks for more than `tolerance`.  [m/s]

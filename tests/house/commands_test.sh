@@ -58,7 +58,10 @@ course_knows() { # place words...
     shift
     case $1 in
     chapter | start | check)
-        [[ ${2:-} =~ ^[0-9]+$ ]] || return 0 # NN
+        [[ ${2:-} =~ ^([0-9]+|[A-Z])$ ]] || return 0 # NN
+        set -- "$1" "$(awk -v letter="\"$2\"" '/^number/ { n = $3 } /^appendix/ && $3 == letter { print n; done = 1 }
+            END { if (!done) print substr(letter, 2, length(letter) - 2) }' chapters/book.toml)" "${@:3}"
+        [[ $2 =~ ^[0-9]+$ ]] || { fault "$place" "$typed" "no such appendix"; return; }
         folders=(chapters/"$(printf '%02d' "$((10#$2))")"-*/)
         [[ -d ${folders[0]} ]] || fault "$place" "$typed" "no such chapter"
         [[ -z ${3:-} || -f ${folders[0]}$3.cpp ]] || fault "$place" "$typed" "no ${folders[0]}$3.cpp"

@@ -38,6 +38,7 @@ for name in chapter start check; do
     expect 2 'expected the number of a chapter, such as 02; found: nothing' "$name"
     expect 2 'expected the number of a chapter, such as 02; found: two' "$name" two
     expect 2 'no chapter 99' "$name" 99
+    expect 2 'no appendix Z' "$name" z
 done
 
 [[ -z $(ls -A "$work") ]] || {

@@ -112,7 +112,11 @@ Book read_book(const std::filesystem::path& file)
     for (const toml::node& node : *chapters) {
         const toml::table* chapter = node.as_table();
         if (chapter == nullptr) continue;
-        const int number = (*chapter)["number"].value_or(0);
+        int number = (*chapter)["number"].value_or(0);
+        if (const toml::array* needs = (*chapter)["needs"].as_array(); needs != nullptr && chapter->contains("appendix")) {
+            number = 0;
+            for (const toml::node& need : *needs) number = std::max(number, need.value_or(0));
+        }
         const toml::array* files = (*chapter)["files"].as_array();
         if (files == nullptr) continue;
         for (const toml::node& path : *files) book[path.value_or(std::string())].push_back(number);

@@ -30,6 +30,12 @@ constexpr std::array k_tried = {
     Tried{FLYING_STRESS_TESTS, "roots stay where they are*"},
     Tried{FLYING_STRESS_TESTS, "the dense search notices*"},
     Tried{FLYING_STRESS_TESTS, "random scenes at rest*"},
+    Tried{FLYING_CHAPTER_13, "a row of dominoes*"},
+    Tried{FLYING_CHAPTER_13, "a house of cards*"},
+    Tried{FLYING_CHAPTER_13, "a hopper*"},
+    Tried{FLYING_CHAPTER_13, "a see-saw*"},
+    Tried{FLYING_CHAPTER_13, "a wall struck*"},
+    Tried{FLYING_CHAPTER_13, "shapes like an L*"},
     Tried{FLYING_UNIT_TOI, "asking in pieces*"},
 };
 

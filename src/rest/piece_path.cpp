@@ -1,0 +1,174 @@
+#include "rest/piece_path.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+#include "rest/rest_tolerance.hpp"
+
+namespace flying {
+namespace {
+
+using rest_tolerance::k_stiffness;
+
+/// 2^32 over the golden section: multiples of it, modulo 2^32, lie far from each other.
+constexpr std::uint32_t k_golden = 2654435769U;
+
+} // namespace
+
+bool PiecePath::follow(PieceSystem& pieces, ContactProblem& problem, Start start, int most)
+{
+    shift_.assign(2 * problem.points.size(), 0.0);
+    if (start == Start::nothing) shift_from_nothing(problem);
+    else shift_from_impulses(problem);
+    double left = start == Start::nothing ? 1.0 + rest_tolerance::k_path_before : 1.0;
+    start_springs(pieces, problem, left);
+    double first = 1.0;
+    Turn last;
+    for (int piece = 0; piece < most; ++piece) {
+        if (!pieces.factorise(problem)) return false;
+        push_shifts(pieces, problem);
+        pieces.solve();
+        if (piece == 0) first = pieces.orientation();
+        const double sign = first * pieces.orientation();
+        measure_rates(pieces, problem, sign);
+        const double within = sign > 0.0 ? left : rest_tolerance::k_path_farthest - left;
+        const Turn next = next_turn(pieces, problem, last, within);
+        left -= sign * next.way;
+        for (Springs& s : springs_) {
+            s.normal += next.way * s.normal_rate;
+            s.tangent += next.way * s.tangent_rate;
+        }
+        if (next.point < 0) {
+            take_springs(pieces, problem);
+            return sign > 0.0;
+        }
+        pieces.set_mode(next.point, next.to);
+        last = next;
+    }
+    return false;
+}
+
+/// Shifts of speeds with which no point closes, no two of them alike.
+void PiecePath::shift_from_nothing(const ContactProblem& problem)
+{
+    double top = 0.0; // [m/s]
+    for (std::size_t k = 0; k < problem.points.size(); ++k) {
+        const std::uint32_t mixed = static_cast<std::uint32_t>(k + 1) * k_golden;
+        shift_[2 * k] = 1.0 + rest_tolerance::k_path_apart * (static_cast<double>(mixed) * 0x1p-32);
+        top = std::max(top, -problem.slip[2 * k] / shift_[2 * k]);
+    }
+    for (double& x : shift_) x *= top;
+}
+
+/// Shifts of speeds with which the impulses that are there are right.
+void PiecePath::shift_from_impulses(const ContactProblem& problem)
+{
+    for (std::size_t k = 0; k < problem.points.size(); ++k) {
+        const ContactPoint& c = problem.points[k];
+        const double slip = problem.slip[2 * k + 1];
+        const double most = c.friction * c.normal;
+        const bool slips_on = (c.tangent >= most && slip < 0.0) || (c.tangent <= -most && slip > 0.0);
+        if (c.normal > 0.0 || problem.slip[2 * k] < 0.0) shift_[2 * k] = -problem.slip[2 * k];
+        if (c.normal > 0.0 && !slips_on) shift_[2 * k + 1] = -slip;
+    }
+}
+
+void PiecePath::start_springs(PieceSystem& pieces, const ContactProblem& problem, double left)
+{
+    springs_.clear();
+    for (std::size_t k = 0; k < problem.points.size(); ++k) {
+        const ContactPoint& c = problem.points[k];
+        const double approach = problem.slip[2 * k] + left * shift_[2 * k];
+        const double slip = problem.slip[2 * k + 1] + left * shift_[2 * k + 1];
+        const double normal = c.normal - (k_stiffness * c.normal_mass) * approach;
+        const double tangent = c.tangent - (k_stiffness * c.tangent_mass) * slip;
+        springs_.push_back({normal, tangent, 0.0, 0.0});
+        Mode mode = Mode::stuck;
+        if (!(normal > 0.0)) mode = Mode::apart;
+        else if (c.friction == 0.0 || tangent > c.friction * normal) mode = Mode::slips_backwards;
+        else if (tangent < -c.friction * normal) mode = Mode::slips_forwards;
+        pieces.set_mode(k, mode);
+    }
+}
+
+void PiecePath::push_shifts(PieceSystem& pieces, const ContactProblem& problem) const
+{
+    pieces.clear_pushes();
+    for (std::size_t k = 0; k < problem.points.size(); ++k) {
+        const Mode mode = pieces.mode(k);
+        if (mode == Mode::apart) continue;
+        const ContactPoint& c = problem.points[k];
+        const double normal = (k_stiffness * c.normal_mass) * shift_[2 * k];
+        double tangent = 0.0;
+        if (mode == Mode::stuck) tangent = (k_stiffness * c.tangent_mass) * shift_[2 * k + 1];
+        if (mode == Mode::slips_backwards) tangent = c.friction * normal;
+        if (mode == Mode::slips_forwards) tangent = -c.friction * normal;
+        pieces.push(problem, k, normal, tangent);
+    }
+}
+
+void PiecePath::measure_rates(const PieceSystem& pieces, const ContactProblem& problem, double sign)
+{
+    for (std::size_t k = 0; k < problem.points.size(); ++k) {
+        const ContactPoint& c = problem.points[k];
+        const PieceSystem::Change change = pieces.change(problem, k);
+        const double closing = shift_[2 * k] - change.normal;
+        const double slipping = shift_[2 * k + 1] - change.tangent;
+        springs_[k].normal_rate = sign * (k_stiffness * c.normal_mass) * closing;
+        springs_[k].tangent_rate = sign * (k_stiffness * c.tangent_mass) * slipping;
+    }
+}
+
+/// The first point that changes what it does, within so much of the path; not back to what the last has just left.
+PiecePath::Turn PiecePath::next_turn(const PieceSystem& pieces, const ContactProblem& problem, const Turn& last,
+                                     double within) const
+{
+    Turn next;
+    next.way = within;
+    for (int k = 0; k < static_cast<int>(problem.points.size()); ++k) {
+        const Mode now = pieces.mode(k);
+        const Springs& s = springs_[k];
+        const double mu = problem.points[k].friction;
+        // What is positive as long as nothing changes
+        const auto ends = [&](double value, double rate, Mode to) {
+            if (!(rate < 0.0) || (k == last.point && to == last.from)) return;
+            const double way = std::max(value, 0.0) / -rate;
+            if (way < next.way) next = {k, now, to, way};
+        };
+        if (now == Mode::apart) {
+            const double tangent = s.tangent;
+            ends(-s.normal, -s.normal_rate, mu == 0.0 || tangent > 0.0 ? Mode::slips_backwards : Mode::slips_forwards);
+            continue;
+        }
+        ends(s.normal, s.normal_rate, Mode::apart);
+        if (mu == 0.0) continue;
+        const double above = mu * s.normal - s.tangent;
+        const double below = mu * s.normal + s.tangent;
+        const double above_rate = mu * s.normal_rate - s.tangent_rate;
+        const double below_rate = mu * s.normal_rate + s.tangent_rate;
+        if (now == Mode::stuck) {
+            ends(above, above_rate, Mode::slips_backwards);
+            ends(below, below_rate, Mode::slips_forwards);
+        } else if (now == Mode::slips_backwards) ends(-above, -above_rate, Mode::stuck);
+        else ends(-below, -below_rate, Mode::stuck);
+    }
+    // What comes to bear slips the way that it moves when it does
+    const bool comes = next.point >= 0 && next.from == Mode::apart && problem.points[next.point].friction > 0.0;
+    if (comes) {
+        const Springs& s = springs_[next.point];
+        next.to = s.tangent + next.way * s.tangent_rate > 0.0 ? Mode::slips_backwards : Mode::slips_forwards;
+    }
+    return next;
+}
+
+void PiecePath::take_springs(const PieceSystem& pieces, ContactProblem& problem) const
+{
+    for (std::size_t k = 0; k < problem.points.size(); ++k) {
+        const double normal = pieces.mode(k) == Mode::apart ? 0.0 : std::max(springs_[k].normal, 0.0);
+        const double most = problem.points[k].friction * normal;
+        problem.impulse[2 * k] = normal;
+        problem.impulse[2 * k + 1] = std::clamp(springs_[k].tangent, -most, most);
+    }
+}
+
+} // namespace flying

@@ -1,0 +1,221 @@
+#include "rest/piece_system.hpp"
+
+#include <algorithm>
+
+#include "rest/push_lines.hpp"
+#include "rest/rest_tolerance.hpp"
+
+namespace flying {
+
+using rest_tolerance::k_stiffness;
+
+void PieceSystem::begin(ContactProblem& problem, std::span<const int> members, std::size_t movers)
+{
+    // Number the members, and find who is coupled to whom
+    if (number_.size() < movers) number_.resize(movers, -1);
+    for (std::size_t k = 0; k < members.size(); ++k) number_[members[k]] = static_cast<int>(k);
+    edges_.clear();
+    problem.seats.clear();
+    for (const ContactPoint& c : problem.points) {
+        ContactProblem::Seat seat{number_[c.a], number_[c.b], -1};
+        if (seat.a >= 0 && seat.b >= 0) {
+            const bool same = !edges_.empty() && edges_.back().first == seat.a && edges_.back().second == seat.b;
+            if (!same) edges_.push_back({seat.a, seat.b});
+            seat.edge = static_cast<int>(edges_.size()) - 1;
+        }
+        problem.seats.push_back(seat);
+    }
+    for (const int member : members) number_[member] = -1;
+    blocks_.set_pattern(static_cast<int>(members.size()), edges_);
+    delta_.resize(3 * members.size());
+    problem.slip.resize(2 * problem.points.size());
+    problem.impulse.resize(2 * problem.points.size());
+    modes_.resize(problem.points.size());
+    is_factorised_ = false;
+}
+
+bool PieceSystem::factorise(const ContactProblem& problem)
+{
+    if (is_factorised_ && modes_ == modes_factorised_) return true;
+    assemble(problem);
+    ++factorisations_;
+    modes_factorised_ = modes_;
+    is_factorised_ = blocks_.factorise();
+    return is_factorised_;
+}
+
+void PieceSystem::assemble(const ContactProblem& problem)
+{
+    blocks_.clear();
+    for (std::size_t k = 0; k < problem.bodies.size(); ++k) {
+        Block& block = blocks_.diagonal(static_cast<int>(k));
+        block.at[0][0] = block.at[1][1] = 1.0 / problem.bodies[k].inv_mass;
+        block.at[2][2] = 1.0 / problem.bodies[k].inv_moment;
+    }
+    for (std::size_t k = 0; k < problem.points.size(); ++k) {
+        if (modes_[k] == Mode::apart) continue;
+        const ContactPoint& c = problem.points[k];
+        const auto [a, b, edge] = problem.seats[k];
+        const bool grips = modes_[k] == Mode::stuck;
+        const Line n = normal_line(c);
+        const Line t = tangent_line(c);
+        Line left = n;
+        if (!grips) {
+            const double share = modes_[k] == Mode::slips_backwards ? c.friction : -c.friction;
+            add(left.a, share, t.a);
+            add(left.b, share, t.b);
+        }
+        const double stiffness_n = k_stiffness * c.normal_mass;
+        const double stiffness_t = grips ? k_stiffness * c.tangent_mass : 0.0;
+        if (a >= 0) add_product(blocks_.diagonal(a), stiffness_n, left.a, n.a);
+        if (a >= 0 && grips) add_product(blocks_.diagonal(a), stiffness_t, t.a, t.a);
+        if (b >= 0) add_product(blocks_.diagonal(b), stiffness_n, left.b, n.b);
+        if (b >= 0 && grips) add_product(blocks_.diagonal(b), stiffness_t, t.b, t.b);
+        if (edge < 0) continue;
+        const BlockSystem::Place& place = blocks_.place(edge);
+        add_product(blocks_.block(place.first_second), stiffness_n, left.a, n.b);
+        add_product(blocks_.block(place.second_first), stiffness_n, left.b, n.a);
+        if (!grips) continue;
+        add_product(blocks_.block(place.first_second), stiffness_t, t.a, t.b);
+        add_product(blocks_.block(place.second_first), stiffness_t, t.b, t.a);
+    }
+}
+
+void PieceSystem::clear_pushes()
+{
+    std::fill(delta_.begin(), delta_.end(), 0.0);
+}
+
+void PieceSystem::push(const ContactProblem& problem, std::size_t point, double normal, double tangent)
+{
+    const Line n = normal_line(problem.points[point]);
+    const Line t = tangent_line(problem.points[point]);
+    const auto [a, b, edge] = problem.seats[point];
+    if (a >= 0) {
+        add(&delta_[3 * a], normal, n.a);
+        add(&delta_[3 * a], tangent, t.a);
+    }
+    if (b >= 0) {
+        add(&delta_[3 * b], normal, n.b);
+        add(&delta_[3 * b], tangent, t.b);
+    }
+}
+
+PieceSystem::Change PieceSystem::change(const ContactProblem& problem, std::size_t point) const
+{
+    static constexpr double k_none[3] = {0.0, 0.0, 0.0};
+    const auto [a, b, edge] = problem.seats[point];
+    const double* of_a = a >= 0 ? &delta_[3 * a] : k_none;
+    const double* of_b = b >= 0 ? &delta_[3 * b] : k_none;
+    const Line n = normal_line(problem.points[point]);
+    const Line t = tangent_line(problem.points[point]);
+    return {along(n.a, of_a) + along(n.b, of_b), along(t.a, of_a) + along(t.b, of_b)};
+}
+
+void measure_slips(ContactProblem& problem, std::span<const Mover> movers)
+{
+    for (std::size_t k = 0; k < problem.points.size(); ++k) {
+        const ContactPoint& c = problem.points[k];
+        problem.slip[2 * k] = normal_speed(c, movers[c.a], movers[c.b]) - c.bound;
+        problem.slip[2 * k + 1] = tangent_speed(c, movers[c.a], movers[c.b]);
+    }
+}
+
+namespace {
+
+using Mode = PieceSystem::Mode;
+
+/// A point that does not part clearly may bear, and holds: it is easier to let go of some than to find all one by one.
+void guess(PieceSystem& pieces, const ContactProblem& problem)
+{
+    double worst = 0.0; // [m/s]
+    for (std::size_t k = 0; k < problem.points.size(); ++k) worst = std::max(worst, -problem.slip[2 * k]);
+    for (std::size_t k = 0; k < problem.points.size(); ++k) {
+        const ContactPoint& c = problem.points[k];
+        const double most = c.friction * c.normal;
+        Mode mode = Mode::apart;
+        if (c.normal > 0.0 || problem.slip[2 * k] <= rest_tolerance::k_may_bear * worst) {
+            mode = Mode::stuck;
+            if (c.tangent >= most && (c.friction == 0.0 || c.tangent > 0.0)) mode = Mode::slips_backwards;
+            if (-c.tangent >= most && c.tangent < 0.0) mode = Mode::slips_forwards;
+        }
+        pieces.set_mode(k, mode);
+    }
+}
+
+/// What the pieces push at the speeds before the trial, beyond the impulses that are there.
+void push_imbalance(PieceSystem& pieces, const ContactProblem& problem)
+{
+    pieces.clear_pushes();
+    for (std::size_t k = 0; k < problem.points.size(); ++k) {
+        const ContactPoint& c = problem.points[k];
+        const double bears = c.normal - (k_stiffness * c.normal_mass) * problem.slip[2 * k];
+        double normal = -c.normal;
+        double tangent = -c.tangent;
+        const Mode mode = pieces.mode(k);
+        if (mode != Mode::apart) normal += bears;
+        if (mode == Mode::stuck) tangent = -(k_stiffness * c.tangent_mass) * problem.slip[2 * k + 1];
+        if (mode == Mode::slips_backwards) tangent += c.friction * bears;
+        if (mode == Mode::slips_forwards) tangent -= c.friction * bears;
+        pieces.push(problem, k, normal, tangent);
+    }
+}
+
+/// What a point would do, and what it would push, if its springs had their say alone.
+struct Wish
+{
+    Mode mode = Mode::apart;
+    double normal = 0.0;  ///< [N s]
+    double tangent = 0.0; ///< [N s]
+};
+[[nodiscard]] Wish wish_of(const PieceSystem& pieces, const ContactProblem& problem, std::size_t k)
+{
+    const ContactPoint& c = problem.points[k];
+    const PieceSystem::Change change = pieces.change(problem, k);
+    const double normal = c.normal - (k_stiffness * c.normal_mass) * (problem.slip[2 * k] + change.normal);
+    if (!(normal > 0.0)) return {};
+    const double tangent = c.tangent - (k_stiffness * c.tangent_mass) * (problem.slip[2 * k + 1] + change.tangent);
+    const double most = c.friction * normal;
+    if (tangent > most || c.friction == 0.0) return {Mode::slips_backwards, normal, most};
+    if (tangent < -most) return {Mode::slips_forwards, normal, -most};
+    return {Mode::stuck, normal, tangent};
+}
+
+[[nodiscard]] bool is_slip(Mode mode)
+{
+    return mode == Mode::slips_forwards || mode == Mode::slips_backwards;
+}
+
+/// Takes what all points wish; returns how many of them wish to do something else than they were taken to do.
+[[nodiscard]] std::size_t take_wishes(PieceSystem& pieces, ContactProblem& problem)
+{
+    std::size_t changes = 0;
+    for (std::size_t k = 0; k < problem.points.size(); ++k) {
+        const Wish wish = wish_of(pieces, problem, k);
+        problem.impulse[2 * k] = wish.normal;
+        problem.impulse[2 * k + 1] = wish.tangent;
+        const Mode last = pieces.mode(k);
+        if (wish.mode == last) continue;
+        ++changes;
+        // Between nothing and slip, and between slip and slip the other way, lies holding
+        const bool skips_holding = is_slip(wish.mode) && last != Mode::stuck && problem.points[k].friction > 0.0;
+        pieces.set_mode(k, skips_holding ? Mode::stuck : wish.mode);
+    }
+    return changes;
+}
+
+} // namespace
+
+bool find_by_newton(PieceSystem& pieces, ContactProblem& problem)
+{
+    guess(pieces, problem);
+    for (int step = 0; step < rest_tolerance::k_newton_steps; ++step) {
+        if (!pieces.factorise(problem)) return false;
+        push_imbalance(pieces, problem);
+        pieces.solve();
+        if (take_wishes(pieces, problem) == 0) return true;
+    }
+    return false;
+}
+
+} // namespace flying

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "rest/block_system.hpp"
+#include "rest/contact_problem.hpp"
+
+namespace flying {
+
+/// Coulomb's conditions are linear once it is known what each point does. This is the linear system of one such piece:
+/// a point that bears is a stiff spring along its normal; one that sticks, along its tangent too; one that slips pushes
+/// along its tangent what the spring of the normal says. One 3 x 3 block for each body, one beside the diagonal for two
+/// that touch.
+class PieceSystem
+{
+public:
+    /// What a point does.
+    enum class Mode : unsigned char
+    {
+        apart,
+        stuck,
+        slips_forwards,
+        slips_backwards
+    };
+
+    /// Seats the points, and makes room for slips and impulses.
+    ///
+    /// problem  with its points and bodies
+    /// members  the island's bodies that can move, ascending, as in `problem.bodies`
+    /// movers   number of all bodies
+    void begin(ContactProblem& problem, std::span<const int> members, std::size_t movers);
+
+    [[nodiscard]] Mode mode(std::size_t point) const { return modes_[point]; }
+    void set_mode(std::size_t point, Mode mode) { modes_[point] = mode; }
+
+    /// False where a block on the diagonal is singular. A piece that is factorised already is not factorised again.
+    [[nodiscard]] bool factorise(const ContactProblem& problem);
+    /// Sign of the determinant of what was factorised: 1 or -1.
+    [[nodiscard]] double orientation() const { return blocks_.orientation(); }
+    [[nodiscard]] std::int64_t factorisations() const { return factorisations_; }
+
+    /// Right-hand sides: pushes on the bodies of a point.  [N s]
+    void clear_pushes();
+    void push(const ContactProblem& problem, std::size_t point, double normal, double tangent);
+    /// From pushes to changes of the members' velocities.
+    void solve() { blocks_.solve(delta_); }
+
+    /// What the last solve changes of a point's speeds.
+    struct Change
+    {
+        double normal;  ///< [m/s]
+        double tangent; ///< [m/s]
+    };
+    [[nodiscard]] Change change(const ContactProblem& problem, std::size_t point) const;
+
+    /// The blocks, lent to a solver that fills them with numbers of its own.
+    template <typename Solver>
+    void lend(Solver solver)
+    {
+        is_factorised_ = false;
+        solver(blocks_, factorisations_);
+    }
+
+private:
+    void assemble(const ContactProblem& problem);
+
+    BlockSystem blocks_;
+    std::vector<Mode> modes_;
+    std::vector<Mode> modes_factorised_;
+    bool is_factorised_ = false;
+    std::int64_t factorisations_ = 0;
+    std::vector<double> delta_; // pushes, then changes of the members' velocities
+    std::vector<int> number_;   // of each mover among the members, while points are seated; -1 for all others
+    std::vector<BlockSystem::Edge> edges_;
+};
+
+/// Normal speed less the bound, and tangential speed, of each point, filled into the problem: all that follows is in
+/// changes from here, so that rounding takes its share of the changes only.
+void measure_slips(ContactProblem& problem, std::span<const Mover> movers);
+
+/// Newton's method on conditions that are linear in pieces (semismooth Newton): guesses what each point does, solves,
+/// and where the answer disagrees takes its word for the next guess. True where some guess agrees; the answer is in the
+/// problem.
+[[nodiscard]] bool find_by_newton(PieceSystem& pieces, ContactProblem& problem);
+
+} // namespace flying
