@@ -36,7 +36,7 @@ void draw_silence(const std::string& folder)
         s.path(points, alpha > 0.01 ? k_blue : k_rust, 2.2);
     }
     s.words(Vec2(x(5.6), y(-4.2)), "luck of one in a thousand", Anchor::left, k_rust, 14.0);
-    s.words(Vec2(x(2.0), y(-4.4)), "luck of one in twenty", Anchor::left, k_blue, 14.0);
+    s.words(Vec2(x(0.6), y(-5.2)), "luck of one in twenty", Anchor::left, k_blue, 14.0);
 }
 
 std::vector<Vec2> way_of(const Throw& how)

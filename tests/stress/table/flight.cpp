@@ -159,7 +159,7 @@ Reached spinning(const Share&)
         Scene scene = room(0.1);
         BodyDef bar = rectangle(1.0, random.uniform(0.02, 0.5), {random.uniform(-2.0, 2.0), random.uniform(-2.0, 2.0)});
         const double way = random.uniform(0.0, 2.0 * std::numbers::pi);
-        bar.velocity = std::pow(10.0, random.uniform(-2.0, 4.0)) * Vec2(std::cos(way), std::sin(way));
+        bar.velocity = std::pow(10.0, random.uniform(1.0, 4.0)) * Vec2(std::cos(way), std::sin(way));
         bar.spin = random.below(2) == 0 ? 1e6 : -1e6;
         scene.bodies.push_back(bar);
         World world = events_of(scene);
