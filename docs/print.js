@@ -1,5 +1,5 @@
-// The page that holds the whole book as a PDF, by headless Chromium: the contents and the index get the numbers of the
-// pages that a first printing finds.
+// The page that holds the whole book as a PDF, by headless Chromium: live figures stand still as their own pages show them,
+// and the contents and the index get the numbers of the pages that a first printing finds.
 //
 //   node docs/print.js BOOK/html/print.html FILE.pdf
 'use strict';
@@ -11,7 +11,8 @@ const { Browser } = require('./browser.js');
 
 const [page, file] = process.argv.slice(2).map((name) => path.resolve(name));
 const TRIES = 4; // numbers may make a line longer, and move what follows
-const PATIENCE = 180000; // until every figure is drawn [ms]
+const PATIENCE = 300000; // until the figures of a page are drawn [ms]
+const MOMENT = 90; // at which they stand, in sixtieths of a second
 
 // Where each anchor came to lie: its page, by name
 function pagesOf(pdf) {
@@ -21,6 +22,44 @@ function pagesOf(pdf) {
         if (number) pages[name] = Number(number);
     }
     return pages;
+}
+
+// In a chapter's page: what its live figures show, as pictures, by their names
+function stills() {
+    const found = {};
+    for (const figure of document.querySelectorAll('figure.live')) {
+        const still = figure.cloneNode(true);
+        const drawn = figure.querySelectorAll('canvas');
+        still.querySelectorAll('canvas').forEach((canvas, k) => {
+            const picture = document.createElement('img');
+            picture.src = drawn[k].toDataURL();
+            picture.alt = canvas.getAttribute('aria-label') || '';
+            picture.className = 'still';
+            canvas.replaceWith(picture);
+        });
+        for (const part of still.querySelectorAll('.controls, .knobs, .state-hash, .fault, .for-readers, .scene-text')) part.remove();
+        found[figure.dataset.trace] = still.innerHTML;
+    }
+    return found;
+}
+
+async function drawLiveFigures(browser) {
+    const home = path.dirname(page);
+    const isLive = (name) => /^chapter_\d+\.html$/.test(name) && fs.readFileSync(path.join(home, name), 'utf8').includes('<figure class="live');
+    const found = {};
+    for (const name of fs.readdirSync(home).filter(isLive)) {
+        await browser.go(`file://${path.join(home, name)}?steps=${MOMENT}`);
+        const isDrawn = "location.href.includes('" + name + "') && document.documentElement.dataset.live === 'ready'";
+        if (!(await browser.until(isDrawn, PATIENCE))) throw new Error(`the figures of ${name} are not drawn`);
+        Object.assign(found, await browser.ask(`(${stills})()`));
+    }
+    return found;
+}
+
+// In the page: put the stills in
+function place(found) {
+    for (const figure of document.querySelectorAll('figure.live')) figure.innerHTML = found[figure.dataset.trace] || figure.innerHTML;
+    return Promise.all([...document.querySelectorAll('img')].map((image) => image.decode().catch(() => {}))).then(() => true);
 }
 
 // In the page: what is folded on a screen opens, but for the receipts, whose sentences are at the end
@@ -55,9 +94,11 @@ async function main() {
     const browser = new Browser();
     await browser.open();
     await browser.send('Emulation.setDeviceMetricsOverride', { width: 800, height: 1100, deviceScaleFactor: 3, mobile: false });
-    await browser.go(`file://${page}?steps=90`);
-    if (!(await browser.until("document.documentElement.dataset.live === 'ready' || !document.querySelector('figure.live')", PATIENCE)))
-        throw new Error('the figures are not drawn');
+    const found = await drawLiveFigures(browser);
+    await browser.go(`file://${page}`);
+    if (!(await browser.until("location.href.endsWith('" + path.basename(page) + "') && document.readyState === 'complete'", PATIENCE)))
+        throw new Error(`${page} does not open`);
+    await browser.ask(`(${place})(${JSON.stringify(found)})`);
     await browser.ask('document.fonts.ready.then(() => true)');
     await browser.ask(`(${unfold})()`);
 

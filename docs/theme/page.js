@@ -59,6 +59,15 @@
         look();
     }
 
+    // What is wider than its place is moved by the keyboard, too
+    function reachWideOnes() {
+        for (const element of document.querySelectorAll('main pre, main table, .formula .sheet, div.fragment, .katex-display, ol.equations .entry')) {
+            const isWide = element.scrollWidth > element.clientWidth + 1;
+            if (isWide) element.tabIndex = 0;
+            else element.removeAttribute('tabindex');
+        }
+    }
+
     // ---- Listings ----
 
     function addCopying() {
@@ -156,5 +165,8 @@
         });
         follow();
         addCopying();
+        reachWideOnes();
+        document.fonts.ready.then(reachWideOnes);
+        addEventListener('resize', reachWideOnes, { passive: true });
     });
 })();

@@ -187,10 +187,10 @@ std::optional<EventFailure> EventEngine::strike(const Event& event, int a, int b
         // [events.impact.crowding]
 
         // Each of many impacts at one moment may come late by a rounding. Beyond the tolerance of touching, corners that
-        // meet would be lost to the search
-        sinks = !has_room && std::any_of(touches_.begin(), touches_.end(), [&](const Touch& point) {
-            return point.separation < -0.5 * touch;
-        });
+        // meet corners would be lost to the search
+        const auto has_corners = [&](int body) { return std::holds_alternative<Polygon>(shape_of(body)); };
+        const auto is_deep = [&](const Touch& point) { return point.separation < -0.5 * touch; };
+        sinks = !has_room && has_corners(a) && has_corners(b) && std::any_of(touches_.begin(), touches_.end(), is_deep);
 
         // [events.impact.push]
         // Push them apart

@@ -99,7 +99,7 @@ double next_closing(const RestData& data, const RestPair& pair, const Manifold& 
     // What bore a load goes on to bear, whatever gap turning or rounding or, in a crowd, a push out of an overlap has
     // left; but what would be thrown back is thrown back
     const bool in_crowd = data.bodies.in_crowd[pair.a] || data.bodies.in_crowd[pair.b];
-    const double near = rest_tolerance::k_barely * std::min(data.bodies.radius[pair.a], data.bodies.radius[pair.b]);
+    const double near = rest_tolerance::k_straight * std::min(data.bodies.radius[pair.a], data.bodies.radius[pair.b]);
     double wait = std::numeric_limits<double>::infinity();
     for (int k = 0; k < manifold.count; ++k) {
         const Contact& contact = manifold.contacts[k];

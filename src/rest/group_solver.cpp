@@ -21,7 +21,7 @@ namespace {
 [[nodiscard]] int few_pieces(std::size_t points)
 {
     const int count = static_cast<int>(points);
-    return std::min(count / rest_tolerance::k_path_share + rest_tolerance::k_path_fewest, rest_tolerance::k_path_most);
+    return std::min(count / rest_tolerance::k_path_share + rest_tolerance::k_quick_rounds, rest_tolerance::k_patience);
 }
 
 } // namespace

@@ -42,7 +42,7 @@ void HeapSweeps::sweep_large(RestData& data, Island& island)
     plan.enough = rest_tolerance::k_enough * energy_of_fall(data, island);
     plan.far_from_closing = rest_tolerance::k_far * std::max(before, field);
     plan.time = data.motion.span;
-    plan.tolerance = rest_tolerance::k_content_enough * rest_tolerance::k_calm * field;
+    plan.tolerance = rest_tolerance::k_blow * field;
     if (before > rest_tolerance::k_standing * field) {
         plan.push_sweeps = data.options.push_sweeps;
         plan.push_share = rest_tolerance::k_push_share;

@@ -35,7 +35,7 @@ int throw_back(std::span<Mover> velocities, std::span<const ContactPoint> points
 {
     int impacts = 0;
     std::vector<ImpactPoint> of_pair;
-    for (int round = 0; round < rest_tolerance::k_impact_rounds; ++round) {
+    for (int round = 0; round < rest_tolerance::k_patience; ++round) {
         const int before = impacts;
         for (std::size_t first = 0, end = 0; first < points.size(); first = end) {
             // Find the points of the next two bodies, and whether one of them arrives

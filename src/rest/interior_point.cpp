@@ -243,8 +243,7 @@ bool InteriorPoint::solve(const ContactProblem& problem, BlockSystem& system, st
     double least = std::numeric_limits<double>::infinity();
     bool small = false;
     int waits = 0;
-    for (int k = 0; k < rest_tolerance::k_interior_steps && !small && waits < rest_tolerance::k_interior_patience;
-         ++k) {
+    for (int k = 0; k < rest_tolerance::k_patience && !small && waits < rest_tolerance::k_interior_patience; ++k) {
         ++factorisations;
         if (!assemble(problem, system)) break;
 

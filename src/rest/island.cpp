@@ -14,7 +14,7 @@ bool is_heap(const Island& island)
 
 bool strikes_at_start(const Island& island)
 {
-    return island.member_count() > rest_tolerance::k_most_in_turn;
+    return island.member_count() > rest_tolerance::k_most_in_detail;
 }
 
 bool is_solved_whole(const RestData& data, const Island& island)

@@ -209,7 +209,7 @@ struct Wish
 bool find_by_newton(PieceSystem& pieces, ContactProblem& problem)
 {
     guess(pieces, problem);
-    for (int step = 0; step < rest_tolerance::k_newton_steps; ++step) {
+    for (int step = 0; step < rest_tolerance::k_quick_rounds; ++step) {
         if (!pieces.factorise(problem)) return false;
         push_imbalance(pieces, problem);
         pieces.solve();

@@ -142,21 +142,14 @@ void Projection::put_apart(RestData& data, const Island& island, double overlap,
     shift_before_.resize(data.motion.now.size());
     turn_before_.resize(data.motion.now.size());
     const std::span<const int> members = island.members;
-    const auto remember = [&] {
-        for (const int member : members) {
-            shift_before_[member] = data.motion.shift[member];
-            turn_before_[member] = data.motion.turn[member];
-        }
-    };
-    // A turn that parts two corners may bring others together, which had no point: the next round knows of them
-    double least = overlap;
-    remember();
     for (int round = 0; round < rest_tolerance::k_projection_rounds && overlap > 0.0; ++round) {
         double touch = data.bodies.touch_gap(points_[0].a, points_[0].b);
         for (const ContactPoint& c : points_) touch = std::min(touch, data.bodies.touch_gap(c.a, c.b));
         for (const int member : members) {
             pushes_[member] = data.motion.now[member];
             pushes_[member].v_x = pushes_[member].v_y = pushes_[member].spin = 0.0;
+            shift_before_[member] = data.motion.shift[member];
+            turn_before_[member] = data.motion.turn[member];
         }
         find_pushes(data, island, 0.125 * touch, sweeps);
         bool too_far = false;
@@ -168,16 +161,15 @@ void Projection::put_apart(RestData& data, const Island& island, double overlap,
             data.motion.shift[member] += Vec2(mover.v_x, mover.v_y);
             data.motion.turn[member] += mover.spin;
         }
-        if (too_far) break;
-        overlap = look_at_end(data, island);
-        if (overlap < least) {
-            least = overlap;
-            remember();
+        const double after = too_far ? overlap : look_at_end(data, island);
+        if (!(after < overlap)) {
+            for (const int member : members) {
+                data.motion.shift[member] = shift_before_[member];
+                data.motion.turn[member] = turn_before_[member];
+            }
+            return;
         }
-    }
-    for (const int member : members) {
-        data.motion.shift[member] = shift_before_[member];
-        data.motion.turn[member] = turn_before_[member];
+        overlap = after;
     }
 }
 

@@ -135,7 +135,7 @@ void RestEngine::step_by(double length, double end)
     } else {
         // Loads are remembered for a whole step, and only a whole one shows that nothing changes
         const bool sleeps = data_.options.sleeps;
-        const bool tells = length > rest_tolerance::k_telling * whole;
+        const bool tells = length > rest_tolerance::k_at_once * whole;
         const std::vector<Vec2> pull = tells ? std::vector<Vec2>() : data_.motion.pull;
         const std::vector<double> turn_pull = tells ? std::vector<double>() : data_.motion.turn_pull;
         scale_loads_awake(length / whole);

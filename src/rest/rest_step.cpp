@@ -53,15 +53,6 @@ bool is_fair(const RestData& data, const Island& island, double overlap)
     return gain.gained <= rest_tolerance::k_fair_rise * gain.scale;
 }
 
-/// The step of an island may be made in one more part.
-/// reserve  parts beside those that impacts with moments of their own may use up
-[[nodiscard]] bool has_parts_left(const RestData& data, const Island& island, int depth, int made, int reserve)
-{
-    const int most = strikes_at_start(island) ? rest_tolerance::k_step_parts_of_many : rest_tolerance::k_step_parts;
-    return island.member_count() <= rest_tolerance::k_most_whole && depth < rest_tolerance::k_step_parts + reserve &&
-           made < most + reserve && data.motion.span > rest_tolerance::k_shortest_part * data.options.step;
-}
-
 /// Ways of an island whose velocities are found.
 void find_places(RestData& data, const Island& island)
 {
@@ -223,14 +214,14 @@ void RestEngine::solve_island(Island& island, int depth)
         sweeps_.sweep_large(data_, island);
         return;
     }
-    if (!curves_.follow(data_, island) && island.point_count() <= rest_tolerance::k_most_parted)
+    if (!curves_.follow(data_, island) && island.point_count() <= rest_tolerance::k_most_in_detail)
         slip_ends_.part(data_, island, forces_);
     calm(data_, island);
 }
 
 void RestEngine::finish_islands(int depth, std::span<const int> pairs)
 {
-    again_.resize(2 * rest_tolerance::k_step_parts + 1);
+    again_.resize(rest_tolerance::k_patience + 1);
     Again& again = again_[depth];
     again.parts.clear();
     again.members.clear();
@@ -263,16 +254,16 @@ double RestEngine::end_early(Island& island, int depth)
     }
     if (island.points.empty()) return 0.0;
     const double overlap = projection_.look_at_end(data_, island);
-    // What impacts have left of a step can be long, and lead deep into overlap
-    const bool may_be_halved = has_parts_left(data_, island, depth, parts_made_, rest_tolerance::k_step_parts);
-    if (may_be_halved && !is_fair(data_, island, overlap)) return 0.5 * data_.motion.span;
+    if (may_be_cut(island, depth) && !is_fair(data_, island, overlap)) return 0.5 * data_.motion.span;
     projection_.put_apart(data_, island, overlap, sweeps_);
     return 0.0;
 }
 
 bool RestEngine::may_be_cut(const Island& island, int depth) const
 {
-    return has_parts_left(data_, island, depth, parts_made_, 0);
+    const int most = strikes_at_start(island) ? rest_tolerance::k_quick_rounds : rest_tolerance::k_patience;
+    return island.member_count() <= rest_tolerance::k_most_whole && depth < rest_tolerance::k_patience &&
+           parts_made_ < most && data_.motion.span > rest_tolerance::k_shortest_part * data_.options.step;
 }
 
 void RestEngine::note_again(const Island& island, Again& again)

@@ -57,6 +57,18 @@ inline constexpr double k_fair_overlap = 0x1p-9;
 /// [energies] Rise that rounding explains.
 inline constexpr double k_rounding = 0x1p-46;
 
+/// Rounds of what ends by itself after a few, or never: impacts at one moment, steps of the interior point, pieces of a path
+/// that begins near its end, parts of a step. A blow that runs through a row against the order of its pairs takes a round
+/// for each of them; elastic bodies packed between walls would go on for ever.
+inline constexpr int k_patience = 64;
+
+/// Rounds of what is right after one or two, or after many: Newton's steps; and the parts of a step of many bodies.
+inline constexpr int k_quick_rounds = 8;
+
+/// Points, or bodies, of the largest island that is followed in detail: the end of each slip, the moment of each impact. In
+/// larger ones all that a step brings comes at its start.
+inline constexpr int k_most_in_detail = 12;
+
 // ---- Path of solutions (piece_path)
 /// [shifts at the start] Where shifts grow beyond, the path comes from nowhere.
 inline constexpr double k_path_farthest = 0x1p10;
@@ -68,9 +80,6 @@ inline constexpr double k_path_before = 0x1p-10;
 inline constexpr double k_path_apart = 0.25;
 
 // ---- Direct solver (piece_system, group_solver)
-/// Newton's steps until the pieces must have been found, and corrections of what rounding leaves.
-inline constexpr int k_newton_steps = 8;
-
 /// [worst approach] A point that parts more slowly may still bear.
 inline constexpr double k_may_bear = 0.25;
 
@@ -85,10 +94,6 @@ inline constexpr double k_never_bears = 0x1p20;
 /// Pieces of a path that begins near its end: one for so many points, and so many at least.
 inline constexpr int k_path_share = 2;
 
-inline constexpr int k_path_fewest = 8;
-
-inline constexpr int k_path_most = 64;
-
 /// Points of the largest island that is solved from nothing: that takes a system for each, and more.
 inline constexpr std::size_t k_most_from_nothing = 256;
 
@@ -96,14 +101,7 @@ inline constexpr std::size_t k_most_from_nothing = 256;
 inline constexpr int k_path_pieces = 16;
 
 // ---- Impacts in rounds (impact)
-/// Rounds of impacts at one moment. A blow that runs through a row against the order of its pairs takes one for each of
-/// them; elastic bodies packed between walls would go on for ever.
-inline constexpr int k_impact_rounds = 64;
-
 // ---- Interior point (interior_point)
-/// Steps; each solves one system.
-inline constexpr int k_interior_steps = 64;
-
 /// Steps in a row that don't halve the products: the way on is blocked, as it may be where friction is great.
 inline constexpr int k_interior_patience = 16;
 
@@ -138,9 +136,6 @@ inline constexpr double k_deep = 0x1p-10;
 /// Looks at a pair that closes, each at the moment that the last one foresaw.
 inline constexpr int k_looks = 5;
 
-/// [sizes] A gap that turning has opened between two that lean on each other is less than this.
-inline constexpr double k_barely = 0x1p-36;
-
 /// [speeds that the field gives in a step] What bears, and comes nearer no faster than this, goes on to bear.
 inline constexpr double k_bearing_approach = 0x1p-24;
 
@@ -164,9 +159,6 @@ inline constexpr int k_curve_rounds = 6;
 inline constexpr double k_left_of_gap = 0.125;
 
 // ---- Steps of other lengths (rest_engine)
-/// [whole steps] A step this short tells nothing about accelerations.
-inline constexpr double k_telling = 0x1p-20;
-
 // ---- Islands (islands)
 /// [speeds that the field gives in a step] A large island whose bodies are all slower may part.
 inline constexpr double k_slow_island = 0x1p-4;
@@ -200,9 +192,6 @@ inline constexpr int k_slip_halvings = 10;
 
 // ---- Contact forces (contact_forces)
 // [rest.solve.limits]
-/// Points of the largest island whose step is parted where slip ends.
-inline constexpr int k_most_parted = 12;
-
 /// Bodies of the largest island that is solved whole however it moves, and whatever it takes, and whose step may be
 /// made in parts; more are a heap.
 inline constexpr int k_most_whole = 64;
@@ -222,23 +211,11 @@ inline constexpr double k_standing = 4.0;
 /// [steps] Shorter parts of a step are not cut again: an island takes what comes out.
 inline constexpr double k_shortest_part = 0x1p-10;
 
-/// Parts that the step of one island is made in, where its impacts have moments of their own, and where they have not.
-inline constexpr int k_step_parts = 64;
-
-inline constexpr int k_step_parts_of_many = 8;
-
 // ---- Impacts (impacts)
-/// Bodies of the largest island whose impacts have moments of their own; in larger ones all that a step brings come at
-/// its start.
-inline constexpr int k_most_in_turn = 12;
-
 // ---- Heaps (heap_sweeps)
 /// [speeds that the field gives in a step] An island that was slower and stays so is at rest: what it was about to do
 /// is the price of its sleep. Its bodies would speed up by twice as much of the field's acceleration at most.
 inline constexpr double k_calm = 0x1p-8;
-
-/// [k_calm] Where no point asks for a greater change, impulses stay as they are, to the bit.
-inline constexpr double k_content_enough = 0x1p-2;
 
 /// [greatest speeds] Points that would have to close faster than that wait for the end of the sweeps.
 inline constexpr double k_far = 2.0;

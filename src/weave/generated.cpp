@@ -104,7 +104,7 @@ std::string chapter_map(const Book& book)
     }
     const int width = 2 * k_margin + (columns - 1) * k_column + k_box_width;
     return fmt::format(
-        "<figure class=\"map\"><svg viewBox=\"0 0 {0} {1}\" role=\"img\" aria-label=\"Which chapter builds on which; "
+        "<figure class=\"map\"><svg viewBox=\"0 0 {0} {1}\" role=\"group\" aria-label=\"Which chapter builds on which; "
         "the list "
         "below says the same in words\"><defs><marker id=\"head\" viewBox=\"0 0 8 8\" refX=\"5\" refY=\"4\" "
         "markerWidth=\"7\" "

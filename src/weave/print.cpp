@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "weave/live_matter.hpp"
 #include "weave/text.hpp"
 
 namespace flying::weave {
@@ -104,7 +103,6 @@ std::string page_for_print(const Material& material, const std::vector<FinishedP
             if (one.page->name == name) choose(one);
 
     std::string text;
-    std::string scripts;
     for (const FinishedPage* one : chosen) {
         const Page& page = *one->page;
         text += fmt::format("<article class=\"leaf\" id=\"{0}\">\n<header class=\"chapter\">{1}<h1>{2}</h1>{3}"
@@ -112,18 +110,17 @@ std::string page_for_print(const Material& material, const std::vector<FinishedP
                             page.name, joined(page.over, page.name, names), escape_html(page.title),
                             joined(page.under, page.name, names), joined(one->body, page.name, names));
     }
-    for (const Chapter& chapter : material.chapters) scripts += live_script(material.folders, chapter.entry);
 
     const std::string title = escape_html(material.book.title);
     const std::string version = material.book.version.empty() ? "" : "<p>Version " + material.book.version + "</p>";
     return fmt::format(
         "<!DOCTYPE html>\n<html lang=\"en-GB\">\n<head>\n<meta charset=\"utf-8\">\n<title>{0}</title>\n"
         "<link rel=\"stylesheet\" href=\"katex/katex.min.css\">\n<link rel=\"stylesheet\" href=\"theme/book.css\">\n"
-        "<script src=\"live.js\" defer></script>{1}\n</head>\n<body class=\"print\">\n<main>\n"
-        "<header class=\"cover\"><h1>{0}</h1><p>{2}</p>{3}</header>\n"
-        "<nav class=\"leaf to\" id=\"contents\" aria-label=\"Contents\"><h1>Contents</h1><div class=\"columns\">{4}</div></nav>\n{5}</main>\n"
+        "</head>\n<body class=\"print\">\n<main>\n<header class=\"cover\"><h1>{0}</h1><p>{1}</p>{2}</header>\n"
+        "<nav class=\"leaf to\" id=\"contents\" aria-label=\"Contents\"><h1>Contents</h1><div class=\"columns\">{3}</div>"
+        "</nav>\n{4}</main>\n"
         "</body>\n</html>\n",
-        title, scripts, escape_html(material.book.brief), version, contents(material, chosen), text);
+        title, escape_html(material.book.brief), version, contents(material, chosen), text);
 }
 
 } // namespace flying::weave

@@ -107,7 +107,7 @@ std::string plan_table(const Material& material)
                             chapter.exercises.size(), in_code);
     }
     return fmt::format(
-        "<div><table><thead><tr><th></th><th>Chapter</th><th>Hours</th><th>Needs</th><th>Exercises</th></tr></thead>"
+        "<div><table><thead><tr><th>No.</th><th>Chapter</th><th>Hours</th><th>Needs</th><th>Exercises</th></tr></thead>"
         "<tbody>{}<tr><td></td><td>All</td><td>{}</td><td></td><td></td></tr></tbody></table></div>",
         rows, hours);
 }

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -65,6 +66,16 @@ using Book = std::map<std::string, std::vector<int>>;
 
 /// Engine files that include a file of a later chapter.
 [[nodiscard]] std::vector<std::string> later_faults(const std::vector<Source>& sources, const Book& book);
+
+/// Functions and types at the top of a header of src that nothing else in src uses: what only chapters or tests call stands
+/// with them. Headers in `installed` are for others to use.
+[[nodiscard]] std::vector<std::string> reach_faults(const std::vector<Source>& sources,
+                                                    const std::set<std::string>& installed);
+
+/// The paths, from the root, of the headers that the library installs: those that src/public_headers.cmake lists, and what
+/// they include.
+[[nodiscard]] std::set<std::string> installed_headers(const std::filesystem::path& root,
+                                                      const std::vector<Source>& sources);
 
 /// Files and folders beside the ones that the design lists and .gitignore names.
 [[nodiscard]] std::vector<std::string> top_level_faults(const std::filesystem::path& root);

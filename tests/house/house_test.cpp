@@ -230,6 +230,34 @@ TEST_CASE("an include of a later chapter's file is found")
 // ---- The top of the tree
 // ----------------------------------------------------------------------------------------------
 
+TEST_CASE("everything public in src is reached by a program, a page or those who install the library")
+{
+    const std::vector<Source> sources = house::read_sources(k_root, "src");
+    const std::set<std::string> installed = house::installed_headers(k_root, sources);
+    CHECK(installed.contains("src/world/world.hpp"));
+    CHECK(installed.contains("src/math/vec2.hpp"));
+    Faults faults = house::reach_faults(sources, installed);
+    // What only chapters call and still stands in src; the list may grow shorter, not longer
+    const std::set<std::string> to_move = {"about_parallel_axis", "annulus_mass", "corner_has_entered", "entered_contacts", "find_separating_axis",
+                                           "for_each_pair_of_all", "rectangle_mass", "regular_polygon_mass"};
+    std::erase_if(faults, [&](const std::string& fault) { return to_move.contains(fault.substr(fault.rfind(' ') + 1)); });
+    check_none(faults);
+}
+
+TEST_CASE("a function and a type that nothing in src uses are found, those that are installed or used are not")
+{
+    const Tree tree({{"src/math/a.hpp", "struct Used\n{\n};\nstruct Idle\n{\n};\n[[nodiscard]] Used make(int);\n"
+                                        "[[nodiscard]] Used leave(int a,\n                         int b);\n"},
+                     {"src/math/a.cpp", "Used make(int)\n{\n    return {};\n}\nUsed leave(int a, int b)\n{\n    return make(a + b);\n}\n"},
+                     {"src/math/b.hpp", "void given();\n"},
+                     {"src/public_headers.cmake", "set(FLYING_PUBLIC_HEADERS math/b.hpp)\n"}});
+    const std::vector<Source> sources = tree.sources();
+    const std::set<std::string> installed = house::installed_headers(tree.root(), sources);
+    CHECK(installed == std::set<std::string>{"src/math/b.hpp"});
+    CHECK(house::reach_faults(sources, installed) ==
+          Faults{"src/math/a.hpp:4: nothing in src uses Idle", "src/math/a.hpp:8: nothing in src uses leave"});
+}
+
 TEST_CASE("nothing stands at the top that the design doesn't list")
 {
     check_none(house::top_level_faults(k_root));

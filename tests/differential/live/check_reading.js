@@ -57,6 +57,12 @@ function inspect() {
     for (const element of document.querySelectorAll('[tabindex]')) if (element.tabIndex > 0) say('a tabindex that jumps', element);
     for (const element of document.querySelectorAll('[onclick]')) if (element.tabIndex < 0) say('out of the keyboard’s reach', element);
     for (const table of document.querySelectorAll('table')) if (!table.querySelector('th')) say('a table without heads', table);
+    for (const head of document.querySelectorAll('th')) if (!nameOf(head)) say('an empty head of a table', head.parentElement);
+    for (const image of document.querySelectorAll('[role=img]')) if (image.querySelector('a, button')) say('links in what is a picture by its role', image);
+    for (const element of document.querySelectorAll('main pre, main table, .sheet, div.fragment')) {
+        const moves = /auto|scroll/.test(getComputedStyle(element).overflowX) && element.scrollWidth > element.clientWidth + 1;
+        if (moves && shown(element) && element.tabIndex < 0 && !element.querySelector('a, button')) say('only a pointer can move it', element);
+    }
 
     // Contrast of text with the ground under it: 4.5, for large letters 3
     const canvas = document.createElement('canvas').getContext('2d', { willReadFrequently: true });
