@@ -1,0 +1,56 @@
+#include <algorithm>
+#include <doctest/doctest.h>
+#include <numeric>
+#include <set>
+
+#include FLYING_ANSWER
+
+namespace {
+
+std::vector<int> up_to(int count)
+{
+    std::vector<int> all(static_cast<std::size_t>(count));
+    std::iota(all.begin(), all.end(), 0);
+    return all;
+}
+
+} // namespace
+
+TEST_CASE("what breaks by one body comes down to that body")
+{
+    const auto has_five = [](const std::vector<int>& chosen) { return std::count(chosen.begin(), chosen.end(), 5) > 0; };
+    CHECK_MESSAGE(fewest(up_to(17), has_five) == std::vector<int>{5}, "body 5 alone breaks it: leave out all the others");
+}
+
+TEST_CASE("two bodies far apart in the list are both kept, within sixty tries")
+{
+    int tries = 0;
+    const auto has_both = [&](const std::vector<int>& chosen) {
+        ++tries;
+        const std::set<int> set(chosen.begin(), chosen.end());
+        return set.contains(3) && set.contains(60);
+    };
+    CHECK(fewest(up_to(64), has_both) == std::vector<int>{3, 60});
+    CHECK_MESSAGE(tries <= 60, "leave out halves first, then quarters: " << tries << " tries");
+}
+
+TEST_CASE("where any three will do, three are left")
+{
+    const auto has_three = [](const std::vector<int>& chosen) { return chosen.size() >= 3; };
+    CHECK(fewest(up_to(20), has_three).size() == 3);
+}
+
+TEST_CASE("no single body can be left out of the answer")
+{
+    const auto breaks = [](const std::vector<int>& chosen) {
+        const int sum = std::accumulate(chosen.begin(), chosen.end(), 0);
+        return sum >= 40;
+    };
+    const std::vector<int> few = fewest(up_to(16), breaks);
+    CHECK(breaks(few));
+    for (std::size_t k = 0; k < few.size(); ++k) {
+        std::vector<int> fewer = few;
+        fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(k));
+        CHECK_FALSE(breaks(fewer));
+    }
+}
