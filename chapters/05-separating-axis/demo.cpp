@@ -4,6 +4,7 @@
 
 #include "collide/manifold.hpp"
 #include "collide/separating_axis.hpp"
+#include "find_axis.hpp"
 #include "shadows.hpp"
 
 using namespace flying;

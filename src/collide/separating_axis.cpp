@@ -127,40 +127,4 @@ Axis greater_of(const BestEdges& edges, const Polygon& a, const Polygon& b, cons
     return of_b.separation > of_a.separation ? of_b : of_a;
 }
 
-
-
-std::optional<Axis> find_separating_axis(const Polygon& a, const Polygon& b,
-                                         const Pose& a_from_b,
-                                         const std::optional<Axis>& guess)
-{
-    const Pose b_from_a = inverse(a_from_b);
-    // [collide.separating_axis.find.try]
-    const auto try_edge = [&](Owner owner, int edge) {
-        Axis axis = owner == Owner::a ? axis_of_edge(a, edge, b, a_from_b)
-                                      : axis_of_edge(b, edge, a, b_from_a);
-        axis.owner = owner;
-        return axis;
-    };
-    // [collide.separating_axis.find.try]
-
-    // [collide.separating_axis.find.guess]
-    // What parted the two a moment ago most often parts them still
-    if (guess) {
-        const Axis axis = try_edge(guess->owner, guess->edge);
-        if (axis.separation > 0.0) return axis;
-    }
-    // [collide.separating_axis.find.guess]
-
-    for (const Owner owner : {Owner::a, Owner::b}) {
-        const int count =
-            static_cast<int>(owner == Owner::a ? a.edges().size() : b.edges().size());
-        for (int k = 0; k < count; ++k) {
-            const Axis axis = try_edge(owner, k);
-            if (axis.separation > 0.0) return axis;
-        }
-    }
-    return std::nullopt;
-}
-
-
 } // namespace flying

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "collide/contact.hpp"
 #include "geometry/disc.hpp"
 #include "geometry/half_plane.hpp"
@@ -69,14 +67,5 @@ struct BestEdges
 
 /// The one of two edges with the greater separation, A's where they are equal.
 [[nodiscard]] Axis greater_of(const BestEdges& edges, const Polygon& a, const Polygon& b, const Pose& a_from_b);
-
-
-
-/// An axis along which two convex polygons are apart, or none where they touch or overlap. Stops at the first it finds.
-///
-/// guess  the axis that parted the pair the last time, tried first; its separation and vertex don't matter
-[[nodiscard]] std::optional<Axis> find_separating_axis(const Polygon& a, const Polygon& b, const Pose& a_from_b,
-                                                       const std::optional<Axis>& guess = {});
-
 
 } // namespace flying

@@ -85,29 +85,6 @@ TEST_CASE("walking round both polygons finds the same axis as trying every verte
     }
 }
 
-TEST_CASE("a separating axis is found exactly where the greatest separation is positive, with a guess or without")
-{
-    Random random(504);
-    for (int k = 0; k < 5000; ++k) {
-        const Polygon a = random_convex(random);
-        const Polygon b = random_convex(random);
-        const Pose a_from_b = random_pose(random, 2.0);
-        const Axis greatest = greatest_separation(a, b, a_from_b);
-        if (std::abs(greatest.separation) < k_bound) continue;
-        const std::optional<Axis> found = find_separating_axis(a, b, a_from_b);
-        REQUIRE(found.has_value() == (greatest.separation > 0.0));
-        if (!found) continue;
-        CHECK(found->separation > 0.0);
-        CHECK(found->separation <= greatest.separation + k_bound);
-
-        // The cached axis parts the two again at once
-        const std::optional<Axis> again = find_separating_axis(a, b, a_from_b, greatest);
-        REQUIRE(again);
-        CHECK(again->owner == greatest.owner);
-        CHECK(again->edge == greatest.edge);
-    }
-}
-
 TEST_CASE("two crossing bars overlap, though no corner of one lies in the other's bounding box of corners")
 {
     const Shape lying = box(4.0, 0.5);
