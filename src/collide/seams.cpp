@@ -209,6 +209,10 @@ void mend_at_seams(const Polygon& part, const Pose& world_from_part, std::span<c
             const Pose part_from_other = relative_pose(world_from_part, world_from_other);
             const NearestPoint nearest = nearest_point(other, part_from_other, corner, instead);
             const Vec2 from_corner = nearest.point - corner;
+            // Into a hollow come corners only: where an edge lies on the corner, the neighbour that is loose gives way
+            if (seam.bend == Seam::Bend::hollow && seam.is_loose && std::holds_alternative<Polygon>(other) &&
+                from_corner.squaredNorm() > near * near)
+                continue;
             const double over = from_corner.dot(seam.onwards);
             if (over > seam.crack && seam.bend != Seam::Bend::hollow) return false;
             if (over < -seam.crack && seam.bend == Seam::Bend::none && is_no_corner) return false;

@@ -15,14 +15,10 @@ struct SweepPlan
 {
     bool is_warm = true; ///< from the impulses that the points have; else from none
     int sweeps = 8;
-    int most_sweeps = 0;     ///< looking ahead: as many where fewer don't bring a sweep's changes below `enough`
+    int most_sweeps = 0;     ///< as many where fewer don't bring a sweep's changes below `enough`
     double enough = 0.0;     ///< [J]
-    int push_sweeps = 0;     ///< after, that push overlap apart
-    double push_share = 0.0; ///< of an overlap that they take off
-    double time = 0.0;       ///< that the step lasts [s]
     double tolerance = -1.0; ///< where no point asks for a greater change, impulses stay as they are [m/s]
     double far_from_closing = std::numeric_limits<double>::infinity(); ///< points that part so fast wait [m/s]
-    bool looks_ahead = false;
 };
 
 /// Sweeps over all points of a group (projected Gauss-Seidel), from where the step before has ended.
@@ -32,14 +28,11 @@ public:
     /// movers   all bodies; those of the group hold the velocities that they would have without contacts
     /// members  the group's bodies that can move, ascending
     /// points   the group's points with impulses to start from, not yet applied; on return those found, applied
-    /// pushed   filled for the members: the velocities by which places move, those that push overlap apart included
     void sweep(std::span<Mover> movers, std::span<const int> members, std::span<ContactPoint> points,
-               const SweepPlan& plan, std::span<Mover> pushed, SolveCounts& counts);
+               const SweepPlan& plan, SolveCounts& counts);
 
 private:
     void sweep_far(std::span<ContactPoint> points, std::span<Mover> movers);
-    void push_apart(std::span<const int> members, std::span<const ContactPoint> points, const SweepPlan& plan,
-                    std::span<Mover> pushed);
 
     std::vector<int> swept_; // the points that are swept over
     std::vector<int> far_;   // those that wait

@@ -27,7 +27,6 @@ namespace {
 void HeapSweeps::sweep_large(RestData& data, Island& island)
 {
     island.is_exact = false;
-    pushed_.resize(data.motion.now.size());
     const std::span<ContactPoint> points = island.points;
     const std::span<const int> members = island.members;
     const double field = field_speed(data, island);
@@ -37,17 +36,11 @@ void HeapSweeps::sweep_large(RestData& data, Island& island)
     SweepPlan plan;
     plan.is_warm = data.options.warm_starts;
     plan.sweeps = data.options.sweeps;
-    plan.looks_ahead = true;
     plan.most_sweeps = data.options.most_sweeps;
     plan.enough = rest_tolerance::k_enough * energy_of_fall(data, island);
     plan.far_from_closing = rest_tolerance::k_far * std::max(before, field);
-    plan.time = data.motion.span;
     plan.tolerance = rest_tolerance::k_blow * field;
-    if (before > rest_tolerance::k_standing * field) {
-        plan.push_sweeps = data.options.push_sweeps;
-        plan.push_share = rest_tolerance::k_push_share;
-    }
-    sweeps_.sweep(data.motion.now, members, points, plan, pushed_, data.solver.counts());
+    sweeps_.sweep(data.motion.now, members, points, plan, data.solver.counts());
     if (island.member_count() <= rest_tolerance::k_most_swept_on) {
         const double most =
             before > rest_tolerance::k_standing * field ? rest_tolerance::k_deep : rest_tolerance::k_slow_approach;
@@ -61,11 +54,14 @@ void HeapSweeps::sweep_large(RestData& data, Island& island)
         for (const int member : members) {
             Mover& mover = data.motion.now[member];
             mover.v_x = mover.v_y = mover.spin = 0.0;
-            pushed_[member] = mover;
         }
     }
     bear_less(data, island);
-    move_as_swept(data, island);
+    for (const int member : members) {
+        const Mover& now = data.motion.now[member];
+        data.motion.shift[member] = data.motion.span * Vec2(now.v_x, now.v_y);
+        data.motion.turn[member] = data.motion.span * now.spin;
+    }
 }
 
 /// How much deeper points come to overlap in the step than they may.  [sizes]
@@ -88,11 +84,10 @@ void HeapSweeps::end_approaches_whole(RestData& data, const Island& island, Swee
     plan.sweeps = plan.most_sweeps = rest_tolerance::k_more_sweeps;
     plan.tolerance = 0.0;
     set_free(data, island, data.motion.before, data.motion.span);
-    sweeps_.sweep(data.motion.now, members, points, plan, pushed_, data.solver.counts());
+    sweeps_.sweep(data.motion.now, members, points, plan, data.solver.counts());
     if (approaches_left(data, points) <= most) return;
     set_free(data, island, data.motion.before, data.motion.span);
     data.solver.solve(data.motion.now, members, points, rest_tolerance::k_content * top_speed(data, island));
-    for (const int member : members) pushed_[member] = data.motion.now[member];
 }
 
 /// Sweeps that go on from what bore too much lift a heap. With no impulses it would fall through the step, and lose
@@ -130,42 +125,11 @@ void HeapSweeps::bear_less(RestData& data, const Island& island)
         const Mover& old = data.motion.before[member];
         const Vec2 fall = data.motion.span * data.motion.field[member];
         Mover& now = data.motion.now[member];
-        Mover& pushed = pushed_[member];
         const Mover all = now;
         now.v_x = (old.v_x + fall.x()) + share * (all.v_x - (old.v_x + fall.x()));
         now.v_y = (old.v_y + fall.y()) + share * (all.v_y - (old.v_y + fall.y()));
         now.spin = old.spin + share * (all.spin - old.spin);
-        pushed.v_x += now.v_x - all.v_x;
-        pushed.v_y += now.v_y - all.v_y;
-        pushed.spin += now.spin - all.spin;
     }
-}
-
-void HeapSweeps::move_as_swept(RestData& data, const Island& island)
-{
-    const std::span<const int> members = island.members;
-    double lift = 0.0; // work against the field, of what pushes overlap apart [J]
-    for (const int member : members) {
-        const Mover& now = data.motion.now[member];
-        data.motion.shift[member] = data.motion.span * Vec2(now.v_x, now.v_y);
-        data.motion.turn[member] = data.motion.span * now.spin;
-        lift -= data.motion.span * data.motion.field[member].dot(push_of(data, member)) / now.inv_mass;
-    }
-
-    // It may cost no more energy than the sweeps have taken
-    const double share = lift > 0.0 ? std::clamp(-gain_of(data, island).gained / lift, 0.0, 1.0) : 1.0;
-    for (const int member : members) {
-        data.motion.shift[member] += (data.motion.span * share) * push_of(data, member);
-        data.motion.turn[member] += (data.motion.span * share) * (pushed_[member].spin - data.motion.now[member].spin);
-    }
-}
-
-/// By which a body's place moves beyond its velocity.  [m/s]
-Vec2 HeapSweeps::push_of(const RestData& data, int member) const
-{
-    const Mover& now = data.motion.now[member];
-    const Mover& pushed = pushed_[member];
-    return Vec2(pushed.v_x - now.v_x, pushed.v_y - now.v_y);
 }
 
 void HeapSweeps::bound_swept(const RestData& data, const Island& island, bool is_calm) const
@@ -189,10 +153,8 @@ void HeapSweeps::sweep_heap(RestData& data, const Island& island, std::span<Move
     SweepPlan plan;
     plan.is_warm = data.options.warm_starts;
     plan.sweeps = rest_tolerance::k_heap_sweeps;
-    plan.looks_ahead = true;
     plan.tolerance = tolerance;
-    work_.resize(data.motion.now.size());
-    sweeps_.sweep(movers, members, points, plan, work_, data.solver.counts());
+    sweeps_.sweep(movers, members, points, plan, data.solver.counts());
 }
 
 } // namespace flying

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "rest/group_sweeps.hpp"
 #include "rest/island.hpp"
@@ -26,12 +25,8 @@ private:
     [[nodiscard]] double approaches_left(const RestData& data, std::span<const ContactPoint> points) const;
     void end_approaches_whole(RestData& data, const Island& island, SweepPlan plan, double most);
     void bear_less(RestData& data, const Island& island);
-    void move_as_swept(RestData& data, const Island& island);
-    [[nodiscard]] Vec2 push_of(const RestData& data, int member) const;
 
     GroupSweeps sweeps_;
-    std::vector<Mover> pushed_; // velocities by which places move
-    std::vector<Mover> work_;
 };
 
 } // namespace flying

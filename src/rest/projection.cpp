@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "collide/separating_axis.hpp"
+#include "rest/energy_limit.hpp"
 #include "rest/rest_tolerance.hpp"
 
 namespace flying {
@@ -30,6 +31,43 @@ namespace {
     return nearer > rest_tolerance::k_deep * std::min(data.bodies.radius[a], data.bodies.radius[b]);
 }
 
+/// A point's gap as the step ends, if its two went straight on.  [m]
+[[nodiscard]] double gap_at_end(const RestData& data, const ContactPoint& c)
+{
+    const StepMotion& motion = data.motion;
+    const Vec2 shift = motion.shift[c.b] - motion.shift[c.a];
+    const double turns = motion.turn[c.b] * c.normal_arm_b - motion.turn[c.a] * c.normal_arm_a;
+    return c.gap + (c.n_x * shift.x() + c.n_y * shift.y()) + turns;
+}
+
+/// Turns may take so much more from it: points go round, and normals turn while bodies slide along.  [m]
+[[nodiscard]] double bent_by_turns(const RestData& data, const ContactPoint& c)
+{
+    const auto turn_of = [&](int body) {
+        return data.bodies.turning[body] > 0.0 ? std::abs(data.motion.turn[body]) : 0.0;
+    };
+    const double slide = (data.motion.shift[c.b] - data.motion.shift[c.a]).norm();
+    return 0.5 * (turn_of(c.a) * arc_of(data, c.a) + turn_of(c.b) * arc_of(data, c.b)) +
+           std::max(turn_of(c.a), turn_of(c.b)) * slide;
+}
+
+/// A pair that stays fair, however its two turn, need not be looked at.
+///
+/// points  all of the pair
+[[nodiscard]] bool may_be_unfair(const RestData& data, std::span<const ContactPoint> points)
+{
+    const ContactPoint& c = points.front();
+    const double fair = rest_tolerance::k_fair_overlap * std::min(data.bodies.radius[c.a], data.bodies.radius[c.b]);
+    // Corners that are no points were further away, by all that the two were thought to reach where there is one point
+    double next = points.size() > 1 ? 0.0 : data.motion.reach[c.a] + data.motion.reach[c.b];
+    for (const ContactPoint& point : points) {
+        if (gap_at_end(data, point) - bent_by_turns(data, point) < -fair) return true;
+        next = std::max(next, point.gap);
+    }
+    const Vec2 shift = data.motion.shift[c.b] - data.motion.shift[c.a];
+    return next + (c.n_x * shift.x() + c.n_y * shift.y()) - (arc_of(data, c.a) + arc_of(data, c.b)) < -fair;
+}
+
 /// How two polygons part by the shortest way where they overlap as the step ends; separation 0 where they don't.
 [[nodiscard]] Contact overlap_at_end(const RestData& data, const RestPair& pair)
 {
@@ -54,22 +92,28 @@ namespace {
     return contact;
 }
 
+void set_end_poses(RestData& data, const Island& island)
+{
+    for (const int member : island.members) {
+        const BodyState& s = data.bodies.list[member].state;
+        data.motion.end_poses[member] = {s.position + data.motion.shift[member],
+                                         Rotation::of(s.angle + data.motion.turn[member])};
+    }
+}
+
 } // namespace
 
 double Projection::look_at_end(RestData& data, const Island& island)
 {
     points_.clear();
     const std::span<const ContactPoint> points = island.points;
+    if (!island.is_exact) return look_at_swept(data, island);
     const bool any_nearer =
         std::any_of(points.begin(), points.end(), [&](const ContactPoint& c) { return comes_nearer(data, c.a, c.b); });
     const bool may_any =
         std::any_of(points.begin(), points.end(), [&](const ContactPoint& c) { return may_overlap(data, c); });
     if (!may_any && !any_nearer) return 0.0;
-    for (const int member : island.members) {
-        const BodyState& s = data.bodies.list[member].state;
-        data.motion.end_poses[member] = {s.position + data.motion.shift[member],
-                                         Rotation::of(s.angle + data.motion.turn[member])};
-    }
+    set_end_poses(data, island);
     list_pairs_of(data, points);
     const auto is_overlap = [&](int index) {
         const RestPair& pair = data.pairs.pairs()[index];
@@ -79,6 +123,28 @@ double Projection::look_at_end(RestData& data, const Island& island)
     double worst = 0.0;
     for (const int pair : looked_at_) worst = std::max(worst, look_at_pair(data, pair));
     return worst;
+}
+
+/// Only pairs that may overlap more than is fair are looked at: of the others it is known well enough where they end.
+double Projection::look_at_swept(RestData& data, const Island& island)
+{
+    set_end_poses(data, island);
+    double worst = 0.0;
+    const std::span<const ContactPoint> all = island.points;
+    for (std::size_t first = 0, end = 0; first < all.size(); first = end) {
+        while (end < all.size() && all[end].pair == all[first].pair) ++end;
+        const std::span<const ContactPoint> points = all.subspan(first, end - first);
+        if (may_be_unfair(data, points)) {
+            worst = std::max(worst, look_at_pair(data, points.front().pair));
+            continue;
+        }
+        for (const ContactPoint& c : points) {
+            ContactPoint& point = points_.emplace_back(c);
+            point.bound = -gap_at_end(data, c);
+            point.normal = point.tangent = point.friction = 0.0;
+        }
+    }
+    return worst > rest_tolerance::k_fair_overlap ? worst : 0.0;
 }
 
 /// The pairs that points belong to, and where the two come nearer to each other those of all their parts.
@@ -152,14 +218,16 @@ void Projection::put_apart(RestData& data, const Island& island, double overlap,
             turn_before_[member] = data.motion.turn[member];
         }
         find_pushes(data, island, 0.125 * touch, sweeps);
+        // A heap hangs in the air if all its motion goes to lift it
+        const double share = island.is_exact ? 1.0 : share_that_is_paid(data, island);
         bool too_far = false;
         for (const int member : members) {
             const Mover& mover = pushes_[member];
             const double push =
                 std::abs(mover.v_x) + std::abs(mover.v_y) + std::abs(mover.spin) * data.bodies.radius[member];
             too_far = too_far || !(push <= rest_tolerance::k_most_push * data.bodies.radius[member]);
-            data.motion.shift[member] += Vec2(mover.v_x, mover.v_y);
-            data.motion.turn[member] += mover.spin;
+            data.motion.shift[member] += share * Vec2(mover.v_x, mover.v_y);
+            data.motion.turn[member] += share * mover.spin;
         }
         const double after = too_far ? overlap : look_at_end(data, island);
         if (!(after < overlap)) {
@@ -171,6 +239,17 @@ void Projection::put_apart(RestData& data, const Island& island, double overlap,
         }
         overlap = after;
     }
+}
+
+/// How much of the pushes the energy pays for that the step has taken.
+double Projection::share_that_is_paid(const RestData& data, const Island& island) const
+{
+    double lift = 0.0; // [J]
+    for (const int member : island.members) {
+        const Mover& push = pushes_[member];
+        lift -= data.motion.field[member].dot(Vec2(push.v_x, push.v_y)) / push.inv_mass;
+    }
+    return lift > 0.0 ? std::clamp(-gain_of(data, island).gained / lift, 0.0, 1.0) : 1.0;
 }
 
 /// Pushes that take off overlap.

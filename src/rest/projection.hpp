@@ -12,7 +12,8 @@ namespace flying {
 class Projection
 {
 public:
-    /// How deep any two of an island overlap where the step ends; looked at only where they may.  [sizes]
+    /// How deep any two of an island overlap where the step ends; looked at only where they may. Of swept islands what
+    /// is fair counts for nothing.  [sizes]
     [[nodiscard]] double look_at_end(RestData& data, const Island& island);
     /// Moves bodies out of what they overlap there: the same conditions for places as for velocities, least by the
     /// masses, without friction. It adds no velocity.
@@ -22,6 +23,8 @@ public:
 private:
     void list_pairs_of(const RestData& data, std::span<const ContactPoint> points);
     [[nodiscard]] double look_at_pair(RestData& data, int index);
+    [[nodiscard]] double look_at_swept(RestData& data, const Island& island);
+    [[nodiscard]] double share_that_is_paid(const RestData& data, const Island& island) const;
     void find_pushes(RestData& data, const Island& island, double tolerance, HeapSweeps& sweeps);
 
     std::vector<ContactPoint> points_; // of the pairs that were looked at, as the step ends

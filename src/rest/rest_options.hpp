@@ -15,7 +15,6 @@ struct RestOptions
     int most_solved = 400;    ///< bodies in the largest island that is solved to rounding; more are swept
     int sweeps = 8;           ///< over larger islands
     int most_sweeps = 64;     ///< over those that have more to change, as where a pile lands
-    int push_sweeps = 4;      ///< over larger islands, that push overlap apart
     std::optional<CentralField> centre = {}; ///< round which all are pulled that move, in place of their accelerations
     double (*seconds)() = nullptr;           ///< a clock, lent to measure the stages; null to measure nothing [s]
 };

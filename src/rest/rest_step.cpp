@@ -56,7 +56,7 @@ bool is_fair(const RestData& data, const Island& island, double overlap)
 /// Ways of an island whose velocities are found.
 void find_places(RestData& data, const Island& island)
 {
-    if (island.has_ways) return;
+    if (island.has_ways || !island.is_exact) return;
 
     // [rest.places.mean]
     // Places move by the mean of the velocities before and after
@@ -245,7 +245,6 @@ void RestEngine::finish_islands(int depth, std::span<const int> pairs)
 /// with its overlap taken off.  [s]
 double RestEngine::end_early(Island& island, int depth)
 {
-    if (!island.is_exact) return 0.0;
     find_places(data_, island);
     if (island.in_turn) {
         const double missed = missed_impact(data_, island);

@@ -234,10 +234,7 @@ inline constexpr int k_most_swept_on = 1024;
 /// [approaches left] Sweeps that leave more don't get on.
 inline constexpr double k_gets_on = 0.25;
 
-/// Share of an overlap that one step takes off.
-inline constexpr double k_push_share = 0.25;
-
-/// Sweeps that end the impacts of a heap, and that push its overlap apart.
+/// Sweeps that end the impacts of a heap, and that take off its overlap.
 inline constexpr int k_heap_sweeps = 16;
 
 } // namespace flying::rest_tolerance

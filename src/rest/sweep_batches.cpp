@@ -249,7 +249,7 @@ inline void SweepBatches::put_back(const int (&who)[4], const Motion& motion)
 }
 
 template <typename Content>
-inline void SweepBatches::sweep_batch(const Batch& batch, bool backwards, Content&& content_of)
+inline void SweepBatches::sweep_batch(const Batch& batch, Content&& content_of)
 {
     const Row& one = batch.rows[0];
     const Row& other = batch.rows[1];
@@ -262,7 +262,7 @@ inline void SweepBatches::sweep_batch(const Batch& batch, bool backwards, Conten
     fetch(other.a, other_a);
     fetch(other.b, other_b);
     for (int k = 0; k < batch.count; ++k) {
-        const int point = batch.first + 2 * (backwards ? batch.count - 1 - k : k);
+        const int point = batch.first + 2 * k;
         content_of(one, point, one_a, one_b);
         content_of(other, point + 1, other_a, other_b);
     }
@@ -271,23 +271,6 @@ inline void SweepBatches::sweep_batch(const Batch& batch, bool backwards, Conten
     put_back(one.b, one_b);
     put_back(other.a, other_a);
     put_back(other.b, other_b);
-}
-
-void SweepBatches::sweep(bool backwards)
-{
-    for (int k = 0; k < batch_count_; ++k) {
-        const Batch& batch = batches_[backwards ? batch_count_ - 1 - k : k];
-        sweep_batch(
-            batch, backwards, [&](const Row& row, int point, Motion& a, Motion& b) __attribute__((always_inline)) {
-                Change change;
-                content(row, points_[point], a, b, change);
-            });
-    }
-}
-
-void SweepBatches::sweep_to_and_fro(int sweeps)
-{
-    for (int k = 0; k < sweeps; ++k) sweep(k % 2 == 1);
 }
 
 /// Of what one sweep takes off little, many would take off alike. Wherever a sweep changes more than the last, the
@@ -303,8 +286,7 @@ int SweepBatches::sweep_ahead(const Ahead& ahead)
         Four sum{};
         for (int k = 0; k < batch_count_; ++k) {
             sweep_batch(
-                batches_[k],
-                false, [&](const Row& row, int point, Motion& a, Motion& b) __attribute__((always_inline)) {
+                batches_[k], [&](const Row& row, int point, Motion& a, Motion& b) __attribute__((always_inline)) {
                     Way& way = way_[point];
                     go_ahead(points_[point], way, share);
                     Change& change = way.last;
@@ -345,17 +327,6 @@ void SweepBatches::go_ahead(const Four& share)
         motion += way;
         drift.way = way + change;
         drift.old = motion;
-    }
-}
-
-void SweepBatches::begin_push(std::span<const ContactPoint> points, double share, double time)
-{
-    for (Batch& batch : std::span(batches_).first(batch_count_))
-        batch.rows[0].friction = batch.rows[1].friction = Four{};
-    for (Points& c : std::span(points_).first(point_count_)) c.normal = c.tangent = Four{};
-    for (std::size_t k = 0; k < which_.size(); ++k) {
-        const ContactPoint& c = points[which_[k]];
-        if (c.gap < 0.0) points_[lane_of_[k] / 4].bound[lane_of_[k] % 4] = share * -c.gap / time;
     }
 }
 

@@ -24,9 +24,7 @@ public:
     /// The points that were laid out, in the order in which a plain sweep would take them.
     [[nodiscard]] std::vector<int> order() const;
 
-    /// Sweeps, the first to the end of the list, the next back to its beginning, and so on.
-    void sweep_to_and_fro(int sweeps);
-    /// How many sweeps that go on in the direction of those before, as conjugate gradients do.
+    /// How many sweeps, each from the beginning of the list, that go on in the direction of those before, as conjugate gradients do.
     struct Ahead
     {
         int least = 8;
@@ -37,9 +35,6 @@ public:
     /// sum of their squares, over the masses of both bodies.
     int sweep_ahead(const Ahead& ahead);
 
-    /// From here on other impulses, from none, without friction, of the points that were laid out: where one overlaps,
-    /// so that it parts by `share` of that within `time` at least.
-    void begin_push(std::span<const ContactPoint> points, double share, double time);
     /// The members' velocities, in the order of `members` as they were laid out.
     void get_velocities(std::span<Mover> movers, std::span<const int> members) const;
     /// Impulses to the points that were laid out.
@@ -115,9 +110,8 @@ private:
     void go_ahead(const Four& share);
     void fetch(const int (&who)[4], Motion& motion) const;
     void put_back(const int (&who)[4], const Motion& motion);
-    void sweep(bool backwards);
     template <typename Content>
-    void sweep_batch(const Batch& batch, bool backwards, Content&& content);
+    void sweep_batch(const Batch& batch, Content&& content);
 
     std::vector<Batch> batches_; // the first batch_count_, and what is kept of earlier ones
     std::vector<Points> points_; // point_count_
