@@ -73,6 +73,34 @@ std::string dedent(const std::string& html, int count)
     return out;
 }
 
+/// A formula in the text with the punctuation behind it, which must not begin a line; `at` moves behind that. Between
+/// its parts the formula may still go on in the next line.
+std::string with_mark(std::string formula, const std::string& text, std::size_t& at)
+{
+    const std::size_t end = std::min(text.find_first_not_of(".,;:?!)", at), text.size());
+    if (end == at) return formula;
+    constexpr std::string_view k_part = "</span><span class=\"base\">";
+    const std::string mark = text.substr(at, end - at);
+    at = end;
+    return "<span class=\"marked\">" + replace_all(std::move(formula), k_part, "</span><wbr><span class=\"base\">") +
+           mark + "</span>";
+}
+
+/// Code in the text: a long name may go on in the next line behind one of its dashes, an option may not.
+std::string breakable(const std::string& code)
+{
+    std::string out;
+    for (std::size_t at = 0; at < code.size();) {
+        const std::size_t end = std::min(code.find(' ', at), code.size());
+        const std::string word = code.substr(at, end - at);
+        const std::string shown = replace_all(escape_html(word), "_", "_<wbr>");
+        out += word.rfind("--", 0) == 0 ? "<span class=\"option\">" + shown + "</span>" : shown;
+        if (end < code.size()) out += ' ';
+        at = end + 1;
+    }
+    return out;
+}
+
 class Finisher
 {
 public:
@@ -104,6 +132,9 @@ public:
             }
             at = next + found.length;
             std::string html = resolve(static_cast<std::size_t>(found.index));
+            const Fragment& fragment = fragments_[static_cast<std::size_t>(found.index)];
+            if (fragment.kind == FragmentKind::formula && !fragment.display)
+                html = with_mark(std::move(html), text, at);
             if (is_block(html)) unwrap(out, text, at);
             out += html;
         }
@@ -149,8 +180,7 @@ private:
 
     std::string code(const Fragment& fragment)
     {
-        // A long name may go on in the next line behind one of its dashes
-        const std::string shown = "<code>" + replace_all(escape_html(fragment.text), "_", "_<wbr>") + "</code>";
+        const std::string shown = "<code>" + breakable(fragment.text) + "</code>";
         std::string name = fragment.text;
         if (name.size() > 2 && name.substr(name.size() - 2) == "()") name.resize(name.size() - 2);
         const auto page = manual_.names.find(name);

@@ -45,6 +45,20 @@ std::string escape_prose(const std::string& prose)
 /// Characters of code that the column of the text holds in one line.
 constexpr std::size_t k_column = 78;
 
+/// Characters of a program's output that it holds.
+constexpr std::size_t k_output_column = 72;
+
+std::size_t longest_line(std::string_view text)
+{
+    std::size_t longest = 0;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find('\n', at), text.size());
+        longest = std::max(longest, end - at);
+        at = end + 1;
+    }
+    return longest;
+}
+
 std::string block_token(const std::string& token)
 {
     return "\n" + token + "\n\n";
@@ -427,11 +441,12 @@ std::string TextWriter::output(const Chapter& chapter, const Block& block)
 {
     const auto found = material_.outputs.find(chapter.entry.name + "/" + block.name);
     if (found == material_.outputs.end()) return "";
-    return block_token(fragments_.add_html(fmt::format("<figure class=\"output\"><figcaption>What <code>{}.cpp</code> "
-                                                       "printed in this build</figcaption><pre>{}</pre>{}"
-                                                       "</figure>",
-                                                       escape_html(block.name), escape_html(found->second),
-                                                       run_box(chapter.entry, block.name))));
+    const char* const wide = longest_line(found->second) > k_output_column ? " wide" : "";
+    return block_token(fragments_.add_html(
+        fmt::format("<figure class=\"output{}\"><figcaption>What <code>{}.cpp</code> "
+                    "printed in this build</figcaption><pre>{}</pre>{}"
+                    "</figure>",
+                    wide, escape_html(block.name), escape_html(found->second), run_box(chapter.entry, block.name))));
 }
 
 } // namespace flying::weave
