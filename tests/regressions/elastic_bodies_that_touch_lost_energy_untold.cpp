@@ -24,7 +24,7 @@ Scene pit(int count, int columns, double mass)
         for (int k = 0; k < (is_even ? columns : columns - 1) && left > 0; ++k, --left)
             scene.bodies.push_back(disc(0.5, {(is_even ? 0.5 : 1.0) + k, 0.5 + row * std::sqrt(0.75)}));
     }
-    BodyDef ball = disc(0.5, {0.5 * columns + 0.3, 3.5 + row * std::sqrt(0.75)});
+    BodyDef ball = disc(0.5, {0.5 * columns + (columns > 1 ? 0.3 : 0.0), 3.5 + row * std::sqrt(0.75)});
     ball.mass = mass;
     scene.bodies.push_back(ball);
     return scene;

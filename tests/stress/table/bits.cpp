@@ -166,7 +166,7 @@ Reached compilers(const Share&)
     std::string programs;
     std::string names;
     int count = 0;
-    for (const char* preset : {"release", "clang", "instructions", "plain", "plain-clang", "checked", "fuzz"}) {
+    for (const char* preset : {"release", "clang", "instructions", "checked", "fuzz"}) {
         const std::string program = fmt::format("{}/build/{}/bin/flying", root, preset);
         if (!std::ifstream(program)) continue;
         programs += " '" + program + "'";
