@@ -69,11 +69,11 @@ Reached tall_stack(const Share&)
     return reached;
 }
 
-/// How far a block on a slope has gone after a time.
+/// How far a block has gone on a slope after a time; it is too flat to tip.
 double slid(double tilt, double mu, double time, const WorldOptions& options = {})
 {
     Scene scene = over_floor(0.0, mu, tilt);
-    scene.bodies = {rectangle(1.0, 1.0, {0.0, 0.5})};
+    scene.bodies = {rectangle(4.0, 1.0, {0.0, 0.5})};
     World world = world_of(scene, options);
     run_to(world, time);
     return (world.state(0).position - scene.bodies[0].position).norm();
