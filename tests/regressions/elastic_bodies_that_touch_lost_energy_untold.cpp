@@ -2,7 +2,6 @@
 // bounce more often than a step can follow. What is lost is told now, to where it went.
 
 #include <cmath>
-#include <tuple>
 
 #include "support/worlds.hpp"
 
@@ -36,10 +35,14 @@ TEST_CASE("elastic bodies without friction keep their energy, or the report says
 {
     bool any_kept = false;
     bool any_lost = false;
-    for (const auto& [count, columns, mass] : {std::tuple(1, 1, 1.0), std::tuple(2, 2, 3.0), std::tuple(5, 3, 1.0),
-                                               std::tuple(12, 5, 3.0), std::tuple(38, 8, 3.0)}) {
-        CAPTURE(count);
-        World world = world_of(pit(count, columns, mass));
+    struct Case {
+        int count;
+        int columns;
+        double mass;
+    };
+    for (const Case& each : {Case{1, 1, 1.0}, Case{2, 2, 3.0}, Case{5, 3, 1.0}, Case{12, 5, 3.0}, Case{38, 8, 3.0}}) {
+        CAPTURE(each.count);
+        World world = world_of(pit(each.count, each.columns, each.mass));
         run(world, 2.0);
         const Report report = world.report();
         const double lost = report.initial_total - report.energy.total();

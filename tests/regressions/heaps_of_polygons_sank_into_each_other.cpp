@@ -3,7 +3,6 @@
 // others, it was found a sixth of a size deep in one that it hardly touched.
 
 #include <algorithm>
-#include <tuple>
 
 #include "math/random.hpp"
 #include "support/worlds.hpp"
@@ -38,11 +37,18 @@ Scene rain(int count, int corners, double restitution, double friction, std::uin
 
 TEST_CASE("polygons that fall in a heap keep apart by a hundredth of their size at every step")
 {
-    for (const auto& [count, corners, restitution, friction, seed] :
-         {std::tuple(110, 0, 0.2, 0.5, 1), std::tuple(90, 4, 0.0, 0.3, 2), std::tuple(90, 3, 0.5, 0.8, 3),
-          std::tuple(90, 5, 0.0, 0.0, 4)}) {
-        CAPTURE(corners);
-        World world = world_of(rain(count, corners, restitution, friction, static_cast<std::uint64_t>(seed)));
+    struct Case
+    {
+        int count;
+        int corners;
+        double restitution;
+        double friction;
+        std::uint64_t seed;
+    };
+    for (const Case& each :
+         {Case{110, 0, 0.2, 0.5, 1}, Case{90, 4, 0.0, 0.3, 2}, Case{90, 3, 0.5, 0.8, 3}, Case{90, 5, 0.0, 0.0, 4}}) {
+        CAPTURE(each.corners);
+        World world = world_of(rain(each.count, each.corners, each.restitution, each.friction, each.seed));
         REQUIRE_FALSE(world.advance(3.0).has_value());
         CHECK(world.report().max_overlap < 0.01 * 0.25);
     }
