@@ -80,7 +80,7 @@ TEST_CASE("a push of one newton-second changes the normal speed by the inverse m
         // [impulse.tests.mass]
         const double c_a = flying::cross(m.point.r_a, m.point.normal);
         const double c_b = flying::cross(m.point.r_b, m.point.normal);
-        const double w_n = flying::inverse_mass(m.frame.normal, m.frame.normal, m.inertia);
+        const double w_n = flying::inverse_mass(m.frame.normal, m.inertia);
         const double sum = 1 / m_a + 1 / m_b + c_a * c_a / i_a + c_b * c_b / i_b;
         CHECK_EQUATION("impulse.inverse_mass", w_n, sum, 3e-15, {"m_a", m_a}, {"m_b", m_b},
                        {"I_a", i_a}, {"I_b", i_b}, {"c_a", c_a}, {"c_b", c_b});
@@ -124,7 +124,7 @@ TEST_CASE(
         if (v_n > -0.01) continue;
         ++struck;
         const double e = random.uniform();
-        const double w_n = flying::inverse_mass(m.frame.normal, m.frame.normal, m.inertia);
+        const double w_n = flying::inverse_mass(m.frame.normal, m.inertia);
         // [impulse.tests.newton]
         const double j = flying::newton_impulse(v_n, w_n, e);
         CHECK_EQUATION("impulse.normal", j, (1 + e) * -v_n / w_n, 1e-15, {"e", e},

@@ -3,6 +3,7 @@
 
 #include "events/event_engine.hpp"
 #include "events/stage_timer.hpp"
+#include "math/exact.hpp"
 #include "math/tolerance.hpp"
 #include "toi/discs.hpp"
 
@@ -55,8 +56,8 @@ bool EventEngine::strike_discs(const Event& event, int a, int b)
     const double approach = (row_b.velocity - row_a.velocity).dot(normal);
     if (!(approach < 0.0) || approach * approach == 0.0) return false;
     const double e = std::max(sheet_a.material.restitution, sheet_b.material.restitution);
-    const double inv_mass = sheet_a.inertia.inv_mass + sheet_b.inertia.inv_mass;
-    const Vec2 impulse = (-(1.0 + e) * approach / (inv_mass * normal.dot(normal))) * normal;
+    const double j = -(1.0 + e) * approach / (sheet_a.inertia.inv_mass + sheet_b.inertia.inv_mass);
+    const Vec2 impulse = (j - j * excess_of_unit(normal.x(), normal.y())) * normal;
     const Vec2 velocity_a = row_a.velocity - sheet_a.inertia.inv_mass * impulse;
     const Vec2 velocity_b = row_b.velocity + sheet_b.inertia.inv_mass * impulse;
     if (!((velocity_b - velocity_a).dot(normal) >= 0.0)) return false;

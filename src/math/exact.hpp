@@ -55,4 +55,20 @@ struct Exact
 }
 
 
+
+
+/// x^2 + y^2 - 1 for a unit vector (x, y) as rounding leaves it, |x| and |y| at most 2; error below 2^-75.
+///
+/// Near 1 the sum of squares in doubles can't tell: above 1 doubles are twice as far apart as below, so what it loses leans
+/// to one side. Each component is split into a multiple of 2^-26, whose square is exact, and a rest.
+[[nodiscard]] inline double excess_of_unit(double x, double y)
+{
+    constexpr double k_multiples = 100663296.0; // 1.5 * 2^26: added to x, its last digit stands for 2^-26
+    const double x_upper = (x + k_multiples) - k_multiples;
+    const double y_upper = (y + k_multiples) - k_multiples;
+    const double upper = (x_upper * x_upper - 1.0) + y_upper * y_upper;
+    return upper + ((x - x_upper) * (x + x_upper) + (y - y_upper) * (y + y_upper));
+}
+
+
 } // namespace flying

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "math/exact.hpp"
 #include "response/one_point.hpp"
 #include "response/several_points.hpp"
 
@@ -50,7 +51,12 @@ PairPush push_at_one(const PointFrame& point, const PairMotion& motion, const Pa
     const double v_t = speed_along(point.tangent, motion);
     const PointImpulse impulse = one_point_impulse(response, v_n, v_t, material);
     PairPush push;
-    push.add(point.normal, impulse.normal);
+    if (impulse.normal == 0.0) return push;
+
+    // Allow for the length of the normal, which rounding has left beside 1: a push along it buys that much more speed
+    const Vec2& n = point.normal.direction;
+    const double surplus = excess_of_unit(n.x(), n.y()) * (inertia.inv_mass() / response.w_n);
+    push.add(point.normal, impulse.normal - impulse.normal * surplus);
     if (impulse.tangent != 0.0) push.add(point.tangent, impulse.tangent);
     return push;
 }
@@ -108,7 +114,7 @@ ImpactResult resolve_single(const PointFrame& point, const PairMotion& motion, c
 {
     // Leave a separating pair alone, to the bit; and two that nothing moves
     const bool approaches = speed_along(point.normal, motion) < 0.0;
-    if (!approaches || !(inverse_mass(point.normal, point.normal, inertia) > 0.0))
+    if (!approaches || !(inverse_mass(point.normal, inertia) > 0.0))
         return result_of(motion, false, !approaches);
 
     const PairMotion after = pushed(motion, push_at_one(point, motion, inertia, material), inertia);

@@ -12,9 +12,9 @@ PointResponse response_at(const PointFrame& frame, const PairInertia& inertia)
     const PushLine& n = frame.normal;
     const PushLine& t = frame.tangent;
     PointResponse response;
-    response.w_n = inverse_mass(n, n, inertia);
-    response.w_t = inverse_mass(t, t, inertia);
-    response.w_nt = inverse_mass(n, t, inertia);
+    response.w_n = inverse_mass(n, inertia);
+    response.w_t = inverse_mass(t, inertia);
+    response.w_nt = coupling(n, t, inertia);
 
     // Sum the determinant from positive terms; the difference w_n w_t - w_nt^2 would cancel
     const double inv_m = inertia.inv_mass();

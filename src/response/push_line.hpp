@@ -87,12 +87,20 @@ struct PointFrame
 
 
 
-/// Change of the speed along `seen` for one N s along `pushed`; symmetric.  [1/kg]
+/// Change of the speed along a line for one N s along it: the inverse of its effective mass.  [1/kg]
 ///
-/// For one line: the inverse of its effective mass,
-/// 1/m_a + 1/m_b + (r_a x n)^2/I_a + (r_b x n)^2/I_b.
-[[nodiscard]] inline double inverse_mass(const PushLine& seen, const PushLine& pushed,
-                                         const PairInertia& inertia)
+/// 1/m_a + 1/m_b + (r_a x n)^2/I_a + (r_b x n)^2/I_b, for a direction n of length 1.
+[[nodiscard]] inline double inverse_mass(const PushLine& line, const PairInertia& inertia)
+{
+    const double turn_a = inertia.a.inv_moment_of_inertia * (line.arm_a * line.arm_a);
+    const double turn_b = inertia.b.inv_moment_of_inertia * (line.arm_b * line.arm_b);
+    return inertia.inv_mass() + (turn_a + turn_b);
+}
+
+
+
+/// Change of the speed along `seen` for one N s along `pushed`; symmetric.  [1/kg]
+[[nodiscard]] inline double coupling(const PushLine& seen, const PushLine& pushed, const PairInertia& inertia)
 {
     const double shift = inertia.inv_mass() * seen.direction.dot(pushed.direction);
     const double turn_a = inertia.a.inv_moment_of_inertia * (seen.arm_a * pushed.arm_a);

@@ -160,7 +160,7 @@ Outcome try_edges(const Trial& trial, std::span<const Edge> edges, std::span<con
     for (int i = 0; i < trial.size; ++i) {
         speed[i] = -speed_along(*lines[i], motion);
         for (int k = 0; k < trial.size; ++k)
-            response[i][k] = inverse_mass(*lines[i], edges[trial.edge[k]].line, inertia);
+            response[i][k] = coupling(*lines[i], edges[trial.edge[k]].line, inertia);
     }
     Outcome outcome;
     outcome.amount = solve(response, speed, trial.size);
@@ -280,7 +280,7 @@ Impulses cautious_push(std::span<const PointFrame> points, const PairMotion& mot
     Impulses impulses{{}, std::vector<double>(points.size(), 0.0), false};
     for (const PointFrame& point : points) {
         const double v_n = speed_along(point.normal, motion);
-        const double w_n = inverse_mass(point.normal, point.normal, inertia);
+        const double w_n = inverse_mass(point.normal, inertia);
         impulses.normal.push_back(v_n < 0.0 && w_n > 0.0 ? -share * v_n / w_n : 0.0);
     }
     return impulses;
