@@ -126,6 +126,10 @@ public:
         if (rest_) rest_->step();
         return rest_ || !world_->advance((number + 1) * scene_.step);
     }
+    [[nodiscard]] RestAccount account()
+    {
+        return rest_ ? RestAccount{} : world_->report().rest.value_or(RestAccount{});
+    }
 
 private:
     [[nodiscard]] static Scene as_scene(const RestScene& from);
@@ -319,6 +323,7 @@ RestFindings run_rest_scene(const RestScene& scene, int look_every, Integrator i
         least = std::min(least, now);
         if (k % look_every == 0 || k + 1 == scene.steps) measure_overlap(engine, measured, k, findings);
     }
+    findings.rest = engine.account();
     for (int k = 0; k < engine.body_count(); ++k) {
         const RestBody& body = engine.body(k);
         if (body.is_static) continue;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "rest/rest_engine.hpp"
+#include "world/report.hpp"
 
 /// Random scenes for the resting integrator, and what a run of one showed.
 namespace flying::stress {
@@ -35,6 +36,7 @@ struct RestFindings
     double end_overlap = 0.0; ///< the same, at the end
     int lost = 0;             ///< bodies whose centre has left the box
     bool finite = true;       ///< no number that is none, and the run came to its end
+    RestAccount rest;         ///< how the steps were made; only of a world that hands bodies to and fro
 };
 
 /// What moves the bodies of a scene.
