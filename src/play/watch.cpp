@@ -7,6 +7,7 @@
 #include "motion/field.hpp"
 #include "motion/kepler.hpp"
 #include "play/run.hpp"
+#include "play/seconds.hpp"
 
 namespace flying {
 
@@ -18,8 +19,7 @@ constexpr std::size_t k_most_frames = 300;
 constexpr double k_plan_every = 0.5;  ///< [s]
 constexpr double k_touch = 1e-6;      ///< [sizes] gap of bodies that have just met
 constexpr double k_unlike = 1e-9;     ///< [speeds] a change that is no rounding
-constexpr int k_few = 60;             ///< bodies whose next impacts can be found anew in each frame
-constexpr double k_next_every = 0.25; ///< [s]
+constexpr double k_next_rest = 4.0;   ///< between two searches for next impacts, in times that the last one took
 constexpr double k_next_within = 1.0; ///< [s]
 constexpr std::size_t k_most_next = 24;
 
@@ -115,10 +115,14 @@ void watch_present(Watch& watch, const PlayRun& run, const Look& look, double no
         watch.next_asked = -1.0;
         return;
     }
-    // Many pairs are looked at less often
-    const double wait = run.world().body_count() > k_few ? k_next_every : 0.0;
-    if (watch.next_asked >= 0.0 && now < watch.next_asked + wait) return;
+    if (watch.next_of != run.generation()) watch.next.clear();
+    watch.next_of = run.generation();
+
+    // However many bodies there are, the search takes a fifth of the time at most
+    if (watch.next_asked >= 0.0 && now <= watch.next_asked + k_next_rest * watch.next_took) return;
+    const double started = seconds_now();
     watch.next = next_impacts(run.world(), watch.inside, k_most_next, k_next_within);
+    watch.next_took = seconds_now() - started;
     watch.next_asked = now;
 }
 

@@ -59,7 +59,9 @@ struct Watch
     int inside_of = -1;        ///< generation of the run that `inside` belongs to
     std::vector<LeaningContact> contacts;
     std::vector<NextImpact> next;
+    int next_of = -1;          ///< generation of the run that `next` belongs to
     double next_asked = -1.0;  ///< on the stage's own clock [s]
+    double next_took = 0.0;    ///< to find `next` [s]
 
     // What impacts are told from
     std::int64_t known_collisions = 0;

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "play/paint_stage.hpp"
-#include "window/seconds.hpp"
+#include "play/seconds.hpp"
 
 namespace flying {
 

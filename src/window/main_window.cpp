@@ -10,7 +10,7 @@
 
 #include "files/interrupt.hpp"
 #include "play/keys.hpp"
-#include "window/seconds.hpp"
+#include "play/seconds.hpp"
 
 namespace flying {
 

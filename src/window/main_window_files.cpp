@@ -5,13 +5,13 @@
 
 #include <filesystem>
 
+#include "play/seconds.hpp"
 #include "play/state.hpp"
 #include "scene/fault.hpp"
 #include "scene/generate.hpp"
 #include "scene/read.hpp"
 #include "scene/write.hpp"
 #include "window/main_window.hpp"
-#include "window/seconds.hpp"
 
 namespace flying {
 

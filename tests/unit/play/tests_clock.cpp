@@ -113,3 +113,21 @@ TEST_CASE("costs of frames are told by their median and by what nineteen of twen
     CHECK(costs.quantile(0.95) < 1.2);
     CHECK(costs.quantile(1.0) == 50.0);
 }
+
+TEST_CASE("keys that are pressed within a frame don't search for the next impacts again")
+{
+    Stage stage = stage_of(gas(45));
+    play(stage, 0.5);
+    REQUIRE(press(stage, "e"));
+    REQUIRE_FALSE(stage.watch.next.empty());
+    const double took = stage.watch.next_took;
+    for (int k = 0; k < 200; ++k) REQUIRE(press(stage, "n"));
+    CHECK(stage.watch.next_took == took);
+
+    // Bodies that were changed are searched anew in time; what was found for others is not shown
+    REQUIRE(press(stage, "r"));
+    REQUIRE(press(stage, "left"));
+    CHECK(stage.watch.next.empty());
+    play(stage, 0.5 + 10.0 * took);
+    CHECK_FALSE(stage.watch.next.empty());
+}
