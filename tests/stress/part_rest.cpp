@@ -20,6 +20,7 @@ void run_rest(const Job& job, Tally& tally)
     long not_finite = 0;
     long ends = 0;
     long ends_alone = 0;
+    long lost_alone = 0;
     RestAccount sum;
     const std::uint64_t end = job.seed + static_cast<std::uint64_t>(job.count);
     for (std::uint64_t seed = job.seed; seed < end; ++seed) {
@@ -30,7 +31,7 @@ void run_rest(const Job& job, Tally& tally)
             const RestFindings findings = run_rest_scene(scene, 10, integrator);
             const bool is_alone = integrator == Integrator::rest;
             rise = std::max(rise, findings.rise);
-            lost += findings.lost > 0 ? 1 : 0;
+            (is_alone ? lost_alone : lost) += findings.lost > 0 ? 1 : 0;
             not_finite += findings.finite ? 0 : 1;
             (is_alone ? ends_alone : ends) += findings.end_overlap > k_overlap_allowed ? 1 : 0;
             if (!is_alone) {
@@ -56,10 +57,9 @@ void run_rest(const Job& job, Tally& tally)
     tally.result(ends == 0,
                  fmt::format("{}: {} that end with overlap beyond a hundredth of the smaller size, at most {:.1e}",
                              what, ends, end_overlap));
-    tally.note(fmt::format(
-        "        rest: deepest overlap at any tenth step {:.1e} sizes; by the resting integrator alone {} end with "
-        "overlap",
-        overlap, ends_alone));
+    tally.note(fmt::format("        rest: deepest overlap at any tenth step {:.1e} sizes", overlap));
+    tally.note(fmt::format("        rest: by the resting integrator alone {} lose a body, {} end with overlap",
+                           lost_alone, ends_alone));
     tally.note(fmt::format("        rest: of {} islands' steps {} swept, {} made in parts, {} projected, {} limited, "
                            "{} without a solution",
                            sum.islands, sum.swept, sum.parts, sum.projected, sum.limited, sum.unsolved));
