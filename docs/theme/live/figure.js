@@ -87,7 +87,7 @@
             const { experiment, canvas } = this;
             const bar = make('div', { class: 'controls' });
             if (!experiment.still) {
-                this.playButton = make('button', { type: 'button', class: 'play' });
+                this.playButton = make('button', { type: 'button', class: 'play', 'aria-label': 'Play' }, '\u25b6');
                 this.playButton.onclick = () => this.play(!this.isPlaying);
                 const step = make('button', { type: 'button', 'aria-label': 'Next moment', title: 'Next moment' }, '\u275a\u25b6');
                 step.onclick = () => { this.play(false); this.go(this.next()); this.draw(); };
