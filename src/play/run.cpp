@@ -201,7 +201,7 @@ void PlayRun::reset()
     moments_.push_back(moment());
 }
 
-bool PlayRun::go_back(double time)
+double PlayRun::rewind(double time)
 {
     stroke_.clear();
     undone_.clear();
@@ -211,7 +211,13 @@ bool PlayRun::go_back(double time)
     last.undoes.clear(); // what followed has not happened yet
     last.holds_until = std::numeric_limits<double>::infinity();
     restore(last);
-    if (last.time() > time) return false;
+    return end;
+}
+
+bool PlayRun::go_back(double time)
+{
+    const double end = rewind(time);
+    if (this->time() > time) return false;
     (void)advance(end, -1);
     return end == time;
 }

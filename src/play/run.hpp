@@ -76,6 +76,9 @@ public:
     [[nodiscard]] bool can_redo() const { return !undone_.empty(); }
     /// Back to the start of the first scene.
     void reset();
+    /// Back to the last moment that is remembered and not after another, or the earliest.  [s]
+    /// Until when the run may go on from there towards the other: a change may lie between.  [s]
+    [[nodiscard]] double rewind(double time);
     /// Back to an earlier moment, as far as is remembered. True where that was reached.  [s]
     bool go_back(double time);
     /// Earliest moment that can be gone back to.  [s]

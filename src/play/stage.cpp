@@ -7,6 +7,7 @@
 #include "draw/layout.hpp"
 #include "math/random.hpp"
 #include "play/paint_stage.hpp"
+#include "play/seconds.hpp"
 #include "scene/fault.hpp"
 
 namespace flying {
@@ -28,6 +29,7 @@ Colour random_colour(int body)
 
 constexpr double k_shown_for = 3.0;       ///< a mode's bar, and a notice [s]
 constexpr double k_longest_wall = 0.1;    ///< of one frame: what is longer was a hitch [s]
+constexpr double k_longest_key = 0.1;     ///< of the run, for a key that steps it: the window answers after that [s]
 constexpr double k_averaged_over = 1.0;   ///< [s]
 constexpr std::size_t k_most_shadows = 150; ///< of more bodies they would cost frames
 constexpr double k_mean = 0.05;           ///< share of a frame in the mean costs
@@ -49,6 +51,23 @@ void colour_bodies(Stage& stage)
         if (stage.look.colouring == Colouring::mover) body.fill = mover_colour(stage.run.world().mover(static_cast<int>(k)), theme);
         if (stage.look.colouring == Colouring::random && !body.is_static) body.fill = random_colour(static_cast<int>(k));
     }
+}
+
+/// On to a moment, as far as a budget of real time lets it: by one event, then by two, four, ...
+PlayRun::Advance go_on(Stage& stage, double target, double budget, double (*seconds)())
+{
+    const double started = seconds();
+    const Look& look = stage.look;
+    const bool sees_impacts = look.shows(Layer::contacts) || look.shows(Layer::normals) || look.shows(Layer::impulses);
+    if (sees_impacts) begin_watch(stage.watch, stage.run);
+    std::int64_t most = 1;
+    PlayRun::Advance done;
+    do {
+        done = stage.run.advance(target, most);
+        if (sees_impacts) watch_event(stage.watch, stage.run, stage.now);
+        else most = std::min<std::int64_t>(2 * most, 512);
+    } while (!done.arrived && !done.failure && seconds() - started < budget);
+    return done;
 }
 
 } // namespace
@@ -147,17 +166,8 @@ void Stage::advance(double wall, double (*seconds)())
     clock.due = due_before + way;
     const double target = std::max(run.time(), clock.due);
 
-    // As far as the budget lets it, a few events at a time
     const double started = seconds();
-    const bool sees_impacts = look.shows(Layer::contacts) || look.shows(Layer::normals) || look.shows(Layer::impulses);
-    if (sees_impacts) begin_watch(watch, run);
-    std::int64_t most = sees_impacts ? 1 : 32;
-    PlayRun::Advance done;
-    do {
-        done = run.advance(target, most);
-        if (sees_impacts) watch_event(watch, run, now);
-        else most = std::min<std::int64_t>(2 * most, 512);
-    } while (!done.arrived && !done.failure && seconds() - started < clock.budget);
+    const PlayRun::Advance done = go_on(*this, target, clock.budget, seconds);
     clock.simulating = seconds() - started;
     if (!done.arrived) clock.due = run.time();
     if (done.failure) {
@@ -179,14 +189,17 @@ void Stage::advance(double wall, double (*seconds)())
 void step(Stage& stage, int frames)
 {
     stage.clock.is_paused = true;
-    const double way = frames * stage.clock.frame * stage.clock.speed;
-    if (frames > 0) {
-        stage.run.remember(k_remembered_every * stage.clock.frame * stage.clock.speed);
-        const PlayRun::Advance done = stage.run.advance(stage.run.time() + way, -1);
-        if (done.failure) stage.say("The run stopped: " + done.failure->message, true);
-    } else if (stage.run.time() <= 0.0 || !stage.run.go_back(std::max(0.0, stage.run.time() + way))) {
-        stage.say("This is the earliest moment that is remembered");
-    }
+    const double from = stage.run.time();
+    const double to = std::max(0.0, from + frames * stage.clock.frame * stage.clock.speed);
+    double end = to;
+    if (frames > 0) stage.run.remember(k_remembered_every * stage.clock.frame * stage.clock.speed);
+    else end = stage.run.rewind(to);
+    PlayRun::Advance done;
+    done.arrived = stage.run.time() >= end;
+    if (!done.arrived) done = go_on(stage, end, k_longest_key, seconds_now);
+    if (done.failure) stage.say("The run stopped: " + done.failure->message, true);
+    else if (!done.arrived) stage.say("This is how far the run gets in a tenth of a second");
+    else if (stage.run.time() != to || to == from) stage.say("This is the earliest moment that is remembered");
     stage.refresh();
 }
 

@@ -131,3 +131,20 @@ TEST_CASE("keys that are pressed within a frame don't search for the next impact
     play(stage, 0.5 + 10.0 * took);
     CHECK_FALSE(stage.watch.next.empty());
 }
+
+TEST_CASE("a key that steps a slow run far says how far it got, and goes on from there when it is pressed again")
+{
+    Stage stage = stage_of(gas(2000));
+    set_speed(stage, 64.0);
+    const double whole = 20.0 * stage.clock.frame * stage.clock.speed;
+    double from = 0.0;
+    for (int k = 0; k < 2; ++k) {
+        REQUIRE(press(stage, "greater"));
+        CHECK(stage.run.time() > from);
+        CHECK(stage.run.time() <= from + whole);
+        if (stage.run.time() < from + whole) CHECK(stage.notice.text == "This is how far the run gets in a tenth of a second");
+        from = stage.run.time();
+    }
+    REQUIRE(press(stage, "less"));
+    CHECK(stage.run.time() < from);
+}
