@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "rest/energy_limit.hpp"
+#include "rest/heap_sweeps.hpp"
 #include "rest/impact.hpp"
 #include "rest/rest_tolerance.hpp"
 #include "rest/step_field.hpp"
