@@ -16,7 +16,7 @@ using namespace flying::test;
 namespace {
 
 constexpr double k_scale = 33.0; // pixels in a metre
-constexpr double k_high = 10.4;  // of the picture of the pit [m]
+constexpr double k_high = 11.2;  // of the picture of the pit [m]
 
 Vec2 in_pit(const Vec2& place)
 {
@@ -37,7 +37,7 @@ double radius_of(const RestEngine& engine, int body)
 /// A heap at rest, and what goes through it.
 void draw_heap(const std::string& folder, const RestEngine& engine)
 {
-    Sketch s(folder + "/heap.svg", 430, 368);
+    Sketch s(folder + "/heap.svg", 430, 396);
     draw_pit(s);
     for (int k = 3; k < engine.body_count(); ++k) {
         s.disc(in_pit(engine.state(k).position), k_scale * radius_of(engine, k), pale(k_blue, 0.14), pale(k_blue, 0.6),
@@ -145,7 +145,7 @@ void draw_colours(const std::string& folder)
 /// The curve along which bodies lie in memory.
 void draw_curve(const std::string& folder, const RestEngine& engine)
 {
-    Sketch s(folder + "/curve.svg", 430, 368);
+    Sketch s(folder + "/curve.svg", 430, 396);
     draw_pit(s);
     std::vector<RestBody> bodies;
     for (int k = 3; k < engine.body_count(); ++k) bodies.push_back(engine.body(k));
