@@ -8,14 +8,11 @@ using namespace flying::test;
 
 namespace {
 
-
 void print_blocks(const char* name, int count, const Pairs& pairs)
 {
-    std::printf("%-16s %6d %9zu %8d %11ld\n", name, count, pairs.size(),
-                blocks_of(count, pairs), blocks_by_hand(count, pairs).work);
+    std::printf("%-16s %6d %9zu %8d %11ld\n", name, count, pairs.size(), blocks_of(count, pairs),
+                blocks_by_hand(count, pairs).work);
 }
-
-
 
 /// What elimination takes.
 void count_blocks()
@@ -27,8 +24,6 @@ void count_blocks()
         print_blocks(("pyramid of " + std::to_string(base)).c_str(), base * (base + 1) / 2, pyramid_of(base));
 }
 
-
-
 /// What looking back gains.
 void look_back()
 {
@@ -38,8 +33,6 @@ void look_back()
                     sweeps_looking_back(n, 0.01));
     }
 }
-
-
 
 /// A heap that is poured, and falls asleep.
 void pour(int count)
@@ -62,14 +55,11 @@ void pour(int count)
     std::printf("energy lost        %10.1f J\n", before - energy(engine));
     std::printf("steps              %10ld\n", static_cast<long>(counts.steps));
     std::printf("searches for pairs %10ld\n", static_cast<long>(counts.looks));
-    std::printf("islands swept      %10ld\n",
-                static_cast<long>(engine.solve_counts().swept));
-    std::printf("sweeps             %10ld\n",
-                static_cast<long>(engine.solve_counts().sweeps));
+    std::printf("islands swept      %10ld\n", static_cast<long>(engine.solve_counts().swept));
+    std::printf("sweeps             %10ld\n", static_cast<long>(engine.solve_counts().sweeps));
     std::printf("overlap taken off  %10ld\n", static_cast<long>(counts.projected));
     std::printf("energy limited     %10ld\n", static_cast<long>(counts.limited));
 }
-
 
 } // namespace
 

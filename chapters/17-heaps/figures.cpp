@@ -50,8 +50,8 @@ void draw_heap(const std::string& folder, const RestEngine& engine)
         const double width = 9.0 * c.normal_force / most;
         if (width < 0.15) continue;
         const Vec2 b = engine.state(c.b).position;
-        const Vec2 a = engine.body(c.a).is_static ? Vec2(b - radius_of(engine, c.b) * c.normal)
-                                                  : Vec2(engine.state(c.a).position);
+        const Vec2 a =
+            engine.body(c.a).is_static ? Vec2(b - radius_of(engine, c.b) * c.normal) : Vec2(engine.state(c.a).position);
         s.line(in_pit(a), in_pit(b), k_rust, width);
     }
 }
@@ -134,7 +134,8 @@ void draw_colours(const std::string& folder)
         const double half = 0.5 * size;
         const double x = a < 0 ? centres[b].x() : 0.5 * (centres[a].x() + centres[b].x());
         s.disc(Vec2(x, centres[b].y() + half), 7.0, tones[colour], k_none);
-        s.words(Vec2(x, centres[b].y() + half + 4.5), std::to_string(colour), Anchor::middle, Tone{0xffffff, 1.0}, 11.0);
+        s.words(Vec2(x, centres[b].y() + half + 4.5), std::to_string(colour), Anchor::middle, Tone{0xffffff, 1.0},
+                11.0);
     };
     for (int k = 0; k < base; ++k) add(-1, k);
     for (const auto& [a, b] : pyramid_of(base)) {

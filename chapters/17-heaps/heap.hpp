@@ -15,14 +15,12 @@
 /// Heaps, and what it takes to find their forces.
 namespace flying::test {
 
-
 /// Discs over a pit that is 12 m wide, in rows that are not quite even, each from 0.3
 /// to 0.5 m in radius. The floor comes first, then the two walls.
 inline std::vector<RestBody> over_a_pit(int count)
 {
     const Material material{0.0, 0.5};
-    std::vector<RestBody> bodies = {wall(Vec2(0.0, 1.0), 0.0, material),
-                                    wall(Vec2(1.0, 0.0), -6.0, material),
+    std::vector<RestBody> bodies = {wall(Vec2(0.0, 1.0), 0.0, material), wall(Vec2(1.0, 0.0), -6.0, material),
                                     wall(Vec2(-1.0, 0.0), -6.0, material)};
     Random random(1701);
     for (int k = 0; k < count; ++k) {
@@ -33,8 +31,6 @@ inline std::vector<RestBody> over_a_pit(int count)
     }
     return bodies;
 }
-
-
 
 /// Steps until all discs sleep, or so long.  [s]
 inline double time_to_sleep(RestEngine& engine, double longest)
@@ -50,8 +46,6 @@ inline double time_to_sleep(RestEngine& engine, double longest)
     return engine.time();
 }
 
-
-
 /// The weight of all bodies, and what floor and walls bear of it upwards.  [N]
 struct Weighed
 {
@@ -63,8 +57,7 @@ inline Weighed weigh(const RestEngine& engine)
 {
     Weighed result;
     for (int k = 0; k < engine.body_count(); ++k) {
-        if (!engine.body(k).is_static)
-            result.weight += k_gravity / engine.body(k).inertia.inv_mass;
+        if (!engine.body(k).is_static) result.weight += k_gravity / engine.body(k).inertia.inv_mass;
     }
     for (const RestContact& c : engine.contacts()) {
         if (!engine.body(c.a).is_static) continue; // they come first in our heaps
@@ -72,8 +65,6 @@ inline Weighed weigh(const RestEngine& engine)
     }
     return result;
 }
-
-
 
 /// Bodies that touch, as pairs.
 using Pairs = std::vector<std::pair<int, int>>;
@@ -108,7 +99,6 @@ inline Pairs pyramid_of(int base)
     return pairs;
 }
 
-
 /// Blocks beside the diagonal once all bodies are eliminated, by the engine.
 inline int blocks_of(int count, const Pairs& pairs)
 {
@@ -119,13 +109,11 @@ inline int blocks_of(int count, const Pairs& pairs)
     return static_cast<int>(system.size());
 }
 
-
-
 /// The same on paper: who has the fewest neighbours left goes, and couples them.
 struct OnPaper
 {
-    std::vector<int> order;                 ///< in which they go
-    std::vector<std::set<int>> neighbours;  ///< of each body, when it goes
+    std::vector<int> order;                ///< in which they go
+    std::vector<std::set<int>> neighbours; ///< of each body, when it goes
     int blocks = 0;
     long work = 0; ///< products of blocks
 };
@@ -159,8 +147,6 @@ inline OnPaper blocks_by_hand(int count, const Pairs& pairs)
     return paper;
 }
 
-
-
 /// The worst error that so many sweeps leave in a column, if each looks back.
 inline double error_looking_back(int count, int sweeps)
 {
@@ -183,19 +169,15 @@ inline int sweeps_looking_back(int count, double share)
     return sweeps;
 }
 
-
-
 /// A row of equal balls that touch, on a smooth floor, of which the first rolls.
 inline RestEngine row_of_balls(int count, double v, double e)
 {
     const Material material{e, 0.0};
     std::vector<RestBody> bodies = {wall(Vec2(0.0, 1.0), 0.0, material)};
-    for (int k = 0; k < count; ++k)
-        bodies.push_back(disc(0.5, Vec2(k, 0.5), 1.0, material));
+    for (int k = 0; k < count; ++k) bodies.push_back(disc(0.5, Vec2(k, 0.5), 1.0, material));
     bodies[1].state.velocity = Vec2(v, 0.0);
     return RestEngine(bodies);
 }
-
 
 /// Two boxes side by side on a smooth floor, swept, and drawn along it by a share of
 /// gravity: whether they stay for a second.
@@ -213,6 +195,5 @@ inline bool stays_put(double share)
     engine.advance(1.0);
     return engine.state(1).position.x() == 0.0;
 }
-
 
 } // namespace flying::test

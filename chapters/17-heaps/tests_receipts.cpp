@@ -42,7 +42,6 @@ TEST_CASE("blocks are those that elimination on paper counts, but for ties in th
     }
 }
 
-
 // [heaps.tests.row]
 TEST_CASE("the last ball of a row leaves as if each pair met alone, on a floor too")
 {
@@ -52,15 +51,13 @@ TEST_CASE("the last ball of a row leaves as if each pair met alone, on a floor t
             RestEngine engine = row_of_balls(n, v, e);
             engine.step();
             const double u = engine.state(n).velocity.x();
-            CHECK_EQUATION("heaps.row", u, v * std::pow(0.5 * (1.0 + e), n - 1), 1e-12, {"n", n},
-                           {"v", v}, {"e", e});
+            CHECK_EQUATION("heaps.row", u, v * std::pow(0.5 * (1.0 + e), n - 1), 1e-12, {"n", n}, {"v", v}, {"e", e});
             if (e == 1.0) continue; // whatever the power, nothing is lost
             CHECK_TWIN("heaps.row", u, v * std::pow(0.5 * (1.0 + e), n), 1e-12);
         }
     }
 }
 // [heaps.tests.row]
-
 
 TEST_CASE("the share of the impulses that acts is where no energy is gained")
 {
@@ -83,24 +80,21 @@ TEST_CASE("the share of the impulses that acts is where no energy is gained")
     }
 }
 
-
 TEST_CASE("two discs that overlap part by their masses")
 {
     const double deep = 0.01;
     for (const double m_b : {0.5, 1.0, 4.0, 20.0}) {
-        std::vector<RestBody> bodies = {disc(0.5, Vec2(0.0, 0.0), 1.0, {}),
-                                        disc(0.5, Vec2(1.0 - deep, 0.0), m_b, {})};
+        std::vector<RestBody> bodies = {disc(0.5, Vec2(0.0, 0.0), 1.0, {}), disc(0.5, Vec2(1.0 - deep, 0.0), m_b, {})};
         for (RestBody& body : bodies) body.acceleration = Vec2::Zero();
         RestEngine engine(bodies);
         engine.step();
         const double way = -engine.state(0).position.x();
-        CHECK_EQUATION("heaps.apart", way, deep * m_b / (1.0 + m_b), 1e-9, {"\\delta", deep},
-                       {"m_a", 1.0}, {"m_b", m_b});
+        CHECK_EQUATION("heaps.apart", way, deep * m_b / (1.0 + m_b), 1e-9, {"\\delta", deep}, {"m_a", 1.0},
+                       {"m_b", m_b});
         if (m_b != 1.0) CHECK_TWIN("heaps.apart", way, deep / (1.0 + m_b), 1e-9);
         CHECK(engine.state(0).velocity.isZero(0.0));
     }
 }
-
 
 TEST_CASE("the list of pairs is made anew when a box may be left, and no sooner")
 {
@@ -119,13 +113,11 @@ TEST_CASE("the list of pairs is made anew when a box may be left, and no sooner"
             }
             const double every = searched[3] - searched[2];
             const double room = 3.0 * r / (32.0 * v * options.step);
-            CHECK_EQUATION("heaps.looks", every, 3.0 + std::floor(room), 0.0, {"r", r}, {"v", v},
-                           {"d", options.step});
+            CHECK_EQUATION("heaps.looks", every, 3.0 + std::floor(room), 0.0, {"r", r}, {"v", v}, {"d", options.step});
             CHECK_TWIN("heaps.looks", every, 2.0 + std::floor(room), 0.0);
         }
     }
 }
-
 
 TEST_CASE("a swept heap that would speed up by less than a share of gravity doesn't start")
 {
@@ -139,7 +131,6 @@ TEST_CASE("a swept heap that would speed up by less than a share of gravity does
     CHECK_TWIN("heaps.calm", low * k_gravity, k_gravity / 128.0, 1e-8);
 }
 
-
 // [heaps.tests.weight]
 TEST_CASE("what floor and walls bear of a heap at rest is its weight")
 {
@@ -149,15 +140,14 @@ TEST_CASE("what floor and walls bear of a heap at rest is its weight")
         time_to_sleep(engine, 30.0);
         const Weighed weighed = weigh(engine);
         const double mean = weighed.weight / (n * k_gravity);
-        CHECK_EQUATION("heaps.weight", weighed.borne, weighed.weight, k_stopped, {"n", n},
-                       {"m", mean}, {"g", k_gravity});
+        CHECK_EQUATION("heaps.weight", weighed.borne, weighed.weight, k_stopped, {"n", n}, {"m", mean},
+                       {"g", k_gravity});
         CHECK_TWIN("heaps.weight", weighed.borne, weighed.weight * (n - 1) / n, k_stopped);
         worst = std::max(worst, std::abs(weighed.borne / weighed.weight - 1.0));
     }
     RECORD_VALUE("heaps.weight.off", worst);
 }
 // [heaps.tests.weight]
-
 
 // [heaps.tests.settles]
 TEST_CASE("a heap that is poured never gains energy, sleeps, and hasn't sunk")
@@ -179,7 +169,6 @@ TEST_CASE("a heap that is poured never gains energy, sleeps, and hasn't sunk")
 }
 // [heaps.tests.settles]
 
-
 TEST_CASE("with sleep and without, a heap has the same bits")
 {
     RestOptions awake;
@@ -192,7 +181,6 @@ TEST_CASE("with sleep and without, a heap has the same bits")
     CHECK(one.counts().asleep > 0);
 }
 
-
 // [heaps.tests.wide]
 TEST_CASE("wide sweeps have the bits of plain ones in the order of the batches")
 {
@@ -203,9 +191,8 @@ TEST_CASE("wide sweeps have the bits of plain ones in the order of the batches")
         std::vector<int> members;
         std::vector<ContactPoint> points;
         for (int k = 0; k < base * (base + 1) / 2; ++k) {
-            movers.push_back({random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0),
-                              random.uniform(-1.0, 1.0), random.uniform(0.5, 2.0),
-                              random.uniform(0.5, 2.0)});
+            movers.push_back({random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0),
+                              random.uniform(0.5, 2.0), random.uniform(0.5, 2.0)});
             members.push_back(k + 1);
         }
         Pairs pairs = pyramid_of(base);
@@ -243,7 +230,6 @@ TEST_CASE("wide sweeps have the bits of plain ones in the order of the batches")
 }
 // [heaps.tests.wide]
 
-
 TEST_CASE("sweeps that look back take about twice as many for twice the height")
 {
     const int low = sweeps_looking_back(20, 0.01);
@@ -254,7 +240,6 @@ TEST_CASE("sweeps that look back take about twice as many for twice the height")
     RECORD_VALUE("heaps.back.growth", growth);
 }
 
-
 TEST_CASE("all at once, a body on some points is pushed as often as it has points")
 {
     const double fall = k_gravity / 60.0;
@@ -263,8 +248,8 @@ TEST_CASE("all at once, a body on some points is pushed as often as it has point
         sweep_at_once(body.points, body.movers);
         double sum = 0.0;
         for (const ContactPoint& c : body.points) sum += c.normal;
-        CHECK_EQUATION("heaps.at_once", sum, k * fall, 1e-15, {"k", k}, {"m", 1.0},
-                       {"g", k_gravity}, {"d", fall / k_gravity});
+        CHECK_EQUATION("heaps.at_once", sum, k * fall, 1e-15, {"k", k}, {"m", 1.0}, {"g", k_gravity},
+                       {"d", fall / k_gravity});
         CHECK_TWIN("heaps.at_once", sum, (k + 1) * fall, 1e-15);
     }
 }

@@ -9,7 +9,6 @@
 /// What looks right, and throws heaps into the air.
 namespace flying::test {
 
-
 /// One sweep in which all points look at the same velocities, and then push.
 inline void sweep_at_once(std::span<ContactPoint> points, std::span<Mover> movers)
 {
@@ -23,8 +22,6 @@ inline void sweep_at_once(std::span<ContactPoint> points, std::span<Mover> mover
         push(points[k], more[k], 0.0, movers[points[k].a], movers[points[k].b]);
     }
 }
-
-
 
 /// A body of 1 kg over so many points of the floor, all below its centre, which has
 /// fallen for a step.  [m/s]
@@ -47,6 +44,5 @@ inline OnPoints on_points(int count, double fall)
     }
     return body;
 }
-
 
 } // namespace flying::test
