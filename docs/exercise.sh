@@ -13,12 +13,17 @@ usage() {
     exit 2
 }
 
-find_chapter() { # NN: sets number and chapter
-    [[ ${1:-} =~ ^[0-9]{1,2}$ ]] || usage
-    number=$(printf '%02d' "$((10#$1))")
-    local folders=("$root"/chapters/"$number"-*/)
-    [[ -d ${folders[0]} ]] || { echo "no chapter $number in chapters/" >&2; exit 2; }
-    chapter=$(basename "${folders[0]}")
+chapters() { # a line for each: what the book calls it, its folder
+    awk -f "$root/docs/chapters.awk" "$root/chapters/book.toml"
+}
+
+find_chapter() { # NN, or a letter: sets label, chapter, and number, which targets are named by
+    [[ ${1:-} =~ ^([0-9]{1,2}|[A-Z])$ ]] || usage
+    label=$1
+    [[ $label == [A-Z] ]] || label=$(printf '%02d' "$((10#$1))")
+    chapter=$(chapters | sed -n "s/^$label //p")
+    [[ -n $chapter ]] || { echo "no chapter $label in chapters/book.toml" >&2; exit 2; }
+    number=${chapter%%-*}
 }
 
 title() { # file.md: its first line as plain words
@@ -46,8 +51,8 @@ start() {
             echo "my/$chapter/$name.hpp: yours to write; the task is in chapters/$chapter/exercises/$name/text.md"
         fi
     done
-    ((found)) || { echo "chapter $number has no exercise in code" >&2; exit 2; }
-    echo "When you have an answer: ./course check $number"
+    ((found)) || { echo "chapter $label has no exercise in code" >&2; exit 2; }
+    echo "When you have an answer: ./course check $label"
 }
 
 # ---- Check ---------------------------------------------------------------------------------------------------------------
@@ -113,7 +118,7 @@ check() { # build folder
             status=1
         fi
     done
-    ((found)) || { echo "nothing in my/$chapter; begin with: ./course start $number" >&2; exit 2; }
+    ((found)) || { echo "nothing in my/$chapter; begin with: ./course start $label" >&2; exit 2; }
     return "$status"
 }
 
@@ -121,8 +126,8 @@ check() { # build folder
 
 progress() {
     local stub name folder answer state line all=0 pass=0 next=""
-    for folder in "$root"/chapters/[0-9][0-9]-*/; do
-        chapter=$(basename "$folder")
+    while read -r label chapter; do
+        folder=$root/chapters/$chapter/
         line=""
         for stub in "$folder"exercises/*/stub.hpp; do
             [[ -f $stub ]] || continue
@@ -137,11 +142,11 @@ progress() {
                     pass=$((pass + 1))
                 fi
             fi
-            [[ $state == passes || -n $next ]] || next=${chapter%%-*}
+            [[ $state == passes || -n $next ]] || next=$label
             line+=$(printf '  %s %-7s' "$name" "$state")
         done
-        [[ -z $line ]] || printf '%s  %-26s%s\n' "${chapter%%-*}" "$(title "${folder}chapter.md")" "${line%"${line##*[! ]}"}"
-    done
+        [[ -z $line ]] || printf '%s  %-26s%s\n' "$label" "$(title "${folder}chapter.md")" "${line%"${line##*[! ]}"}"
+    done < <(chapters)
     echo "$pass of $all exercises in code pass as they are. Those on paper only you can tick."
     [[ -z $next ]] || echo "Next: ./course start $next"
 }

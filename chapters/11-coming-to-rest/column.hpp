@@ -30,6 +30,7 @@ inline Column column_of(const std::vector<double>& masses, double fall)
         ContactPoint c;
         c.a = k - 1;
         c.b = k;
+        c.pair = k;
         c.n_y = 1.0;
         c.normal_mass =
             1.0 / (column.movers[k - 1].inv_mass + column.movers[k].inv_mass);

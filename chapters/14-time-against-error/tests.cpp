@@ -1,4 +1,4 @@
-// What chapter 14 says, checked. No clock of the machine is read: those of the tests tick as they are told.
+// What the chapter says, checked. No clock of the machine is read: those of the tests tick as they are told.
 
 #include <cmath>
 #include <doctest/doctest.h>

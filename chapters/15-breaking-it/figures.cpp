@@ -1,4 +1,4 @@
-// The figures of chapter 15: the table as margins, the throw that was found and the one that is left of it.
+// The figures of the chapter: the table as margins, the throw that was found and the one that is left of it.
 
 #include <algorithm>
 #include <cmath>

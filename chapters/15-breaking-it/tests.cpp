@@ -1,4 +1,4 @@
-// What chapter 15 says, checked.
+// What the chapter says, checked.
 
 #include <cmath>
 #include <doctest/doctest.h>

@@ -120,11 +120,13 @@ struct RigidMotion
         energy += 0.5 * (own.squaredNorm() / now.inv_mass + spin * spin / now.inv_moment);
         mixed += common.dot(own) / now.inv_mass + rigid.spin * spin / now.inv_moment;
     }
+    // [rest.energy.share]
     // With a share s of the relative motion its energy is  energy s^2 + mixed s
     const double left = energy + mixed - by;
     const double root = mixed * mixed + 4.0 * energy * left;
     const double share =
         energy > 0.0 && root > 0.0 ? std::clamp((std::sqrt(root) - mixed) / (2.0 * energy), 0.0, 1.0) : 0.0;
+    // [rest.energy.share]
     for (const int member : members) {
         Mover& now = data.motion.now[member];
         const Vec2 common = velocity_of(member);

@@ -94,6 +94,7 @@ void HeapSweeps::end_approaches_whole(RestData& data, const Island& island, Swee
 /// energy by that; with some share of them it neither gains nor loses any.
 void HeapSweeps::bear_less(RestData& data, const Island& island)
 {
+    // [rest.heaps.share]
     // With a share s of the impulses the energy grows by  square s^2 + linear s + constant
     double square = 0.0;   // [J]
     double linear = 0.0;   // [J]
@@ -116,6 +117,7 @@ void HeapSweeps::bear_less(RestData& data, const Island& island)
     if (!(square + linear + constant > rest_tolerance::k_rounding * scale)) return;
     const double root = std::sqrt(linear * linear - 4.0 * square * constant);
     const double share = linear > 0.0 ? -2.0 * constant / (linear + root) : (root - linear) / (2.0 * square);
+    // [rest.heaps.share]
 
     for (ContactPoint& c : island.points) {
         c.normal *= share;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "rest/energy_limit.hpp"
+#include "rest/heap_sweeps.hpp"
 #include "rest/impact.hpp"
 #include "rest/rest_tolerance.hpp"
 #include "rest/step_field.hpp"
@@ -76,6 +77,7 @@ double missed_impact(const RestData& data, const Island& island)
 /// leave. Where impacts have no moments of their own, all that closes within the step counts as closed.
 bool Impacts::strike(RestData& data, Island& island, HeapSweeps& sweeps)
 {
+    // [rest.impacts.closed]
     // Find what is closed, or closes
     const double slowest = slowest_blow(data, island);
     struck_.clear();
@@ -91,6 +93,7 @@ bool Impacts::strike(RestData& data, Island& island, HeapSweeps& sweeps)
         struck_.back().bound = struck_.back().normal = struck_.back().tangent = 0.0;
     }
     if (!any) return false;
+    // [rest.impacts.closed]
 
     data.counts.impacts += throw_back(data.motion.before, struck_, slowest_);
     const auto approaches = [&](const ContactPoint& c) {

@@ -2,10 +2,11 @@
 
 #include <vector>
 
-#include "rest/heap_sweeps.hpp"
 #include "rest/island.hpp"
 
 namespace flying {
+
+class HeapSweeps;
 
 /// A gap this small isn't worth a moment of its own, unless it closes fast.  [m]
 [[nodiscard]] double hardly_open(const RestData& data, const ContactPoint& c);

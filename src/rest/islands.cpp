@@ -28,6 +28,7 @@ void Islands::split(const RestData& data, std::span<const int> bodies, std::vect
     parent_.resize(data.bodies.list.size());
     slot_.resize(data.bodies.list.size());
     is_inside_.resize(data.bodies.list.size());
+    // [rest.islands.join]
     for (const int k : bodies) parent_[k] = k;
     int last = -1;
     for (const ContactPoint& point : found) {
@@ -35,6 +36,7 @@ void Islands::split(const RestData& data, std::span<const int> bodies, std::vect
         last = point.pair;
         if (motion.is_moved(point.a) && motion.is_moved(point.b)) join(point);
     }
+    // [rest.islands.join]
     part_slow(data, bodies, found);
 
     // Count members and points
@@ -100,6 +102,7 @@ void Islands::part_slow(const RestData& data, std::span<const int> bodies, std::
     if (parts_.empty()) return;
     if (greatest_speed(motion.before, data.bodies.radius, parts_) > rest_tolerance::k_slow_island * field) return;
 
+    // [rest.islands.holds]
     const auto holds = [&](const ContactPoint& c) {
         if (c.normal > 0.0 || c.closes_at < motion.span) return true;
         const double time = rest_tolerance::k_ahead * motion.span;
@@ -107,6 +110,7 @@ void Islands::part_slow(const RestData& data, std::span<const int> bodies, std::
         const double way = time * (std::min(u, 0.0) + 0.5 * time * std::min(motion.fall_of(c), 0.0));
         return c.gap + way <= data.bodies.touch_gap(c.a, c.b);
     };
+    // [rest.islands.holds]
     const auto wholes = std::count_if(parts_.begin(), parts_.end(), [&](int k) { return parent_[k] == k; });
     for (const int k : parts_) is_inside_[k] = 1;
     for (const int k : parts_) parent_[k] = k;

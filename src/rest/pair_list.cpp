@@ -125,10 +125,12 @@ void PairList::add_pairs(std::span<const RestBody> bodies, std::span<const Colli
             pair.restitution = material.restitution;
             for (pair.part_a = 0; pair.part_a < static_cast<int>(shapes[a].parts.size()); ++pair.part_a) {
                 for (pair.part_b = 0; pair.part_b < static_cast<int>(shapes[pair.b].parts.size()); ++pair.part_b) {
+                    // [rest.pairs.known]
                     // Both lists are in order: what the pair bore is found by walking along
                     while (next < old_.size() && key(old_[next]) < key(pair)) ++next;
                     const bool known = next < old_.size() && key(old_[next]) == key(pair);
                     pairs_.push_back(known ? old_[next] : pair);
+                    // [rest.pairs.known]
                 }
             }
         }

@@ -217,6 +217,7 @@ void Projection::put_apart(RestData& data, const Island& island, double overlap,
             shift_before_[member] = data.motion.shift[member];
             turn_before_[member] = data.motion.turn[member];
         }
+        // [rest.projection.round]
         find_pushes(data, island, 0.125 * touch, sweeps);
         // A heap hangs in the air if all its motion goes to lift it
         const double share = island.is_exact ? 1.0 : share_that_is_paid(data, island);
@@ -238,6 +239,7 @@ void Projection::put_apart(RestData& data, const Island& island, double overlap,
             return;
         }
         overlap = after;
+        // [rest.projection.round]
     }
 }
 

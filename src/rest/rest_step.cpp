@@ -58,7 +58,6 @@ void find_places(RestData& data, const Island& island)
 {
     if (island.has_ways || !island.is_exact) return;
 
-    // [rest.places.mean]
     // Places move by the mean of the velocities before and after
     StepMotion& motion = data.motion;
     for (const int member : island.members) {
@@ -68,7 +67,6 @@ void find_places(RestData& data, const Island& island)
         motion.shift[member] += motion.span * mean;
         motion.turn[member] += motion.span * (0.5 * (old.spin + now.spin));
     }
-    // [rest.places.mean]
 }
 
 } // namespace

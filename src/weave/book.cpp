@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <regex>
-#include <tuple>
 
 #include <fmt/format.h>
 #define TOML_HEADER_ONLY 1
@@ -71,7 +70,7 @@ std::string ChapterEntry::called_first() const
 
 std::string ChapterEntry::command_name() const
 {
-    return appendix.empty() ? fmt::format("{:02}", number) : appendix;
+    return appendix.empty() ? fmt::format("{:02}", place) : appendix;
 }
 
 std::string ChapterEntry::page() const
@@ -122,14 +121,20 @@ Book read_book(const std::filesystem::path& source, Problems& problems)
             if (const toml::table* chapter = node.as_table()) book.chapters.push_back(read_chapter(*chapter, problems));
     if (const toml::table* modules = table["modules"].as_table())
         for (const auto& [name, says] : *modules) book.modules[std::string(name.str())] = says.value_or(std::string());
-    std::sort(book.chapters.begin(), book.chapters.end(),
-              [](const ChapterEntry& a, const ChapterEntry& b) {
-                  return std::tie(a.appendix, a.number) < std::tie(b.appendix, b.number);
-              });
+    std::stable_sort(book.chapters.begin(), book.chapters.end(),
+                     [](const ChapterEntry& a, const ChapterEntry& b) { return a.appendix < b.appendix; });
+    int place = 0;
+    for (ChapterEntry& entry : book.chapters)
+        if (entry.appendix.empty()) entry.place = ++place;
 
+    // An appendix needs no place: any chapter may send its reader there
+    const auto comes_before = [&](int need, const ChapterEntry& entry) {
+        const ChapterEntry* const other = book.chapter(need);
+        return other != nullptr && other != &entry && (!entry.appendix.empty() || other->place < entry.place);
+    };
     for (const ChapterEntry& entry : book.chapters)
         for (const int need : entry.needs)
-            if (need >= entry.number || book.chapter(need) == nullptr)
+            if (!comes_before(need, entry))
                 problems.add({k_book, entry.line}, fmt::format("chapter {} needs chapter {}", entry.number, need),
                              "only chapters that are listed and come earlier");
     return book;

@@ -19,8 +19,9 @@ struct Run
 /// A chapter as `chapters/book.toml` lists it.
 struct ChapterEntry
 {
-    int number = 0;                 ///< of its folder: it needs, and its files include, what has a lower one
-    std::string appendix;           ///< its letter, where it is an appendix: these come last, whatever their number
+    int number = 0;                 ///< of its folder, which it keeps: what names the chapter in book.toml and its page
+    int place = 0;                  ///< in the order of book.toml, from 1: what the book calls it; 0 for an appendix
+    std::string appendix;           ///< its letter, where it is an appendix: these come last
     std::string name;               ///< of its folder under `chapters`, such as `02-rectangle`
     std::string title;              ///< what the heading of its page says
     std::string part;               ///< heading under which the contents list it
@@ -35,7 +36,7 @@ struct ChapterEntry
     int line = 0;                   ///< in book.toml
 
     /// `2`, or `A`: what stands before its title, its equations and its figures.
-    [[nodiscard]] std::string label() const { return appendix.empty() ? std::to_string(number) : appendix; }
+    [[nodiscard]] std::string label() const { return appendix.empty() ? std::to_string(place) : appendix; }
     /// `chapter 2`, or `appendix A`.
     [[nodiscard]] std::string called() const;
     /// `Chapter 2`, or `Appendix A`.
@@ -56,7 +57,7 @@ struct Book
     std::string front;       ///< what its first page says, above the contents; Markdown
     bool is_playable = false; ///< it runs scenes of this project's engine: a playground, and a figure on the first page
     std::string version;                ///< of the project, as CMakeLists.txt has it; empty where it has none
-    std::vector<ChapterEntry> chapters; ///< in the order of their numbers, then the appendices by their letters
+    std::vector<ChapterEntry> chapters; ///< in the order of the file, then the appendices by their letters
     std::map<std::string, std::string> modules; ///< what each module of src does, in a line
 
     /// The chapter of that number, or null.

@@ -129,7 +129,7 @@ std::string contents(const Material& material)
         for (const int need : entry.needs) needs += (needs.empty() ? "builds on " : ", ") + material.book.label(need);
         out += fmt::format(
             "<li value=\"{}\">{} <span class=\"question\">{}</span> <span class=\"needs\">{}{}</span></li>",
-            entry.appendix.empty() ? entry.number : entry.appendix[0] - 'A' + 1,
+            entry.appendix.empty() ? entry.place : entry.appendix[0] - 'A' + 1,
             entry.written ? fmt::format("<a href=\"{}.html\">{}</a>", entry.page(), title) : title,
             escape_html(entry.question), needs,
             entry.written ? "" : (needs.empty() ? "" : "; ") + std::string("not written yet"));
@@ -266,12 +266,12 @@ void add_generated_pages(const Material& material, const Counts& counts, TextWri
     const std::string map = fragments.add_html(chapter_map(material.book));
     const std::string list = fragments.add_html(contents(material));
 
-    const ChapterEntry* first = material.book.chapter(1);
+    const ChapterEntry* first = material.book.chapters.empty() ? nullptr : &material.book.chapters.front();
     const std::string start =
         first == nullptr || !first->written
             ? std::string()
             : fragments.add_html(fmt::format("<p class=\"start\"><a href=\"{}.html\">Start with chapter {}: {}</a></p>",
-                                             first->page(), first->number, escape_html(first->title)));
+                                             first->page(), first->label(), escape_html(first->title)));
     const auto add = [&](std::string name, std::string title, std::string markdown) {
         Page page;
         page.name = std::move(name);

@@ -75,7 +75,7 @@ int main(int argc, char** argv)
     if (check->parsed()) {
         const weave::Woven woven = weave::weave_pages(folders, tools, problems);
         for (const weave::Share& share : woven.counts.coverage.shares)
-            fmt::print("chapter {}: {} of {} lines told, {:.1f} %\n", share.chapter, share.told, share.lines,
+            fmt::print("{}: {} of {} lines told, {:.1f} %\n", share.called, share.told, share.lines,
                        100.0 * share.part());
         return conclude(problems, fmt::format("{} pages, no problem", woven.pages.list.size()));
     }

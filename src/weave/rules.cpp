@@ -224,6 +224,7 @@ Coverage check_coverage(const Material& material, Problems& problems)
     for (const Chapter& chapter : material.chapters) {
         Share share;
         share.chapter = chapter.entry.number;
+        share.called = chapter.entry.called();
         for (const std::string& path : chapter.entry.files) {
             const auto file = sources.files.find(path);
             if (file == sources.files.end()) {

@@ -14,7 +14,8 @@ namespace flying::weave {
 /// includes and the like, doesn't count.
 struct Share
 {
-    int chapter = 0;
+    int chapter = 0;    ///< the number of its folder
+    std::string called; ///< `chapter 2`, or `appendix A`
     int lines = 0;
     int told = 0;
 

@@ -37,7 +37,8 @@ commands() {
             }
         }' "${texts[@]}"
     awk '
-        /^name = / { split($0, part, "\""); chapter = substr(part[2], 1, 2) }
+        /^\[\[chapter\]\]/ { ++chapter }
+        /^appendix = / { split($0, part, "\""); chapter = part[2] }
         /^runs = \[/ { inside = 1; next }
         inside && /^\]/ { inside = 0 }
         inside { split($0, part, "\""); printf "chapters/book.toml:%d\tinline\t./course chapter %s %s\n", FNR, chapter, part[2] }
@@ -53,18 +54,16 @@ saved() {
 }
 
 course_knows() { # place words...
-    local place=$1 typed="./course ${*:2}" folders
+    local place=$1 typed="./course ${*:2}" folder
     ./course help | grep -q -E "^\./course $2( |\$)" || { fault "$place" "$typed" "./course help has no such command"; return; }
     shift
     case $1 in
     chapter | start | check)
         [[ ${2:-} =~ ^([0-9]+|[A-Z])$ ]] || return 0 # NN
-        set -- "$1" "$(awk -v letter="\"$2\"" '/^number/ { n = $3 } /^appendix/ && $3 == letter { print n; done = 1 }
-            END { if (!done) print substr(letter, 2, length(letter) - 2) }' chapters/book.toml)" "${@:3}"
-        [[ $2 =~ ^[0-9]+$ ]] || { fault "$place" "$typed" "no such appendix"; return; }
-        folders=(chapters/"$(printf '%02d' "$((10#$2))")"-*/)
-        [[ -d ${folders[0]} ]] || fault "$place" "$typed" "no such chapter"
-        [[ -z ${3:-} || -f ${folders[0]}$3.cpp ]] || fault "$place" "$typed" "no ${folders[0]}$3.cpp"
+        [[ $2 == [A-Z] ]] || set -- "$1" "$(printf '%02d' "$((10#$2))")" "${@:3}"
+        folder=$(awk -f docs/chapters.awk chapters/book.toml | sed -n "s/^$2 //p")
+        [[ -n $folder ]] || { fault "$place" "$typed" "no such chapter"; return; }
+        [[ -z ${3:-} || -f chapters/$folder/$3.cpp ]] || fault "$place" "$typed" "no chapters/$folder/$3.cpp"
         ;;
     run | play)
         [[ -z ${2:-} || $2 =~ [A-Z]{2} || -f $2 || -f chapters/scenes/$2.toml ]] || fault "$place" "$typed" "no such scene"

@@ -73,14 +73,16 @@ T
 # ---- Begin, and how far one has come -------------------------------------------------------------------------------------
 
 mkdir -p "$tree/docs" "$tree/chapters/07-springs/exercises"/{e1,e2}
-cp "$top/docs/exercise.sh" "$top/docs/feedback.awk" "$tree/docs"
+cp "$top/docs/exercise.sh" "$top/docs/feedback.awk" "$top/docs/chapters.awk" "$tree/docs"
+# The second chapter of the book, in a folder that was given the number 07
+printf '[[chapter]]\nname = "%s"\n' 01-balls 07-springs >"$tree/chapters/book.toml"
 echo '# Springs' >"$tree/chapters/07-springs/chapter.md"
 echo '// yours' >"$tree/chapters/07-springs/exercises/e2/stub.hpp"
 
-says "nothing begun" '^07  Springs  *e2 -$' "$("$tree/docs/exercise.sh" progress)"
-says "to begin with" '^Next: ./course start 07$' "$("$tree/docs/exercise.sh" progress)"
-says "a beginning" '^my/07-springs/e2.hpp: yours to write' "$("$tree/docs/exercise.sh" start 7)"
-says "left alone" 'there already, left as it is' "$("$tree/docs/exercise.sh" start 07)"
+says "nothing begun" '^02  Springs  *e2 -$' "$("$tree/docs/exercise.sh" progress)"
+says "to begin with" '^Next: ./course start 02$' "$("$tree/docs/exercise.sh" progress)"
+says "a beginning" '^my/07-springs/e2.hpp: yours to write' "$("$tree/docs/exercise.sh" start 2)"
+says "left alone" 'there already, left as it is' "$("$tree/docs/exercise.sh" start 02)"
 says "begun" 'e2 begun$' "$("$tree/docs/exercise.sh" progress)"
 echo "07-springs/e2 $(cksum <"$tree/my/07-springs/e2.hpp" | tr -d ' ')" >"$tree/my/passed.txt"
 says "passed" 'e2 passes$' "$("$tree/docs/exercise.sh" progress)"

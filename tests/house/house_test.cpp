@@ -227,6 +227,18 @@ TEST_CASE("an include of a later chapter's file is found")
           Faults{"src/math/a.hpp:2: a file of chapter 1 includes math/c.hpp of chapter 2"});
 }
 
+TEST_CASE("the order of the chapters is that of the file, whatever the numbers of their folders")
+{
+    const Tree tree(
+        {{"src/math/a.hpp", "#include \"math/b.hpp\"\n"},
+         {"src/math/b.hpp", ""},
+         {"chapters/book.toml", "[[chapter]]\nnumber = 7\nfiles = [\"src/math/b.hpp\"]\n"
+                                "[[chapter]]\nnumber = 2\nfiles = [\"src/math/a.hpp\"]\n"
+                                "[[chapter]]\nnumber = 0\nappendix = \"A\"\nneeds = [7]\n"}});
+    check_none(house::later_faults(tree.sources(), tree.book()));
+    CHECK(tree.book() == house::Book{{"src/math/a.hpp", {2}}, {"src/math/b.hpp", {1}}});
+}
+
 // ---- The top of the tree
 // ----------------------------------------------------------------------------------------------
 

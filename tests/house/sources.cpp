@@ -109,17 +109,20 @@ Book read_book(const std::filesystem::path& file)
     const toml::table table = toml::parse(read_text(file));
     const toml::array* chapters = table["chapter"].as_array();
     if (chapters == nullptr) return book;
+    std::map<int, int> places; // in the order of the file, from 1, by the numbers of their folders
     for (const toml::node& node : *chapters) {
         const toml::table* chapter = node.as_table();
         if (chapter == nullptr) continue;
-        int number = (*chapter)["number"].value_or(0);
-        if (const toml::array* needs = (*chapter)["needs"].as_array(); needs != nullptr && chapter->contains("appendix")) {
-            number = 0;
-            for (const toml::node& need : *needs) number = std::max(number, need.value_or(0));
+        int place = 0;
+        if (!chapter->contains("appendix")) {
+            place = static_cast<int>(places.size()) + 1;
+            places[(*chapter)["number"].value_or(0)] = place;
+        } else if (const toml::array* needs = (*chapter)["needs"].as_array()) {
+            for (const toml::node& need : *needs) place = std::max(place, places[need.value_or(0)]);
         }
         const toml::array* files = (*chapter)["files"].as_array();
         if (files == nullptr) continue;
-        for (const toml::node& path : *files) book[path.value_or(std::string())].push_back(number);
+        for (const toml::node& path : *files) book[path.value_or(std::string())].push_back(place);
     }
     return book;
 }

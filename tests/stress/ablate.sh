@@ -30,11 +30,12 @@ CPP
 } >"$folder/spoilt.hpp"
 cmp -s "$folder/spoilt.hpp" "$folder/sources/$header" || cp "$folder/spoilt.hpp" "$folder/sources/$header"
 cmake -S "$folder/sources" -B "$folder/build" -G Ninja -DCMAKE_BUILD_TYPE=Release >"$folder/configure.log"
-cmake --build "$folder/build" --parallel "$jobs" --target chapter_11 flying_regressions stress >"$folder/build.log" || {
+cmake --build "$folder/build" --parallel "$jobs" --target chapter_11 chapter_17 flying_regressions stress >"$folder/build.log" || {
     tail -n 40 "$folder/build.log"
     exit 1
 }
-programs=("$folder/build/chapters/11-coming-to-rest/chapter_11" "$folder"/build/tests/regressions/flying_regressions
+programs=("$folder/build/chapters/11-coming-to-rest/chapter_11" "$folder/build/chapters/17-heaps/chapter_17"
+    "$folder"/build/tests/regressions/flying_regressions
     "$folder/build/tests/stress/stress --test-case=*rest*")
 
 # The first test that fails, of the first program that has one
