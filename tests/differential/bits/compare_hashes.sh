@@ -22,7 +22,7 @@ generated=(
     "gas --seed 13 --shape polygon --count 40 --until 2"
     "gas --seed 14 --shape dumbbell --count 20 --until 2"
     "polygons --seed 15"
-    "polygons --seed 22 --gravity 0 -9.81 --restitution 1 --friction 0.3 --until 3 | --engine events"
+    "polygons --seed 22 --gravity 0 -9.81 --restitution 1 --friction 0.3 --until 2 | --engine events"
     "cradle --seed 16 --count 7 --until 5"
     "billiard --seed 17 --billiard pi --exponent 3"
     "billiard --seed 18 --billiard rectangle"
