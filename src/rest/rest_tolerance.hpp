@@ -214,7 +214,7 @@ inline constexpr double k_shortest_part = 0x1p-10;
 // ---- Impacts (impacts)
 // ---- Heaps (heap_sweeps)
 /// [speeds that the field gives in a step] An island that was slower and stays so is at rest: what it was about to do
-/// is the price of its sleep. Its bodies would speed up by twice as much of the field's acceleration at most.
+/// is the price of its sleep. From rest, what accelerates by no more than this share of the field doesn't start.
 inline constexpr double k_calm = 0x1p-8;
 
 /// [greatest speeds] Points that would have to close faster than that wait for the end of the sweeps.
