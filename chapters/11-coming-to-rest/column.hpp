@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "rest/contact_point.hpp"
-#include "rest/group_solver.hpp"
+#include "rest/island_solver.hpp"
 #include "rest/sweeps.hpp"
 
 /// Bodies one above the other, as the solver sees them: nothing but masses and points.
@@ -149,7 +149,7 @@ struct DirectSolve
 inline DirectSolve solve_at_once(const std::vector<double>& masses)
 {
     Column column = column_of(masses, 1.0);
-    GroupSolver solver;
+    IslandSolver solver;
     if (!solver.solve(column.movers, column.members, column.points, 0.0)) return {1.0, 0};
     const std::vector<double> weights = weights_above(masses, 1.0);
     return {worst_error(column.points, weights),

@@ -161,7 +161,7 @@ Json resting_json(const RestEngine::Memory& m)
                             [](const RestEngine::Memory::Body& b) {
                                 return Json{state_json(b.state), number(b.pull.x()), number(b.pull.y()),
                                             number(b.turn_pull), number(b.reach),    b.sleep_group,
-                                            b.is_active,         b.in_crowd};
+                                            b.is_active,         b.in_large_island};
                             })},
             {"pairs", std::move(pairs)}};
 }

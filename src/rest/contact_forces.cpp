@@ -13,7 +13,7 @@ namespace flying {
 
 /// What bears goes on to bear. What is apart may come as near as to touch when the step ends; where impacts have
 /// moments of their own only what is all but closed is held like that, since the step ends where anything else closes.
-void set_bounds(const RestData& data, const Island& island)
+void set_velocity_bias(const RestData& data, const Island& island)
 {
     for (ContactPoint& c : island.points) {
         const double u = normal_speed(c, data.motion.before[c.a], data.motion.before[c.b]);
@@ -31,9 +31,9 @@ void ContactForces::find_impulses(RestData& data, Island& island, std::span<cons
     const bool is_new = stood(data, island) && std::all_of(points.begin(), points.end(),
                                                            [](const ContactPoint& c) { return c.normal == 0.0; });
     const Effort effort = is_heap(island) && !is_new ? Effort::brief : Effort::full;
-    island.is_content = data.solver.solve(data.motion.now, island.members, points,
-                                          rest_tolerance::k_content * top_speed(data, island), effort);
-    if (!island.is_content && !is_heap(island) && stood(data, island)) keep_loads(data, island, start, time);
+    island.is_solved = data.solver.solve(data.motion.now, island.members, points,
+                                          rest_tolerance::k_residual * top_speed(data, island), effort);
+    if (!island.is_solved && !is_heap(island) && stood(data, island)) keep_loads(data, island, start, time);
 }
 
 /// Of an island that stands, and whose impulses no solve makes right: those of the step before remain, unless the new
@@ -42,20 +42,20 @@ void ContactForces::find_impulses(RestData& data, Island& island, std::span<cons
 void ContactForces::keep_loads(RestData& data, Island& island, std::span<const Mover> start, double time)
 {
     const std::span<ContactPoint> points = island.points;
-    const auto complaint = [&] {
+    const auto residual = [&] {
         set_free(data, island, start, time);
         warm_start(points, data.motion.now);
-        return worst_complaint(points, data.motion.now);
+        return worst_residual(points, data.motion.now);
     };
-    const double after = complaint();
+    const double after = residual();
     found_.assign(points.begin(), points.end());
-    for (ContactPoint& c : points) recall_load(data, c);
-    const double before = complaint();
+    for (ContactPoint& c : points) recall_impulses(data, c);
+    const double before = residual();
     const bool any = std::any_of(points.begin(), points.end(), [](const ContactPoint& c) { return c.normal > 0.0; });
-    island.is_content = any && std::min(before, after) <= rest_tolerance::k_slight * field_speed(data, island);
+    island.is_solved = any && std::min(before, after) <= rest_tolerance::k_tolerable_residual * field_speed(data, island);
     if (before <= rest_tolerance::k_much_better * after) return;
     std::copy(found_.begin(), found_.end(), points.begin());
-    (void)complaint();
+    (void)residual();
 }
 
 void calm(RestData& data, const Island& island)

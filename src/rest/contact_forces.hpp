@@ -13,7 +13,7 @@ class ContactForces
 public:
     /// start  velocities of the members as that time begins
     /// time   its length [s]
-    /// `data.motion.now` and the points' impulses are what was found; `island.is_content` says whether they are right.
+    /// `data.motion.now` and the points' impulses are what was found; `island.is_solved` says whether they are right.
     void find_impulses(RestData& data, Island& island, std::span<const Mover> start, double time);
 
 private:
@@ -23,7 +23,7 @@ private:
 };
 
 /// Sets the least normal velocities with which the step may end.
-void set_bounds(const RestData& data, const Island& island);
+void set_velocity_bias(const RestData& data, const Island& island);
 /// Takes for standing still what the solve's rounding alone moves.
 void calm(RestData& data, const Island& island);
 

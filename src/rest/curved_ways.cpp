@@ -63,7 +63,7 @@ void set_mean_lines(ContactPoint& mean, const ContactPoint& start, const Contact
 [[nodiscard]] bool may_bend(const RestData& data, const Island& island)
 {
     // A few that move, some of which bear
-    if (island.point_count() > rest_tolerance::k_most_followed || strikes_at_start(island) || !island.is_content)
+    if (island.point_count() > rest_tolerance::k_most_followed || strikes_at_start(island) || !island.is_solved)
         return false;
     const std::span<const ContactPoint> points = island.points;
     if (std::none_of(points.begin(), points.end(), [](const ContactPoint& c) { return c.normal > 0.0; })) return false;
@@ -196,7 +196,7 @@ CurvedWays::Bend CurvedWays::bend_lines(RestData& data, const Island& island, bo
     // The mean over the way is what changes the gap; a bend that changes velocities by less than the solve's rounding
     // is none
     const double motion = top_motion(data, island);
-    const double rounding = rest_tolerance::k_content * top_speed(data, island);
+    const double rounding = rest_tolerance::k_residual * top_speed(data, island);
     bool any = false;
     for (std::size_t k = 0; k < points.size(); ++k) {
         const ContactPoint& c = points[k];
@@ -244,7 +244,7 @@ bool CurvedWays::find_mean_velocities(RestData& data, const Island& island)
         mean.v_x += gain.x();
         mean.v_y += gain.y();
     }
-    const double rounding = rest_tolerance::k_content * top_speed(data, island);
+    const double rounding = rest_tolerance::k_residual * top_speed(data, island);
     const bool content = data.solver.solve(data.motion.now, members, bent_, rounding);
     // [rest.curves.half]
     for (const int member : members) {
@@ -304,7 +304,7 @@ bool CurvedWays::end_velocities(RestData& data, const Island& island)
     }
     if (at_end_.empty()) return true;
     const bool content =
-        data.solver.solve(data.motion.now, members, at_end_, rest_tolerance::k_content * top_speed(data, island));
+        data.solver.solve(data.motion.now, members, at_end_, rest_tolerance::k_residual * top_speed(data, island));
     auto end = at_end_.begin();
     for (std::size_t k = 0; k < bent_.size(); ++k) {
         ContactPoint& c = bent_[k];

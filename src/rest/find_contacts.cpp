@@ -69,7 +69,7 @@ Pose pose_at(const RestData& data, int body, double moment)
     if (data.bodies.list[body].is_static) return data.bodies.poses[body];
     const BodyState& s = data.bodies.list[body].state;
     return {place_at(data, body, moment),
-            Rotation::of(s.angle + moment * (s.spin + (0.5 * moment) * data.motion.turn_pull[body]))};
+            Rotation::of(s.angle + moment * (s.spin + (0.5 * moment) * data.motion.expected_angular_acceleration[body]))};
 }
 
 /// Where the step ends there is a gap still, though it would close by how fast it opens and that changes now: round
@@ -85,7 +85,7 @@ double fall_at(const RestData& data, const RestPair& pair, const Contact& contac
 {
     const auto pull = [&](int index) {
         const Vec2 r = contact.point - place_at(data, index, moment);
-        return Vec2(data.motion.pull[index] + cross(data.motion.turn_pull[index], r));
+        return Vec2(data.motion.pull[index] + cross(data.motion.expected_angular_acceleration[index], r));
     };
     return (pull(pair.b) - pull(pair.a)).dot(contact.normal);
 }
@@ -98,7 +98,7 @@ double next_closing(const RestData& data, const RestPair& pair, const Manifold& 
     const double left = data.motion.span - moment;
     // What bore a load goes on to bear, whatever gap turning or rounding or, in a crowd, a push out of an overlap has
     // left; but what would be thrown back is thrown back
-    const bool in_crowd = data.bodies.in_crowd[pair.a] || data.bodies.in_crowd[pair.b];
+    const bool in_large_island = data.bodies.in_large_island[pair.a] || data.bodies.in_large_island[pair.b];
     const double near = rest_tolerance::k_straight * std::min(data.bodies.radius[pair.a], data.bodies.radius[pair.b]);
     double wait = std::numeric_limits<double>::infinity();
     for (int k = 0; k < manifold.count; ++k) {
@@ -112,7 +112,7 @@ double next_closing(const RestData& data, const RestPair& pair, const Manifold& 
             const BodyState& s = data.bodies.list[index].state;
             const Vec2 r = contact.point - place_at(data, index, moment);
             return Vec2(s.velocity + moment * data.motion.pull[index] +
-                        cross(s.spin + moment * data.motion.turn_pull[index], r));
+                        cross(s.spin + moment * data.motion.expected_angular_acceleration[index], r));
         };
         const double u = (velocity(pair.b) - velocity(pair.a)).dot(contact.normal);
         if (contact.separation <= closing.closed) {
@@ -120,9 +120,9 @@ double next_closing(const RestData& data, const RestPair& pair, const Manifold& 
             return 0.0;
         }
         const double slow =
-            in_crowd ? field : 2.0 * contact.separation / left + rest_tolerance::k_bearing_approach * field;
+            in_large_island ? field : 2.0 * contact.separation / left + rest_tolerance::k_bearing_approach * field;
         const bool is_near = contact.separation <= near && -2.0 * pair.restitution * u <= field;
-        if ((in_crowd || is_near) && -u <= slow && bore(pair, contact.feature)) continue;
+        if ((in_large_island || is_near) && -u <= slow && bore(pair, contact.feature)) continue;
         if (moment == 0.0) closing.open[closing.count++] = contact.feature;
         const double fall = fall_at(data, pair, contact, moment);
         const double time = time_to_close(contact.separation, u, fall, left);
@@ -133,7 +133,7 @@ double next_closing(const RestData& data, const RestPair& pair, const Manifold& 
 }
 
 /// Where a body is when a step or a part of one begins: what the last such look has found may answer.
-Manifold look_again(RestData& data, RestPair& pair, double margin)
+Manifold find_from_memory(RestData& data, RestPair& pair, double margin)
 {
     NearMemory& memory = pair.memory;
     const double shift = data.bodies.travel[pair.a].shift + data.bodies.travel[pair.b].shift;
@@ -150,7 +150,7 @@ Manifold look_again(RestData& data, RestPair& pair, double margin)
     pair.shift = shift;
     pair.turn = turn;
     ++data.counts.manifolds;
-    return data.looks.look_with_memory(data.bodies, data.pairs, pair, margin);
+    return data.looks.find_cached(data.bodies, data.pairs, pair, margin);
 }
 
 void add_points(RestData& data, int index, const Manifold& manifold, double closes_at, double closing_speed,
@@ -209,7 +209,7 @@ bool find_contacts(RestData& data, int index, std::vector<ContactPoint>& found)
         pair.count = 0;
         return false;
     }
-    Manifold manifold = look_again(data, pair, margin);
+    Manifold manifold = find_from_memory(data, pair, margin);
     if (manifold.count == 0) {
         pair.count = 0;
         return true;

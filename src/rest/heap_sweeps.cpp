@@ -31,7 +31,7 @@ void HeapSweeps::sweep_large(RestData& data, Island& island)
     const std::span<const int> members = island.members;
     const double field = field_speed(data, island);
     const double before = greatest_speed(data.motion.before, data.bodies.radius, members);
-    bound_swept(data, island, before <= rest_tolerance::k_calm * field);
+    set_velocity_bias_swept(data, island, before <= rest_tolerance::k_rest_speed * field);
     set_free(data, island, data.motion.before, data.motion.span);
     SweepPlan plan;
     plan.is_warm = data.options.warm_starts;
@@ -50,13 +50,13 @@ void HeapSweeps::sweep_large(RestData& data, Island& island)
 
     // What hardly moves comes to rest
     const double after = greatest_speed(data.motion.now, data.bodies.radius, members);
-    if (before <= rest_tolerance::k_calm * field && after <= rest_tolerance::k_calm * field) {
+    if (before <= rest_tolerance::k_rest_speed * field && after <= rest_tolerance::k_rest_speed * field) {
         for (const int member : members) {
             Mover& mover = data.motion.now[member];
             mover.v_x = mover.v_y = mover.spin = 0.0;
         }
     }
-    bear_less(data, island);
+    scale_impulses_to_energy(data, island);
     for (const int member : members) {
         const Mover& now = data.motion.now[member];
         data.motion.shift[member] = data.motion.span * Vec2(now.v_x, now.v_y);
@@ -87,12 +87,12 @@ void HeapSweeps::end_approaches_whole(RestData& data, const Island& island, Swee
     sweeps_.sweep(data.motion.now, members, points, plan, data.solver.counts());
     if (approaches_left(data, points) <= most) return;
     set_free(data, island, data.motion.before, data.motion.span);
-    data.solver.solve(data.motion.now, members, points, rest_tolerance::k_content * top_speed(data, island));
+    data.solver.solve(data.motion.now, members, points, rest_tolerance::k_residual * top_speed(data, island));
 }
 
 /// Sweeps that go on from what bore too much lift a heap. With no impulses it would fall through the step, and lose
 /// energy by that; with some share of them it neither gains nor loses any.
-void HeapSweeps::bear_less(RestData& data, const Island& island)
+void HeapSweeps::scale_impulses_to_energy(RestData& data, const Island& island)
 {
     // [rest.heaps.share]
     // With a share s of the impulses the energy grows by  square s^2 + linear s + constant
@@ -134,14 +134,14 @@ void HeapSweeps::bear_less(RestData& data, const Island& island)
     }
 }
 
-void HeapSweeps::bound_swept(const RestData& data, const Island& island, bool is_calm) const
+void HeapSweeps::set_velocity_bias_swept(const RestData& data, const Island& island, bool is_calm) const
 {
     const double field = field_speed(data, island);
     for (ContactPoint& c : island.points) {
         // All of a gap passes with the velocities that the step ends with. In a calm group nothing comes to close one:
         // what bears over a gap that a calm speed would close goes on to bear, or its load would wane for minutes
         c.bound = -std::max(c.gap, 0.0) / data.motion.span;
-        if (is_calm && c.normal > 0.0 && -c.bound <= rest_tolerance::k_calm * field) c.bound = 0.0;
+        if (is_calm && c.normal > 0.0 && -c.bound <= rest_tolerance::k_rest_speed * field) c.bound = 0.0;
     }
 }
 

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "rest/group_sweeps.hpp"
+#include "rest/island_sweeps.hpp"
 #include "rest/island.hpp"
 
 namespace flying {
@@ -21,12 +21,12 @@ public:
                     double tolerance = -1.0);
 
 private:
-    void bound_swept(const RestData& data, const Island& island, bool is_calm) const;
+    void set_velocity_bias_swept(const RestData& data, const Island& island, bool is_calm) const;
     [[nodiscard]] double approaches_left(const RestData& data, std::span<const ContactPoint> points) const;
     void end_approaches_whole(RestData& data, const Island& island, SweepPlan plan, double most);
-    void bear_less(RestData& data, const Island& island);
+    void scale_impulses_to_energy(RestData& data, const Island& island);
 
-    GroupSweeps sweeps_;
+    IslandSweeps sweeps_;
 };
 
 } // namespace flying

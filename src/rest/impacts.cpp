@@ -22,7 +22,7 @@ namespace {
         std::any_of(points.begin(), points.end(), [](const ContactPoint& c) { return c.restitution == 1.0; });
     const double by_field = is_elastic ? 0.0 : rest_tolerance::k_blow * field_speed(data, island);
     return by_field + solve_rounding(island) +
-           rest_tolerance::k_stagnant * rest_tolerance::k_content * top_speed(data, island);
+           rest_tolerance::k_stagnant * rest_tolerance::k_residual * top_speed(data, island);
 }
 
 /// A rebound that would come back within the rest of the step doesn't happen, but for one that loses nothing: the
@@ -121,7 +121,7 @@ void Impacts::end_approaches(RestData& data, const Island& island, HeapSweeps& s
 {
     const std::span<const int> members = island.members;
     if (is_heap(island)) sweeps.sweep_heap(data, island, data.motion.before, struck_);
-    else data.solver.solve(data.motion.before, members, struck_, rest_tolerance::k_content * top_speed(data, island));
+    else data.solver.solve(data.motion.before, members, struck_, rest_tolerance::k_residual * top_speed(data, island));
 }
 
 } // namespace flying

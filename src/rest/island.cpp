@@ -89,7 +89,7 @@ void scale_impulses(const Island& island, double factor)
     }
 }
 
-void recall_load(const RestData& data, ContactPoint& c)
+void recall_impulses(const RestData& data, ContactPoint& c)
 {
     const RestPair& pair = data.pairs.pairs()[c.pair];
     c.normal = c.tangent = 0.0;

@@ -43,7 +43,7 @@ class PairList
 public:
     /// reach   how far each body may get in the coming step, whatever it turns or is pushed [m]
     /// radius  of each body's bounding circle; infinite for half-planes [m]
-    /// Looks again only where a body has left its box, or `invalidate` was called. True if it looked.
+    /// NarrowPhase again only where a body has left its box, or `invalidate` was called. True if it looked.
     bool update(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes,
                 std::span<const double> radius, std::span<const double> reach);
 

@@ -103,11 +103,11 @@ void set_end_poses(RestData& data, const Island& island)
 
 } // namespace
 
-double Projection::look_at_end(RestData& data, const Island& island)
+double Projection::measure_overlap(RestData& data, const Island& island)
 {
     points_.clear();
     const std::span<const ContactPoint> points = island.points;
-    if (!island.is_exact) return look_at_swept(data, island);
+    if (!island.is_exact) return measure_overlap_swept(data, island);
     const bool any_nearer =
         std::any_of(points.begin(), points.end(), [&](const ContactPoint& c) { return comes_nearer(data, c.a, c.b); });
     const bool may_any =
@@ -119,14 +119,14 @@ double Projection::look_at_end(RestData& data, const Island& island)
         const RestPair& pair = data.pairs.pairs()[index];
         return comes_nearer(data, pair.a, pair.b) && overlap_at_end(data, pair).separation < 0.0;
     };
-    if (!may_any && std::none_of(looked_at_.begin(), looked_at_.end(), is_overlap)) return 0.0;
+    if (!may_any && std::none_of(pairs_near_.begin(), pairs_near_.end(), is_overlap)) return 0.0;
     double worst = 0.0;
-    for (const int pair : looked_at_) worst = std::max(worst, look_at_pair(data, pair));
+    for (const int pair : pairs_near_) worst = std::max(worst, find_overlap_of_pair(data, pair));
     return worst;
 }
 
 /// Only pairs that may overlap more than is fair are looked at: of the others it is known well enough where they end.
-double Projection::look_at_swept(RestData& data, const Island& island)
+double Projection::measure_overlap_swept(RestData& data, const Island& island)
 {
     set_end_poses(data, island);
     double worst = 0.0;
@@ -135,7 +135,7 @@ double Projection::look_at_swept(RestData& data, const Island& island)
         while (end < all.size() && all[end].pair == all[first].pair) ++end;
         const std::span<const ContactPoint> points = all.subspan(first, end - first);
         if (may_be_unfair(data, points)) {
-            worst = std::max(worst, look_at_pair(data, points.front().pair));
+            worst = std::max(worst, find_overlap_of_pair(data, points.front().pair));
             continue;
         }
         for (const ContactPoint& c : points) {
@@ -150,10 +150,10 @@ double Projection::look_at_swept(RestData& data, const Island& island)
 /// The pairs that points belong to, and where the two come nearer to each other those of all their parts.
 void Projection::list_pairs_of(const RestData& data, std::span<const ContactPoint> points)
 {
-    looked_at_.clear();
+    pairs_near_.clear();
     const std::span<const RestPair> pairs = data.pairs.pairs();
     for (const ContactPoint& c : points) {
-        if (!looked_at_.empty() && looked_at_.back() == c.pair) continue;
+        if (!pairs_near_.empty() && pairs_near_.back() == c.pair) continue;
         const bool has_parts = data.bodies.shapes[c.a].parts.size() + data.bodies.shapes[c.b].parts.size() > 2;
         const bool all = has_parts && comes_nearer(data, c.a, c.b);
         // The pairs of all parts of the two stand together
@@ -162,14 +162,14 @@ void Projection::list_pairs_of(const RestData& data, std::span<const ContactPoin
         int end = c.pair + 1;
         while (all && first > 0 && is_theirs(first - 1)) --first;
         while (all && end < static_cast<int>(pairs.size()) && is_theirs(end)) ++end;
-        for (int pair = first; pair < end; ++pair) looked_at_.push_back(pair);
+        for (int pair = first; pair < end; ++pair) pairs_near_.push_back(pair);
     }
-    std::sort(looked_at_.begin(), looked_at_.end());
-    looked_at_.erase(std::unique(looked_at_.begin(), looked_at_.end()), looked_at_.end());
+    std::sort(pairs_near_.begin(), pairs_near_.end());
+    pairs_near_.erase(std::unique(pairs_near_.begin(), pairs_near_.end()), pairs_near_.end());
 }
 
 /// The points of a pair as the step ends, and how much it overlaps.  [sizes]
-double Projection::look_at_pair(RestData& data, int index)
+double Projection::find_overlap_of_pair(RestData& data, int index)
 {
     const RestPair& pair = data.pairs.pairs()[index];
     const double size = std::min(data.bodies.radius[pair.a], data.bodies.radius[pair.b]);
@@ -230,7 +230,7 @@ void Projection::put_apart(RestData& data, const Island& island, double overlap,
             data.motion.shift[member] += share * Vec2(mover.v_x, mover.v_y);
             data.motion.turn[member] += share * mover.spin;
         }
-        const double after = too_far ? overlap : look_at_end(data, island);
+        const double after = too_far ? overlap : measure_overlap(data, island);
         if (!(after < overlap)) {
             for (const int member : members) {
                 data.motion.shift[member] = shift_before_[member];

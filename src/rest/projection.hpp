@@ -14,21 +14,21 @@ class Projection
 public:
     /// How deep any two of an island overlap where the step ends; looked at only where they may. Of swept islands what
     /// is fair counts for nothing.  [sizes]
-    [[nodiscard]] double look_at_end(RestData& data, const Island& island);
+    [[nodiscard]] double measure_overlap(RestData& data, const Island& island);
     /// Moves bodies out of what they overlap there: the same conditions for places as for velocities, least by the
     /// masses, without friction. It adds no velocity.
-    /// overlap  as `look_at_end` has just found it
+    /// overlap  as `overlap_at_end` has just found it
     void put_apart(RestData& data, const Island& island, double overlap, HeapSweeps& sweeps);
 
 private:
     void list_pairs_of(const RestData& data, std::span<const ContactPoint> points);
-    [[nodiscard]] double look_at_pair(RestData& data, int index);
-    [[nodiscard]] double look_at_swept(RestData& data, const Island& island);
+    [[nodiscard]] double find_overlap_of_pair(RestData& data, int index);
+    [[nodiscard]] double measure_overlap_swept(RestData& data, const Island& island);
     [[nodiscard]] double share_that_is_paid(const RestData& data, const Island& island) const;
     void find_pushes(RestData& data, const Island& island, double tolerance, HeapSweeps& sweeps);
 
     std::vector<ContactPoint> points_; // of the pairs that were looked at, as the step ends
-    std::vector<int> looked_at_;       // those pairs
+    std::vector<int> pairs_near_;       // those pairs
     std::vector<Mover> pushes_;        // ways in place of velocities
     std::vector<Vec2> shift_before_;
     std::vector<double> turn_before_;

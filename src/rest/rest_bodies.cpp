@@ -44,7 +44,7 @@ RestBodies::RestBodies(std::vector<RestBody> bodies, std::vector<int> numbers, d
         poses.push_back(pose_of(body.state));
     }
     travel.assign(list.size(), Travel{});
-    in_crowd.assign(list.size(), 0);
+    in_large_island.assign(list.size(), 0);
 }
 
 void RestBodies::set_pose(int body, const Pose& pose)

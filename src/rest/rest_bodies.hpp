@@ -40,7 +40,7 @@ struct RestBodies
         double turn = 0.0;
     };
     std::vector<Travel> travel;
-    std::vector<char> in_crowd; ///< the body's island was a large one in the last step
+    std::vector<char> in_large_island; ///< the body's island was a large one in the last step
 };
 
 } // namespace flying

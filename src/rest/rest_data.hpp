@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "rest/group_solver.hpp"
-#include "rest/looks.hpp"
+#include "rest/island_solver.hpp"
+#include "rest/narrow_phase.hpp"
 #include "rest/pair_list.hpp"
 #include "rest/rest_bodies.hpp"
 #include "rest/rest_options.hpp"
@@ -25,8 +25,8 @@ struct RestData
     RestBodies bodies;
     StepMotion motion;
     PairList pairs;
-    Looks looks;
-    GroupSolver solver;
+    NarrowPhase looks;
+    IslandSolver solver;
     RestCounts counts;
     double max_overlap = 0.0; ///< the deepest that any step has begun with [m]
 };

@@ -137,7 +137,7 @@ void RestEngine::step_by(double length, double end)
         const bool sleeps = data_.options.sleeps;
         const bool tells = length > rest_tolerance::k_at_once * whole;
         const std::vector<Vec2> pull = tells ? std::vector<Vec2>() : data_.motion.pull;
-        const std::vector<double> turn_pull = tells ? std::vector<double>() : data_.motion.turn_pull;
+        const std::vector<double> expected_angular_acceleration = tells ? std::vector<double>() : data_.motion.expected_angular_acceleration;
         scale_loads_awake(length / whole);
         data_.options.step = length;
         data_.options.sleeps = false;
@@ -147,7 +147,7 @@ void RestEngine::step_by(double length, double end)
         scale_loads_awake(whole / length);
         if (!tells) {
             data_.motion.pull = pull;
-            data_.motion.turn_pull = turn_pull;
+            data_.motion.expected_angular_acceleration = expected_angular_acceleration;
         }
     }
     start_ = end;
@@ -242,9 +242,9 @@ RestEngine::Memory RestEngine::memory() const
     Memory memory{
         time(), data_.bodies.order, {}, {data_.pairs.pairs().begin(), data_.pairs.pairs().end()}, data_.max_overlap};
     for (std::size_t k = 0; k < data_.bodies.list.size(); ++k) {
-        memory.bodies.push_back({data_.bodies.list[k].state, data_.motion.pull[k], data_.motion.turn_pull[k],
+        memory.bodies.push_back({data_.bodies.list[k].state, data_.motion.pull[k], data_.motion.expected_angular_acceleration[k],
                                  data_.motion.reach[k], sleepers_.island_of(static_cast<int>(k)),
-                                 data_.bodies.list[k].is_active, data_.bodies.in_crowd[k] != 0});
+                                 data_.bodies.list[k].is_active, data_.bodies.in_large_island[k] != 0});
     }
     return memory;
 }
@@ -266,11 +266,11 @@ void RestEngine::go_on_from(const Memory& memory)
         data_.bodies.list[k].state = body.state;
         data_.bodies.list[k].is_active = body.is_active;
         data_.motion.pull[k] = body.pull;
-        data_.motion.turn_pull[k] = body.turn_pull;
+        data_.motion.expected_angular_acceleration[k] = body.expected_angular_acceleration;
         data_.motion.reach[k] = body.reach;
-        sleepers_.set(static_cast<int>(k), body.sleep_group);
-        data_.bodies.in_crowd[k] = body.in_crowd ? 1 : 0;
-        still_[k] = body.sleep_group >= 0 ? 1 : 0;
+        sleepers_.set(static_cast<int>(k), body.sleep_island);
+        data_.bodies.in_large_island[k] = body.in_large_island ? 1 : 0;
+        still_[k] = body.sleep_island >= 0 ? 1 : 0;
         data_.bodies.set_pose(static_cast<int>(k), pose_of(body.state));
         data_.motion.end_poses[k] = data_.bodies.poses[k];
         if (data_.bodies.list[k].is_static) continue;

@@ -80,11 +80,11 @@ public:
         {
             BodyState state;
             Vec2 pull = Vec2::Zero();
-            double turn_pull = 0.0;
+            double expected_angular_acceleration = 0.0;
             double reach = 0.0;
-            int sleep_group = -1; ///< -1 where awake
+            int sleep_island = -1; ///< -1 where awake
             bool is_active = true;
-            bool in_crowd = false;
+            bool in_large_island = false;
         };
         double time = 0.0;
         std::vector<int> order; ///< which body each of `bodies` is; all numbers in here are places in that list
@@ -136,8 +136,8 @@ private:
     {
         BodyState state;
         Vec2 pull = Vec2::Zero();
-        double turn_pull = 0.0;
-        char in_crowd = 0;
+        double expected_angular_acceleration = 0.0;
+        char in_large_island = 0;
     };
 
     void list_awake();

@@ -13,7 +13,7 @@ void expect_same(RestData& data, int body)
     const Mover& old = data.motion.before[body];
     const Mover& now = data.motion.now[body];
     data.motion.pull[body] = Vec2(now.v_x - old.v_x, now.v_y - old.v_y) / data.motion.span;
-    data.motion.turn_pull[body] = (now.spin - old.spin) / data.motion.span;
+    data.motion.expected_angular_acceleration[body] = (now.spin - old.spin) / data.motion.span;
 }
 
 void expect(RestData& data, const Island& island)
@@ -59,7 +59,7 @@ bool RestEngine::stood_alike(int member) const
 {
     const Saved& old = saved_[member];
     return old.state.velocity.isZero(0.0) && old.state.spin == 0.0 && old.pull == data_.motion.pull[member] &&
-           old.turn_pull == data_.motion.turn_pull[member] && old.in_crowd == data_.bodies.in_crowd[member];
+           old.expected_angular_acceleration == data_.motion.expected_angular_acceleration[member] && old.in_large_island == data_.bodies.in_large_island[member];
 }
 
 void RestEngine::move_island(const Island& island)
@@ -82,7 +82,7 @@ void RestEngine::move_island(const Island& island)
 
     // Move
     for (const int member : island.members) {
-        data_.bodies.in_crowd[member] = strikes_at_start(island) ? 1 : 0;
+        data_.bodies.in_large_island[member] = strikes_at_start(island) ? 1 : 0;
         BodyState& state = data_.bodies.list[member].state;
         const Mover& now = data_.motion.now[member];
         const Vec2& way = data_.motion.shift[member];

@@ -116,7 +116,7 @@ void RestEngine::list_awake()
         if (sleepers_.is_asleep(k) || body.is_static || !body.is_active) continue;
         awake_.push_back(k);
         wakes_[k] = 1;
-        saved_[k] = {body.state, data_.motion.pull[k], data_.motion.turn_pull[k], data_.bodies.in_crowd[k]};
+        saved_[k] = {body.state, data_.motion.pull[k], data_.motion.expected_angular_acceleration[k], data_.bodies.in_large_island[k]};
     }
 }
 
@@ -147,12 +147,12 @@ void RestEngine::measure_reach(std::span<const int> bodies)
         const double speed = body.state.velocity.norm() + std::abs(body.state.spin) * radius;
         motion.reach[k] = dt * (speed + dt * greatest_field(data_, k, dt)) + rest_tolerance::k_watch * radius;
         // What would carry a body beyond its reach in a part of a step was no load: it was taken from a shorter one
-        const double more = 0.5 * (dt * dt) * (motion.pull[k].norm() + std::abs(motion.turn_pull[k]) * radius);
+        const double more = 0.5 * (dt * dt) * (motion.pull[k].norm() + std::abs(motion.expected_angular_acceleration[k]) * radius);
         const double room = motion.reach[k] - dt * speed;
         if (!std::isfinite(more)) expect_flight(data_, k, body.state.position);
         else if (dt < data_.options.step && more > room) {
             motion.pull[k] *= room / more;
-            motion.turn_pull[k] *= room / more;
+            motion.expected_angular_acceleration[k] *= room / more;
         }
         motion.now[k] = mover_of(body);
         motion.before[k] = motion.now[k];
@@ -204,11 +204,11 @@ void RestEngine::solve_island(Island& island, int depth)
         sweeps_.sweep_large(data_, island);
         return;
     }
-    set_bounds(data_, island);
+    set_velocity_bias(data_, island);
     forces_.find_impulses(data_, island, data_.motion.before, data_.motion.span);
-    if (leans && !island.is_content) {
+    if (leans && !island.is_solved) {
         // It would cost more than it brings to look on; sweeps go on from what bore before
-        for (ContactPoint& c : island.points) recall_load(data_, c);
+        for (ContactPoint& c : island.points) recall_impulses(data_, c);
         sweeps_.sweep_large(data_, island);
         return;
     }
@@ -253,7 +253,7 @@ double RestEngine::end_early(Island& island, int depth)
         }
     }
     if (island.points.empty()) return 0.0;
-    const double overlap = projection_.look_at_end(data_, island);
+    const double overlap = projection_.measure_overlap(data_, island);
     if (may_be_cut(island, depth) && !is_fair(data_, island, overlap)) return 0.5 * data_.motion.span;
     projection_.put_apart(data_, island, overlap, sweeps_);
     return 0.0;

@@ -7,9 +7,9 @@ namespace flying::rest_tolerance {
 
 /// [speeds of a group, or those that its impulses bring] What rounding leaves of the content of a point: a velocity is
 /// a sum of a handful of impulses over a mass.
-inline constexpr double k_content = 16.0 * tolerance::k_epsilon;
+inline constexpr double k_residual = 16.0 * tolerance::k_epsilon;
 
-/// [k_content] A solve that no longer gets better is at rounding if it is no further than this: sums are longer where
+/// [k_residual] A solve that no longer gets better is at rounding if it is no further than this: sums are longer where
 /// bodies have many contacts.
 inline constexpr double k_stagnant = 16.0;
 
@@ -79,7 +79,7 @@ inline constexpr double k_path_before = 0x1p-10;
 /// [shifts] Points have shifts that differ by up to this much, so that no two close at one place of the path.
 inline constexpr double k_path_apart = 0.25;
 
-// ---- Direct solver (piece_system, group_solver)
+// ---- Direct solver (piece_system, island_solver)
 /// [worst approach] A point that parts more slowly may still bear.
 inline constexpr double k_may_bear = 0.25;
 
@@ -133,7 +133,7 @@ inline constexpr double k_room_reaches = 3.0;
 /// parts that had no point are looked at where two come nearer by more; and sweeps may add so much in one step.
 inline constexpr double k_deep = 0x1p-10;
 
-/// Looks at a pair that closes, each at the moment that the last one foresaw.
+/// NarrowPhase at a pair that closes, each at the moment that the last one foresaw.
 inline constexpr int k_looks = 5;
 
 /// [speeds that the field gives in a step] What bears, and comes nearer no faster than this, goes on to bear.
@@ -200,7 +200,7 @@ inline constexpr int k_most_whole = 64;
 inline constexpr double k_much_better = 2.0;
 
 /// [speeds that the field gives in a step] Impulses that are further from right let nothing stand.
-inline constexpr double k_slight = 0x1p-6;
+inline constexpr double k_tolerable_residual = 0x1p-6;
 
 /// [speeds that the field gives in a step] A large island that moves no faster stands, or begins to fall; its overlap
 /// is left as it is, since pushes would shake it.
@@ -215,7 +215,7 @@ inline constexpr double k_shortest_part = 0x1p-10;
 // ---- Heaps (heap_sweeps)
 /// [speeds that the field gives in a step] An island that was slower and stays so is at rest: what it was about to do
 /// is the price of its sleep. From rest, what accelerates by no more than this share of the field doesn't start.
-inline constexpr double k_calm = 0x1p-8;
+inline constexpr double k_rest_speed = 0x1p-8;
 
 /// [greatest speeds] Points that would have to close faster than that wait for the end of the sweeps.
 inline constexpr double k_far = 2.0;

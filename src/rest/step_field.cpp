@@ -68,7 +68,7 @@ double greatest_field(const RestData& data, int body, double within)
 void expect_flight(RestData& data, int body, const Vec2& place)
 {
     data.motion.pull[body] = data.motion.is_moved(body) ? field_at(data, body, place) : Vec2(Vec2::Zero());
-    data.motion.turn_pull[body] = 0.0;
+    data.motion.expected_angular_acceleration[body] = 0.0;
 }
 
 void set_free(RestData& data, const Island& island, std::span<const Mover> start, double time)

@@ -24,7 +24,7 @@ StepMotion::StepMotion(const RestBodies& bodies, double length) : span(length)
     end_poses = bodies.poses;
     reach.assign(count, 0.0);
     pull.assign(count, Vec2::Zero());
-    turn_pull.assign(count, 0.0);
+    expected_angular_acceleration.assign(count, 0.0);
 }
 
 void StepMotion::set_arms(ContactPoint& c, const Vec2& n, const Vec2& r_a, const Vec2& r_b) const

@@ -196,7 +196,7 @@ struct SweepBatches::Motion
     Four inv_mass;
 };
 
-[[gnu::always_inline]] inline void SweepBatches::content(const Row& row, Points& c, Motion& a, Motion& b,
+[[gnu::always_inline]] inline void SweepBatches::solve_point(const Row& row, Points& c, Motion& a, Motion& b,
                                                          Change& change)
 {
     // The plain sweep's sums, in its order
@@ -290,7 +290,7 @@ int SweepBatches::sweep_ahead(const Ahead& ahead)
                     Way& way = way_[point];
                     go_ahead(points_[point], way, share);
                     Change& change = way.last;
-                    content(row, points_[point], a, b, change);
+                    solve_point(row, points_[point], a, b, change);
                     sum +=
                         (change.normal * change.normal + change.tangent * change.tangent) * (a.inv_mass + b.inv_mass);
                 });

@@ -105,7 +105,7 @@ private:
     void set_lane(Batch& batch, int pair, std::span<const ContactPoint> points, std::span<const int> which,
                   std::span<const Mover> movers);
     void clear(Batch& batch);
-    static void content(const Row& row, Points& points, Motion& a, Motion& b, Change& change);
+    static void solve_point(const Row& row, Points& points, Motion& a, Motion& b, Change& change);
     static void go_ahead(Points& points, Way& way, const Four& share);
     void go_ahead(const Four& share);
     void fetch(const int (&who)[4], Motion& motion) const;

@@ -6,7 +6,7 @@
 namespace flying {
 namespace {
 
-void content(SweepPoint& c, std::span<Mover> movers)
+void solve_point(SweepPoint& c, std::span<Mover> movers)
 {
     Mover& a = movers[c.a];
     Mover& b = movers[c.b];
@@ -72,18 +72,18 @@ void warm_start(std::span<const ContactPoint> points, std::span<Mover> movers)
 
 void sweep(std::span<SweepPoint> points, std::span<Mover> movers)
 {
-    for (SweepPoint& c : points) content(c, movers);
+    for (SweepPoint& c : points) solve_point(c, movers);
 }
 
 void sweep_back(std::span<SweepPoint> points, std::span<Mover> movers)
 {
-    for (std::size_t k = points.size(); k > 0; --k) content(points[k - 1], movers);
+    for (std::size_t k = points.size(); k > 0; --k) solve_point(points[k - 1], movers);
 }
 
-// [rest.complaint]
+// [rest.residual]
 namespace {
 
-double complaint(const ContactPoint& c, const Mover& a, const Mover& b)
+double residual(const ContactPoint& c, const Mover& a, const Mover& b)
 {
     const double excess = normal_speed(c, a, b) - c.bound;
     const double normal = std::max(0.0, c.normal - c.normal_mass * excess);
@@ -102,18 +102,18 @@ void forget_impulses(std::span<ContactPoint> points)
     for (ContactPoint& c : points) c.normal = c.tangent = 0.0;
 }
 
-double worst_complaint(std::span<const ContactPoint> points, std::span<const Mover> movers)
+double worst_residual(std::span<const ContactPoint> points, std::span<const Mover> movers)
 {
     double worst = 0.0;
-    for (const ContactPoint& c : points) worst = std::max(worst, complaint(c, movers[c.a], movers[c.b]));
+    for (const ContactPoint& c : points) worst = std::max(worst, residual(c, movers[c.a], movers[c.b]));
     return worst;
 }
 
-bool are_content(std::span<const ContactPoint> points, std::span<const Mover> movers, double tolerance)
+bool are_satisfied(std::span<const ContactPoint> points, std::span<const Mover> movers, double tolerance)
 {
     return std::none_of(points.begin(), points.end(),
-                        [&](const ContactPoint& c) { return complaint(c, movers[c.a], movers[c.b]) > tolerance; });
+                        [&](const ContactPoint& c) { return residual(c, movers[c.a], movers[c.b]) > tolerance; });
 }
-// [rest.complaint]
+// [rest.residual]
 
 } // namespace flying

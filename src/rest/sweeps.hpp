@@ -13,9 +13,9 @@ void warm_start(std::span<const ContactPoint> points, std::span<Mover> movers);
 void forget_impulses(std::span<ContactPoint> points);
 
 /// How far the worst point is from content: the change of its velocity that it would ask for.  [m/s]
-[[nodiscard]] double worst_complaint(std::span<const ContactPoint> points, std::span<const Mover> movers);
+[[nodiscard]] double worst_residual(std::span<const ContactPoint> points, std::span<const Mover> movers);
 /// None asks for more than `tolerance`.  [m/s]
-[[nodiscard]] bool are_content(std::span<const ContactPoint> points, std::span<const Mover> movers, double tolerance);
+[[nodiscard]] bool are_satisfied(std::span<const ContactPoint> points, std::span<const Mover> movers, double tolerance);
 
 /// The part of a point that sweeps go over, again and again: small, so that many fit where the processor reaches them
 /// fast.

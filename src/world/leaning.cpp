@@ -22,7 +22,7 @@ struct Hold
     bool presses = false; ///< gravity pulls A into B at some point
 };
 
-/// Looks at pairs of bodies as they start.
+/// NarrowPhase at pairs of bodies as they start.
 class Starts
 {
 public:

@@ -10,7 +10,7 @@ shift
 jobs=${FLYING_JOBS:-$(nproc 2>/dev/null || echo 2)}
 header=src/rest/rest_tolerance.hpp
 
-# A copy in which each number is multiplied by a factor that the environment names: FLYING_SPOIL='k_calm*2'
+# A copy in which each number is multiplied by a factor that the environment names: FLYING_SPOIL='k_rest_speed*2'
 mkdir -p "$folder/sources"
 (cd "$root" && git ls-files -z | xargs -0 cp --parents -u -p -t "$folder/sources")
 {

@@ -1,4 +1,4 @@
-#include "rest/group_sweeps.hpp"
+#include "rest/island_sweeps.hpp"
 
 #include <algorithm>
 
@@ -6,12 +6,12 @@
 
 namespace flying {
 
-void GroupSweeps::sweep(std::span<Mover> movers, std::span<const int> members, std::span<ContactPoint> points,
+void IslandSweeps::sweep(std::span<Mover> movers, std::span<const int> members, std::span<ContactPoint> points,
                         const SweepPlan& plan, SolveCounts& counts)
 {
     if (!plan.is_warm) forget_impulses(points);
     warm_start(points, movers);
-    if (are_content(points, movers, plan.tolerance)) {
+    if (are_satisfied(points, movers, plan.tolerance)) {
         ++counts.accepted;
         return;
     }
@@ -33,7 +33,7 @@ void GroupSweeps::sweep(std::span<Mover> movers, std::span<const int> members, s
     ++counts.swept;
 }
 
-void GroupSweeps::sweep_far(std::span<ContactPoint> points, std::span<Mover> movers)
+void IslandSweeps::sweep_far(std::span<ContactPoint> points, std::span<Mover> movers)
 {
     for (const int k : far_) {
         ContactPoint& c = points[k];

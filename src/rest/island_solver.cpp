@@ -1,4 +1,4 @@
-#include "rest/group_solver.hpp"
+#include "rest/island_solver.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,10 +28,10 @@ namespace {
 
 double rounding_of(std::span<const ContactPoint> points, std::size_t members)
 {
-    return rest_tolerance::k_content * static_cast<double>(members) * greatest_push(points);
+    return rest_tolerance::k_residual * static_cast<double>(members) * greatest_push(points);
 }
 
-bool GroupSolver::solve(std::span<Mover> movers, std::span<const int> members, std::span<ContactPoint> points,
+bool IslandSolver::solve(std::span<Mover> movers, std::span<const int> members, std::span<ContactPoint> points,
                         double tolerance, Effort effort)
 {
     const Island island{movers, members, points, tolerance};
@@ -42,7 +42,7 @@ bool GroupSolver::solve(std::span<Mover> movers, std::span<const int> members, s
     // What was right in the step before most often is right still
     if (!is_warm_) forget_impulses(points);
     warm_start(points, movers);
-    if (worst_complaint(points, movers) <=
+    if (worst_residual(points, movers) <=
         rest_tolerance::k_stagnant * std::max(tolerance, rounding_of(points, members.size()))) {
         ++counts_.accepted;
         return true;
@@ -51,7 +51,7 @@ bool GroupSolver::solve(std::span<Mover> movers, std::span<const int> members, s
 
     const std::int64_t before = pieces_.factorisations();
     pieces_.begin(problem_, members, movers.size());
-    best_ = worst_complaint(points, movers);
+    best_ = worst_residual(points, movers);
     kept_.assign(points.begin(), points.end());
     bool content = improve(island, From::here);
     for (const From from : {From::sweeps, From::within, From::nothing}) {
@@ -67,26 +67,26 @@ bool GroupSolver::solve(std::span<Mover> movers, std::span<const int> members, s
 }
 
 /// Impulses that suit this step worse than none go.
-void GroupSolver::forget_what_suits_worse(const Island& island)
+void IslandSolver::forget_what_suits_worse(const Island& island)
 {
-    const double warm = worst_complaint(island.points, island.movers);
+    const double warm = worst_residual(island.points, island.movers);
     kept_.assign(island.points.begin(), island.points.end());
     forget_impulses(island.points);
     restore_free(island);
-    if (worst_complaint(island.points, island.movers) < warm) return;
+    if (worst_residual(island.points, island.movers) < warm) return;
     std::copy(kept_.begin(), kept_.end(), island.points.begin());
     apply(island);
 }
 
-/// Looks for the pieces, then takes off what rounding leaves, until all points are content.
-bool GroupSolver::improve(const Island& island, From from)
+/// NarrowPhase for the pieces, then takes off what rounding leaves, until all points are content.
+bool IslandSolver::improve(const Island& island, From from)
 {
     double before = std::numeric_limits<double>::infinity();
     for (int k = 0; k < rest_tolerance::k_corrections; ++k) {
         measure_slips(problem_, island.movers);
         if (!(k == 0 ? find_pieces(island, from) : find_from_here(island))) return false;
         take_impulses(island);
-        const double now = worst_complaint(island.points, island.movers);
+        const double now = worst_residual(island.points, island.movers);
         const double rounding = std::max(island.tolerance, rounding_of(island.points, island.members.size()));
         const bool content = now <= rounding || (now >= 0.5 * before && now <= rest_tolerance::k_stagnant * rounding);
         if (now < best_ || content) {
@@ -100,7 +100,7 @@ bool GroupSolver::improve(const Island& island, From from)
     return false;
 }
 
-bool GroupSolver::find_pieces(const Island& island, From from)
+bool IslandSolver::find_pieces(const Island& island, From from)
 {
     switch (from) {
     case From::here:
@@ -124,13 +124,13 @@ bool GroupSolver::find_pieces(const Island& island, From from)
 }
 
 /// From impulses that are nearly right.
-bool GroupSolver::find_from_here(const Island& island)
+bool IslandSolver::find_from_here(const Island& island)
 {
     return find_by_newton(pieces_, problem_) ||
            path_.follow(pieces_, problem_, PiecePath::Start::impulses, few_pieces(island.points.size()));
 }
 
-void GroupSolver::start_from_within(const Island& island)
+void IslandSolver::start_from_within(const Island& island)
 {
     restore_free(island);
     measure_slips(problem_, island.movers);
@@ -145,7 +145,7 @@ void GroupSolver::start_from_within(const Island& island)
 }
 
 /// From the best that was met; sweeps never do work, whatever they leave.
-void GroupSolver::sweep_on(const Island& island)
+void IslandSolver::sweep_on(const Island& island)
 {
     sweep_points_.clear();
     for (const ContactPoint& c : island.points) sweep_points_.push_back(sweep_point(c));
@@ -160,25 +160,25 @@ void GroupSolver::sweep_on(const Island& island)
     }
 }
 
-void GroupSolver::restore_free(const Island& island) const
+void IslandSolver::restore_free(const Island& island) const
 {
     for (std::size_t k = 0; k < island.members.size(); ++k) island.movers[island.members[k]] = problem_.bodies[k];
 }
 
 /// The impulses of the points, and nothing else, act on the members.
-void GroupSolver::apply(const Island& island) const
+void IslandSolver::apply(const Island& island) const
 {
     restore_free(island);
     warm_start(island.points, island.movers);
 }
 
-void GroupSolver::go_back_to_best(const Island& island) const
+void IslandSolver::go_back_to_best(const Island& island) const
 {
     std::copy(kept_.begin(), kept_.end(), island.points.begin());
     apply(island);
 }
 
-void GroupSolver::take_impulses(const Island& island) const
+void IslandSolver::take_impulses(const Island& island) const
 {
     for (std::size_t k = 0; k < island.points.size(); ++k) {
         island.points[k].normal = problem_.impulse[2 * k];

@@ -1,4 +1,4 @@
-#include "rest/looks.hpp"
+#include "rest/narrow_phase.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -114,7 +114,7 @@ void find_moving_seams(const RestBodies& bodies, const PairList& list, const Res
 } // namespace
 
 /// Those that last: of parts of one body, and of what never moves.
-Looks::Looks(const RestBodies& bodies)
+NarrowPhase::NarrowPhase(const RestBodies& bodies)
 {
     seams_.resize(bodies.list.size());
     std::vector<BoxCells::Entry> boxes;
@@ -154,7 +154,7 @@ Looks::Looks(const RestBodies& bodies)
 }
 
 /// Puts right what the two of a pair would touch of sides that neighbours hide.
-void Looks::mend(const RestBodies& bodies, const PairList& pairs, const RestPair& pair, const Pose& pose_a,
+void NarrowPhase::mend(const RestBodies& bodies, const PairList& pairs, const RestPair& pair, const Pose& pose_a,
                  const Pose& pose_b, double margin, Manifold& manifold) const
 {
     const double near = rest_tolerance::k_same_place * std::min(bodies.radius[pair.a], bodies.radius[pair.b]);
@@ -177,7 +177,7 @@ void Looks::mend(const RestBodies& bodies, const PairList& pairs, const RestPair
     }
 }
 
-Manifold Looks::look(const RestBodies& bodies, const PairList& pairs, const RestPair& pair, const Pose& pose_a,
+Manifold NarrowPhase::look(const RestBodies& bodies, const PairList& pairs, const RestPair& pair, const Pose& pose_a,
                      const Pose& pose_b, double margin) const
 {
     Manifold manifold =
@@ -186,7 +186,7 @@ Manifold Looks::look(const RestBodies& bodies, const PairList& pairs, const Rest
     return manifold;
 }
 
-Manifold Looks::look_with_memory(const RestBodies& bodies, const PairList& pairs, RestPair& pair, double margin) const
+Manifold NarrowPhase::find_cached(const RestBodies& bodies, const PairList& pairs, RestPair& pair, double margin) const
 {
     const Pose& pose_a = bodies.poses[pair.a];
     const Pose& pose_b = bodies.poses[pair.b];

@@ -31,7 +31,7 @@ enum class Effort
 /// exactly, to rounding, for stacks of any height and masses of any ratio. These conditions are linear once it is known
 /// what each point does; that is guessed from the impulses of the step before, and where no guess agrees, looked for
 /// from better ones, each from farther away.
-class GroupSolver
+class IslandSolver
 {
 public:
     /// movers   all bodies; those of the group hold the velocities that they would have without contacts

@@ -11,10 +11,10 @@ namespace flying {
 
 /// Where pairs touch, as the surfaces of their bodies really are: without cuts (rest/near_points.hpp), and with
 /// neighbours that lie flush taken as one surface (collide/seams.hpp).
-class Looks
+class NarrowPhase
 {
 public:
-    explicit Looks(const RestBodies& bodies);
+    explicit NarrowPhase(const RestBodies& bodies);
 
     /// The points at which a pair touches or might soon touch, with the two bodies at these poses.
     /// pairs   all that may touch; those beside the pair tell what lies flush with it and moves with it
@@ -22,7 +22,7 @@ public:
     [[nodiscard]] Manifold look(const RestBodies& bodies, const PairList& pairs, const RestPair& pair,
                                 const Pose& pose_a, const Pose& pose_b, double margin) const;
     /// The same from where the bodies are; what the last such look has found may answer.
-    [[nodiscard]] Manifold look_with_memory(const RestBodies& bodies, const PairList& pairs, RestPair& pair,
+    [[nodiscard]] Manifold find_cached(const RestBodies& bodies, const PairList& pairs, RestPair& pair,
                                             double margin) const;
 
 private:

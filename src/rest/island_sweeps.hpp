@@ -22,7 +22,7 @@ struct SweepPlan
 };
 
 /// Sweeps over all points of a group (projected Gauss-Seidel), from where the step before has ended.
-class GroupSweeps
+class IslandSweeps
 {
 public:
     /// movers   all bodies; those of the group hold the velocities that they would have without contacts
