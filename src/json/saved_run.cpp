@@ -160,7 +160,7 @@ Json resting_json(const RestEngine::Memory& m)
             {"bodies", list(m.bodies,
                             [](const RestEngine::Memory::Body& b) {
                                 return Json{state_json(b.state), number(b.pull.x()), number(b.pull.y()),
-                                            number(b.turn_pull), number(b.reach),    b.sleep_group,
+                                            number(b.expected_angular_acceleration), number(b.reach),    b.sleep_island,
                                             b.is_active,         b.in_large_island};
                             })},
             {"pairs", std::move(pairs)}};
