@@ -11,7 +11,6 @@
 /// Bodies one above the other, as the solver sees them: nothing but masses and points.
 namespace flying::test {
 
-
 /// A floor, bodies on it, and a point below each. `fall` is what gravity adds in a step.
 struct Column
 {
@@ -32,15 +31,13 @@ inline Column column_of(const std::vector<double>& masses, double fall)
         c.b = k;
         c.pair = k;
         c.n_y = 1.0;
-        c.normal_mass =
-            1.0 / (column.movers[k - 1].inv_mass + column.movers[k].inv_mass);
+        c.normal_mass = 1.0 / (column.movers[k - 1].inv_mass + column.movers[k].inv_mass);
         c.tangent_mass = c.normal_mass;
         column.points.push_back(c);
         column.members.push_back(k);
     }
     return column;
 }
-
 
 /// The weights that points bear, in one step.  [N s]
 inline std::vector<double> weights_above(const std::vector<double>& masses, double fall)
@@ -54,7 +51,6 @@ inline std::vector<double> weights_above(const std::vector<double>& masses, doub
     return weights;
 }
 
-
 /// The worst impulse's error, as a share of the weight that it should bear.
 template <typename Points>
 double worst_error(const Points& points, std::span<const double> weights)
@@ -64,7 +60,6 @@ double worst_error(const Points& points, std::span<const double> weights)
         worst = std::max(worst, std::abs(points[k].normal / weights[k] - 1.0));
     return worst;
 }
-
 
 /// Sweeps over a column, and what is left after each.
 class ColumnSweeps
@@ -76,14 +71,12 @@ public:
         for (const ContactPoint& c : column_.points) points_.push_back(sweep_point(c));
     }
 
-
     /// One sweep from the floor up; the worst error after it.
     double sweep_once()
     {
         sweep(points_, column_.movers);
         return worst_error(points_, weights_);
     }
-
 
     [[nodiscard]] double impulse(int point) const { return points_[point].normal; }
 
@@ -92,7 +85,6 @@ private:
     std::vector<double> weights_;
     std::vector<SweepPoint> points_;
 };
-
 
 /// Sweeps until no impulse is off by more than `share`.
 inline int sweeps_until(const std::vector<double>& masses, double share)
@@ -103,8 +95,6 @@ inline int sweeps_until(const std::vector<double>& masses, double share)
     return count;
 }
 
-
-
 /// What one more sweep leaves of the error, once all that dies faster has died.
 inline double rate_of_sweeps(const std::vector<double>& masses, int sweeps)
 {
@@ -113,8 +103,6 @@ inline double rate_of_sweeps(const std::vector<double>& masses, int sweeps)
     for (int k = 0; k < sweeps; ++k) before = column.sweep_once();
     return column.sweep_once() / before;
 }
-
-
 
 /// How far the uppermost of equal boxes sinks in a second of short steps, with so many
 /// sweeps in each, from no impulses or from those of the step before.  [m]
@@ -137,8 +125,6 @@ inline double sinks_in_a_second(int count, int steps, int sweeps, bool is_warm)
     return way;
 }
 
-
-
 /// The same column, by the engine's direct solve: error and factorisations.
 struct DirectSolve
 {
@@ -152,9 +138,7 @@ inline DirectSolve solve_at_once(const std::vector<double>& masses)
     IslandSolver solver;
     if (!solver.solve(column.movers, column.members, column.points, 0.0)) return {1.0, 0};
     const std::vector<double> weights = weights_above(masses, 1.0);
-    return {worst_error(column.points, weights),
-            static_cast<long>(solver.counts().factorisations)};
+    return {worst_error(column.points, weights), static_cast<long>(solver.counts().factorisations)};
 }
-
 
 } // namespace flying::test

@@ -30,14 +30,12 @@ std::string fingerprint(const std::string& text)
 
 // ---- Numbers and what is made of them -------------------------------------------------------------------------------
 
-
 /// The fewest digits that read back to the same bits; JSON has no words for what is not finite.
 Json number(double x)
 {
     if (std::isfinite(x)) return x;
     return std::isnan(x) ? "nan" : x > 0.0 ? "inf" : "-inf";
 }
-
 
 double number(const Json& json)
 {
@@ -159,8 +157,9 @@ Json resting_json(const RestEngine::Memory& m)
             {"order", m.order},
             {"bodies", list(m.bodies,
                             [](const RestEngine::Memory::Body& b) {
-                                return Json{state_json(b.state), number(b.pull.x()), number(b.pull.y()),
-                                            number(b.expected_angular_acceleration), number(b.reach),    b.sleep_island,
+                                return Json{state_json(b.state), number(b.pull.x()),
+                                            number(b.pull.y()),  number(b.expected_angular_acceleration),
+                                            number(b.reach),     b.sleep_island,
                                             b.is_active,         b.in_large_island};
                             })},
             {"pairs", std::move(pairs)}};
@@ -256,7 +255,6 @@ SavedRun saved_run_of(const Json& json)
 
 } // namespace
 
-
 std::string write_saved_run(const Scene& scene, const WorldOptions& options, const Snapshot& s)
 {
     Json json{
@@ -277,7 +275,6 @@ std::string write_saved_run(const Scene& scene, const WorldOptions& options, con
     json["fingerprint"] = fingerprint(content);
     return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
-
 
 Expected<SavedRun> read_saved_run(const std::string& path, const Scene& scene)
 {

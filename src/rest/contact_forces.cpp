@@ -32,7 +32,7 @@ void ContactForces::find_impulses(RestData& data, Island& island, std::span<cons
                                                            [](const ContactPoint& c) { return c.normal == 0.0; });
     const Effort effort = is_heap(island) && !is_new ? Effort::brief : Effort::full;
     island.is_solved = data.solver.solve(data.motion.now, island.members, points,
-                                          rest_tolerance::k_residual * top_speed(data, island), effort);
+                                         rest_tolerance::k_residual * top_speed(data, island), effort);
     if (!island.is_solved && !is_heap(island) && stood(data, island)) keep_loads(data, island, start, time);
 }
 
@@ -52,7 +52,8 @@ void ContactForces::keep_loads(RestData& data, Island& island, std::span<const M
     for (ContactPoint& c : points) recall_impulses(data, c);
     const double before = residual();
     const bool any = std::any_of(points.begin(), points.end(), [](const ContactPoint& c) { return c.normal > 0.0; });
-    island.is_solved = any && std::min(before, after) <= rest_tolerance::k_tolerable_residual * field_speed(data, island);
+    island.is_solved =
+        any && std::min(before, after) <= rest_tolerance::k_tolerable_residual * field_speed(data, island);
     if (before <= rest_tolerance::k_much_better * after) return;
     std::copy(found_.begin(), found_.end(), points.begin());
     (void)residual();

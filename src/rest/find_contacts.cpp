@@ -68,8 +68,9 @@ Pose pose_at(const RestData& data, int body, double moment)
 {
     if (data.bodies.list[body].is_static) return data.bodies.poses[body];
     const BodyState& s = data.bodies.list[body].state;
-    return {place_at(data, body, moment),
-            Rotation::of(s.angle + moment * (s.spin + (0.5 * moment) * data.motion.expected_angular_acceleration[body]))};
+    return {
+        place_at(data, body, moment),
+        Rotation::of(s.angle + moment * (s.spin + (0.5 * moment) * data.motion.expected_angular_acceleration[body]))};
 }
 
 /// Where the step ends there is a gap still, though it would close by how fast it opens and that changes now: round

@@ -2,8 +2,8 @@
 
 #include <span>
 
-#include "rest/island_sweeps.hpp"
 #include "rest/island.hpp"
+#include "rest/island_sweeps.hpp"
 
 namespace flying {
 

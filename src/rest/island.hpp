@@ -13,7 +13,7 @@ struct Island
     std::span<ContactPoint> points; ///< those of a pair in a row
     bool is_exact = true;           ///< solved to rounding, all at once; else swept
     bool has_ways = false;          ///< places are found already, along curves
-    bool is_solved = true;         ///< the impulses that were found are right to rounding
+    bool is_solved = true;          ///< the impulses that were found are right to rounding
     bool in_turn = false;           ///< its impacts have moments of their own
     double ended = 0.0;             ///< energy of approaches that were ended without rebound, at the start [J]
     double cut_at = 0.0;            ///< where its step is to end early, and to go on from; 0 if nowhere [s]

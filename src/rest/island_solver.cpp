@@ -32,7 +32,7 @@ double rounding_of(std::span<const ContactPoint> points, std::size_t members)
 }
 
 bool IslandSolver::solve(std::span<Mover> movers, std::span<const int> members, std::span<ContactPoint> points,
-                        double tolerance, Effort effort)
+                         double tolerance, Effort effort)
 {
     const Island island{movers, members, points, tolerance};
     problem_.points = points;

@@ -7,7 +7,7 @@
 namespace flying {
 
 void IslandSweeps::sweep(std::span<Mover> movers, std::span<const int> members, std::span<ContactPoint> points,
-                        const SweepPlan& plan, SolveCounts& counts)
+                         const SweepPlan& plan, SolveCounts& counts)
 {
     if (!plan.is_warm) forget_impulses(points);
     warm_start(points, movers);

@@ -155,7 +155,7 @@ NarrowPhase::NarrowPhase(const RestBodies& bodies)
 
 /// Puts right what the two of a pair would touch of sides that neighbours hide.
 void NarrowPhase::mend(const RestBodies& bodies, const PairList& pairs, const RestPair& pair, const Pose& pose_a,
-                 const Pose& pose_b, double margin, Manifold& manifold) const
+                       const Pose& pose_b, double margin, Manifold& manifold) const
 {
     const double near = rest_tolerance::k_same_place * std::min(bodies.radius[pair.a], bodies.radius[pair.b]);
     std::vector<Seam> moving;
@@ -178,7 +178,7 @@ void NarrowPhase::mend(const RestBodies& bodies, const PairList& pairs, const Re
 }
 
 Manifold NarrowPhase::look(const RestBodies& bodies, const PairList& pairs, const RestPair& pair, const Pose& pose_a,
-                     const Pose& pose_b, double margin) const
+                           const Pose& pose_b, double margin) const
 {
     Manifold manifold =
         near_points(side_of(bodies, pair.a, pair.part_a, pose_a), side_of(bodies, pair.b, pair.part_b, pose_b), margin);

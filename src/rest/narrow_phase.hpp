@@ -23,7 +23,7 @@ public:
                                 const Pose& pose_a, const Pose& pose_b, double margin) const;
     /// The same from where the bodies are; what the last such look has found may answer.
     [[nodiscard]] Manifold find_cached(const RestBodies& bodies, const PairList& pairs, RestPair& pair,
-                                            double margin) const;
+                                       double margin) const;
 
 private:
     void mend(const RestBodies& bodies, const PairList& pairs, const RestPair& pair, const Pose& pose_a,

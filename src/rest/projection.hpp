@@ -28,7 +28,7 @@ private:
     void find_pushes(RestData& data, const Island& island, double tolerance, HeapSweeps& sweeps);
 
     std::vector<ContactPoint> points_; // of the pairs that were looked at, as the step ends
-    std::vector<int> pairs_near_;       // those pairs
+    std::vector<int> pairs_near_;      // those pairs
     std::vector<Mover> pushes_;        // ways in place of velocities
     std::vector<Vec2> shift_before_;
     std::vector<double> turn_before_;

@@ -137,7 +137,8 @@ void RestEngine::step_by(double length, double end)
         const bool sleeps = data_.options.sleeps;
         const bool tells = length > rest_tolerance::k_at_once * whole;
         const std::vector<Vec2> pull = tells ? std::vector<Vec2>() : data_.motion.pull;
-        const std::vector<double> expected_angular_acceleration = tells ? std::vector<double>() : data_.motion.expected_angular_acceleration;
+        const std::vector<double> expected_angular_acceleration =
+            tells ? std::vector<double>() : data_.motion.expected_angular_acceleration;
         scale_loads_awake(length / whole);
         data_.options.step = length;
         data_.options.sleeps = false;
@@ -242,9 +243,10 @@ RestEngine::Memory RestEngine::memory() const
     Memory memory{
         time(), data_.bodies.order, {}, {data_.pairs.pairs().begin(), data_.pairs.pairs().end()}, data_.max_overlap};
     for (std::size_t k = 0; k < data_.bodies.list.size(); ++k) {
-        memory.bodies.push_back({data_.bodies.list[k].state, data_.motion.pull[k], data_.motion.expected_angular_acceleration[k],
-                                 data_.motion.reach[k], sleepers_.island_of(static_cast<int>(k)),
-                                 data_.bodies.list[k].is_active, data_.bodies.in_large_island[k] != 0});
+        memory.bodies.push_back({data_.bodies.list[k].state, data_.motion.pull[k],
+                                 data_.motion.expected_angular_acceleration[k], data_.motion.reach[k],
+                                 sleepers_.island_of(static_cast<int>(k)), data_.bodies.list[k].is_active,
+                                 data_.bodies.in_large_island[k] != 0});
     }
     return memory;
 }

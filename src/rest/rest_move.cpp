@@ -59,7 +59,8 @@ bool RestEngine::stood_alike(int member) const
 {
     const Saved& old = saved_[member];
     return old.state.velocity.isZero(0.0) && old.state.spin == 0.0 && old.pull == data_.motion.pull[member] &&
-           old.expected_angular_acceleration == data_.motion.expected_angular_acceleration[member] && old.in_large_island == data_.bodies.in_large_island[member];
+           old.expected_angular_acceleration == data_.motion.expected_angular_acceleration[member] &&
+           old.in_large_island == data_.bodies.in_large_island[member];
 }
 
 void RestEngine::move_island(const Island& island)

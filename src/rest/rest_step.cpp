@@ -116,7 +116,8 @@ void RestEngine::list_awake()
         if (sleepers_.is_asleep(k) || body.is_static || !body.is_active) continue;
         awake_.push_back(k);
         wakes_[k] = 1;
-        saved_[k] = {body.state, data_.motion.pull[k], data_.motion.expected_angular_acceleration[k], data_.bodies.in_large_island[k]};
+        saved_[k] = {body.state, data_.motion.pull[k], data_.motion.expected_angular_acceleration[k],
+                     data_.bodies.in_large_island[k]};
     }
 }
 
@@ -147,7 +148,8 @@ void RestEngine::measure_reach(std::span<const int> bodies)
         const double speed = body.state.velocity.norm() + std::abs(body.state.spin) * radius;
         motion.reach[k] = dt * (speed + dt * greatest_field(data_, k, dt)) + rest_tolerance::k_watch * radius;
         // What would carry a body beyond its reach in a part of a step was no load: it was taken from a shorter one
-        const double more = 0.5 * (dt * dt) * (motion.pull[k].norm() + std::abs(motion.expected_angular_acceleration[k]) * radius);
+        const double more =
+            0.5 * (dt * dt) * (motion.pull[k].norm() + std::abs(motion.expected_angular_acceleration[k]) * radius);
         const double room = motion.reach[k] - dt * speed;
         if (!std::isfinite(more)) expect_flight(data_, k, body.state.position);
         else if (dt < data_.options.step && more > room) {

@@ -57,16 +57,16 @@ inline constexpr double k_fair_overlap = 0x1p-9;
 /// [energies] Rise that rounding explains.
 inline constexpr double k_rounding = 0x1p-46;
 
-/// Rounds of what ends by itself after a few, or never: impacts at one moment, steps of the interior point, pieces of a path
-/// that begins near its end, parts of a step. A blow that runs through a row against the order of its pairs takes a round
-/// for each of them; elastic bodies packed between walls would go on for ever.
+/// Rounds of what ends by itself after a few, or never: impacts at one moment, steps of the interior point, pieces of a
+/// path that begins near its end, parts of a step. A blow that runs through a row against the order of its pairs takes
+/// a round for each of them; elastic bodies packed between walls would go on for ever.
 inline constexpr int k_patience = 64;
 
 /// Rounds of what is right after one or two, or after many: Newton's steps; and the parts of a step of many bodies.
 inline constexpr int k_quick_rounds = 8;
 
-/// Points, or bodies, of the largest island that is followed in detail: the end of each slip, the moment of each impact. In
-/// larger ones all that a step brings comes at its start.
+/// Points, or bodies, of the largest island that is followed in detail: the end of each slip, the moment of each
+/// impact. In larger ones all that a step brings comes at its start.
 inline constexpr int k_most_in_detail = 12;
 
 // ---- Path of solutions (piece_path)

@@ -29,7 +29,7 @@ struct StepMotion
     std::vector<Vec2> field;        ///< accelerations that the field gives [m/s^2]
     std::vector<double> field_size; ///< their sizes
     std::vector<Vec2> pull;         ///< accelerations that are expected: of the last step, or the field's [m/s^2]
-    std::vector<double> expected_angular_acceleration;  ///< the same of spins [rad/s^2]
+    std::vector<double> expected_angular_acceleration; ///< the same of spins [rad/s^2]
 
     /// Whether anything moves a body.
     [[nodiscard]] bool is_moved(int body) const { return now[body].inv_mass > 0.0 || now[body].inv_moment > 0.0; }
@@ -38,8 +38,8 @@ struct StepMotion
     [[nodiscard]] double fall_of(const ContactPoint& c) const
     {
         const Vec2 more = pull[c.b] - pull[c.a];
-        return (c.n_x * more.x() + c.n_y * more.y()) +
-               (expected_angular_acceleration[c.b] * c.normal_arm_b - expected_angular_acceleration[c.a] * c.normal_arm_a);
+        return (c.n_x * more.x() + c.n_y * more.y()) + (expected_angular_acceleration[c.b] * c.normal_arm_b -
+                                                        expected_angular_acceleration[c.a] * c.normal_arm_a);
     }
 
     /// The same if nothing but the field acts on them.

@@ -197,7 +197,7 @@ struct SweepBatches::Motion
 };
 
 [[gnu::always_inline]] inline void SweepBatches::solve_point(const Row& row, Points& c, Motion& a, Motion& b,
-                                                         Change& change)
+                                                             Change& change)
 {
     // The plain sweep's sums, in its order
     Four v_x = b.v_x - a.v_x;

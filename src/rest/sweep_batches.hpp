@@ -24,7 +24,8 @@ public:
     /// The points that were laid out, in the order in which a plain sweep would take them.
     [[nodiscard]] std::vector<int> order() const;
 
-    /// How many sweeps, each from the beginning of the list, that go on in the direction of those before, as conjugate gradients do.
+    /// How many sweeps, each from the beginning of the list, that go on in the direction of those before, as conjugate
+    /// gradients do.
     struct Ahead
     {
         int least = 8;

@@ -4,13 +4,12 @@
 #include <cmath>
 #include <variant>
 
+#include "broadphase/box_cells.hpp"
 #include "collide/touching.hpp"
 #include "toi/gap_tolerance.hpp"
-#include "broadphase/box_cells.hpp"
 
 namespace flying {
 namespace {
-
 
 /// [tolerances of touching] Hops that are no higher can't be told from contact.
 constexpr double k_hop = 16.0;
@@ -73,9 +72,7 @@ private:
     std::vector<Touch> touches_; // workspace
 };
 
-
 } // namespace
-
 
 std::vector<int> find_leaning(const EventEngine& engine, const Field& field)
 {
@@ -129,6 +126,5 @@ std::vector<int> find_leaning(const EventEngine& engine, const Field& field)
     std::sort(found.begin(), found.end());
     return found;
 }
-
 
 } // namespace flying
