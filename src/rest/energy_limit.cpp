@@ -137,11 +137,30 @@ struct RigidMotion
     return by - ((energy + mixed) - (energy * share + mixed) * share);
 }
 
+/// Takes energy out of the rise of an island's bodies relative to a rigid motion, as much as is to be taken, or all.
+/// by  what is to be taken [J]
+void rise_less(RestData& data, const Island& island, const RigidMotion& rigid, double by)
+{
+    const auto way_of = [&](int member) {
+        const Vec2 arm = data.bodies.list[member].state.position - rigid.centre;
+        return Vec2(data.motion.span * (rigid.velocity + cross(rigid.spin, arm)));
+    };
+    double lift = 0.0;
+    for (const int member : island.members) {
+        const Vec2 own = data.motion.shift[member] - way_of(member);
+        lift -= data.motion.field[member].dot(own) / data.motion.now[member].inv_mass;
+    }
+    const double part = by < lift ? 1.0 - by / lift : 0.0;
+    for (const int member : island.members) {
+        const Vec2 common = way_of(member);
+        const double turn = data.motion.span * rigid.spin;
+        data.motion.shift[member] = common + part * (data.motion.shift[member] - common);
+        data.motion.turn[member] = turn + part * (data.motion.turn[member] - turn);
+    }
+}
+
 } // namespace
 
-/// The one limit of energy: what a step has gained beyond the field's work is taken from the motion of bodies relative
-/// to each other; where that isn't enough from all motion, and then from the way that they rise. Counted, since it
-/// changes the motion.
 void limit_energy(RestData& data, const Island& island)
 {
     const EnergyGain gain = gain_of(data, island);
@@ -149,19 +168,9 @@ void limit_energy(RestData& data, const Island& island)
     if (gain.gained <= rounding) return;
     ++data.counts.limited;
     data.counts.energy_limited += gain.gained;
-    if (slow_down(data, island, free_motion(data, island), gain.gained) <= rounding) return;
-    if (slow_down(data, island, {}, gain_of(data, island).gained) <= rounding) return;
-
-    // What has nothing left to pay with rises no further than the motion before would have carried it
-    const EnergyGain rest = gain_of(data, island);
-    double lift = 0.0;
-    const std::span<const int> members = island.members;
-    for (const int member : members) lift -= work_of_field(data, member) / data.motion.now[member].inv_mass;
-    const double part = rest.gained < lift && !stood(data, island) ? 1.0 - rest.gained / lift : 0.0;
-    for (const int member : members) {
-        data.motion.shift[member] *= part;
-        data.motion.turn[member] *= part;
-    }
+    const RigidMotion rigid = free_motion(data, island);
+    const double left = slow_down(data, island, rigid, gain.gained);
+    if (left > rounding) rise_less(data, island, rigid, left);
 }
 
 } // namespace flying
