@@ -44,8 +44,17 @@ void HeapSweeps::sweep_large(RestData& data, Island& island)
     if (island.member_count() <= rest_tolerance::k_most_swept_on) {
         const double most =
             before > rest_tolerance::k_standing * field ? rest_tolerance::k_deep : rest_tolerance::k_slow_approach;
-        const double left = approaches_left(data, points);
-        if (left > most) end_approaches_whole(data, island, plan, std::max(most, rest_tolerance::k_gets_on * left));
+        if (approaches_left(data, points) > most) {
+            // Sweeps take the longer the more masses differ: what these leave is swept on, and then ended all at once
+            plan.sweeps = plan.most_sweeps = rest_tolerance::k_more_sweeps;
+            plan.tolerance = 0.0;
+            set_free(data, island, data.motion.before, data.motion.span);
+            sweeps_.sweep(data.motion.now, members, points, plan, data.solver.counts());
+        }
+        if (approaches_left(data, points) > most) {
+            set_free(data, island, data.motion.before, data.motion.span);
+            data.solver.end_approaches(data.motion.now, members, points);
+        }
     }
 
     // What hardly moves comes to rest
@@ -74,20 +83,6 @@ double HeapSweeps::approaches_left(const RestData& data, std::span<const Contact
         worst = std::max(worst, missed / std::min(data.bodies.radius[c.a], data.bodies.radius[c.b]));
     }
     return worst;
-}
-
-/// Sweeps take the longer the more masses differ: what they leave is swept on, and what that leaves is solved whole.
-void HeapSweeps::end_approaches_whole(RestData& data, const Island& island, SweepPlan plan, double most)
-{
-    const std::span<ContactPoint> points = island.points;
-    const std::span<const int> members = island.members;
-    plan.sweeps = plan.most_sweeps = rest_tolerance::k_more_sweeps;
-    plan.tolerance = 0.0;
-    set_free(data, island, data.motion.before, data.motion.span);
-    sweeps_.sweep(data.motion.now, members, points, plan, data.solver.counts());
-    if (approaches_left(data, points) <= most) return;
-    set_free(data, island, data.motion.before, data.motion.span);
-    data.solver.solve(data.motion.now, members, points, rest_tolerance::k_residual * top_speed(data, island));
 }
 
 /// Sweeps that go on from what bore too much lift a heap. With no impulses it would fall through the step, and lose

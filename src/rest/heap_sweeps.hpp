@@ -23,7 +23,6 @@ public:
 private:
     void set_velocity_bias_swept(const RestData& data, const Island& island, bool is_calm) const;
     [[nodiscard]] double approaches_left(const RestData& data, std::span<const ContactPoint> points) const;
-    void end_approaches_whole(RestData& data, const Island& island, SweepPlan plan, double most);
     void scale_impulses_to_energy(RestData& data, const Island& island);
 
     IslandSweeps sweeps_;

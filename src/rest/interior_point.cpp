@@ -18,7 +18,7 @@ namespace {
 
 } // namespace
 
-void InteriorPoint::start(const ContactProblem& problem)
+void InteriorPoint::start(const ContactProblem& problem, std::span<const double> limits)
 {
     unit_ = 0.0;
     for (std::size_t k = 0; k < problem.points.size(); ++k) {
@@ -34,8 +34,15 @@ void InteriorPoint::start(const ContactProblem& problem)
         const ContactPoint& c = problem.points[k];
         Pairs& x = now_[k];
         x.j = 1.0 / std::max(1.0, problem.slip[2 * k] / unit_);
-        x.p = x.q = 0.25 * c.friction * x.j;
-        x.c = 0.5 * c.friction * x.j;
+        double most = c.friction * x.j;
+        if (!limits.empty()) {
+            most = limits[k] / (c.normal_mass * unit_);
+            if (most > 0.0) x.j = std::max(x.j, most / c.friction); // of the size that the limits are for
+        }
+        rows_[k].coupling = limits.empty() ? c.friction : 0.0;
+        rows_[k].has_friction = most > 0.0;
+        x.p = x.q = 0.25 * most;
+        x.c = 0.5 * most;
         const auto& seat = problem.seats[k];
         // p = q: pushes along the normal alone
         const Line n = normal_line(c);
@@ -51,6 +58,7 @@ void InteriorPoint::start(const ContactProblem& problem)
         add_push(seat.b, n.b);
     }
     static constexpr double k_none[3] = {0.0, 0.0, 0.0};
+    double greatest = 0.0; // product
     for (std::size_t k = 0; k < now_.size(); ++k) {
         const ContactPoint& c = problem.points[k];
         Pairs& x = now_[k];
@@ -62,10 +70,21 @@ void InteriorPoint::start(const ContactProblem& problem)
         const double u_n = (problem.slip[2 * k] + (along(n.a, of_a) + along(n.b, of_b))) / unit_;
         const double u_t = (problem.slip[2 * k + 1] + (along(t.a, of_a) + along(t.b, of_b))) / unit_;
         x.w = std::max(u_n, 1.0);
-        rows_[k].left = u_n - x.w;
-        x.l = (std::abs(u_t) + 1.0) / x.j;
-        x.a = x.l + u_t;
-        x.b = x.l - u_t;
+        x.a = u_t;
+        x.l = std::abs(u_t) + 1.0;
+        if (limits.empty()) x.l /= x.j;
+        rows_[k].left = u_n;
+        greatest = std::max({greatest, x.j * x.w, x.c * x.l});
+    }
+    for (std::size_t k = 0; k < now_.size(); ++k) {
+        Pairs& x = now_[k];
+        if (!limits.empty()) { // begin where all products are of one size
+            x.w = std::max(x.w, greatest / x.j);
+            if (rows_[k].has_friction) x.l = std::max(x.l, greatest / x.c);
+        }
+        rows_[k].left -= x.w;
+        x.b = x.l - x.a;
+        x.a += x.l;
     }
 }
 
@@ -83,13 +102,13 @@ bool InteriorPoint::assemble(const ContactProblem& problem, BlockSystem& system)
         Row& row = rows_[k];
         row.stiff_nn = x.j / x.w;
         row.stiff_tt = row.stiff_tn = row.mix = 0.0;
-        if (c.friction > 0.0) {
+        if (row.has_friction) {
             const double forwards = x.p / x.a;
             const double backwards = x.q / x.b;
             const double limit = x.l / x.c;
             row.mix = 1.0 / (1.0 + limit * (forwards + backwards));
             row.stiff_tt = ((forwards + backwards) + 4.0 * forwards * backwards * limit) * row.mix;
-            row.stiff_tn = (forwards - backwards) * row.mix * limit * c.friction * row.stiff_nn;
+            row.stiff_tn = (forwards - backwards) * row.mix * limit * row.coupling * row.stiff_nn;
         }
         const double stiff_nn = c.normal_mass * row.stiff_nn;
         const double stiff_tt = c.normal_mass * row.stiff_tt;
@@ -131,14 +150,14 @@ void InteriorPoint::step_towards(const ContactProblem& problem, BlockSystem& sys
         Row& row = rows_[k];
         row.normal = (wanted(x.j, x.w, d.j, d.w) - x.j * (aim.closed * row.left)) / x.w;
         row.tangent = row.lift = 0.0;
-        if (c.friction > 0.0) {
+        if (row.has_friction) {
             const double forwards = x.p / x.a;
             const double backwards = x.q / x.b;
             const double limit = x.l / x.c;
             const double p = wanted(x.p, x.a, d.p, d.a) / x.a;
             const double q = wanted(x.q, x.b, d.q, d.b) / x.b;
             row.lift = row.mix * (wanted(x.l, x.c, d.l, d.c) / x.c + limit * (p + q));
-            row.tangent = (p - q) - (forwards - backwards) * (row.lift - row.mix * limit * c.friction * row.normal);
+            row.tangent = (p - q) - (forwards - backwards) * (row.lift - row.mix * limit * row.coupling * row.normal);
         }
         const double j = c.normal_mass * unit_ * row.normal;
         const double q = c.normal_mass * unit_ * row.tangent;
@@ -168,7 +187,7 @@ void InteriorPoint::step_towards(const ContactProblem& problem, BlockSystem& sys
         const Pairs last = d;
         d.j = row.normal - row.stiff_nn * u_n;
         d.w = u_n + aim.closed * row.left;
-        if (!(c.friction > 0.0)) {
+        if (!row.has_friction) {
             d.p = d.a = d.q = d.b = d.l = d.c = 0.0;
             continue;
         }
@@ -179,12 +198,12 @@ void InteriorPoint::step_towards(const ContactProblem& problem, BlockSystem& sys
         const double limit = x.l / x.c;
         const double p = wanted(x.p, x.a, last.p, last.a) / x.a;
         const double q = wanted(x.q, x.b, last.q, last.b) / x.b;
-        d.l = row.lift - row.mix * limit * (c.friction * d.j + (forwards - backwards) * u_t);
+        d.l = row.lift - row.mix * limit * (row.coupling * d.j + (forwards - backwards) * u_t);
         d.a = d.l + u_t;
         d.b = d.l - u_t;
         d.p = p - forwards * d.a;
         d.q = q - backwards * d.b;
-        d.c = c.friction * d.j - (d.p + d.q);
+        d.c = row.coupling * d.j - (d.p + d.q);
     }
 }
 
@@ -236,9 +255,9 @@ void InteriorPoint::take(double step, double closed)
 }
 
 bool InteriorPoint::solve(const ContactProblem& problem, BlockSystem& system, std::span<double> impulse,
-                          std::int64_t& factorisations)
+                          std::int64_t& factorisations, std::span<const double> limits)
 {
-    start(problem);
+    start(problem, limits);
     double missed = mean_product(0.0); // what the first numbers miss of the bounds, as a mean product
     double least = std::numeric_limits<double>::infinity();
     bool small = false;
@@ -274,11 +293,11 @@ bool InteriorPoint::solve(const ContactProblem& problem, BlockSystem& system, st
         const Pairs& x = now_[k];
         const double scale = c.normal_mass * unit_;
         const bool bears = x.j > x.w;
-        const double most = c.friction * x.j;
+        const double most = limits.empty() ? c.friction * x.j : limits[k] / scale;
         double friction = x.p - x.q;
         if (x.l > x.c) friction = x.p > x.q ? most : -most;
         impulse[2 * k] = bears ? scale * x.j : 0.0;
-        impulse[2 * k + 1] = bears ? scale * std::clamp(friction, -most, most) : 0.0;
+        impulse[2 * k + 1] = bears || !limits.empty() ? scale * std::clamp(friction, -most, most) : 0.0;
     }
     return small;
 }

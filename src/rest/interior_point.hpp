@@ -25,9 +25,11 @@ class InteriorPoint
 public:
     /// system   with the pattern of the island
     /// impulse  filled: normal and tangential, of each point [N s]
+    /// limits   of friction at each point, whatever its normal impulse comes to; where none are given, the limit is mu j.
+    ///          With limits that are given the conditions are those of a least energy, and the way is never blocked [N s]
     /// True where all products have become as small as asked for.
     bool solve(const ContactProblem& problem, BlockSystem& system, std::span<double> impulse,
-               std::int64_t& factorisations);
+               std::int64_t& factorisations, std::span<const double> limits = {});
 
 private:
     /// The four pairs of a point, in units in which its effective mass is 1 and the fastest approach of the island
@@ -50,9 +52,11 @@ private:
         double lift;
         double mix;  ///< share of changes of the limit and of slip in that of l
         double left; ///< of u_n - bound - w
+        double coupling;   ///< by which the limit of friction grows with j
+        bool has_friction; ///< and with it the pairs beyond the first
     };
 
-    void start(const ContactProblem& problem);
+    void start(const ContactProblem& problem, std::span<const double> limits);
     [[nodiscard]] bool assemble(const ContactProblem& problem, BlockSystem& system);
     /// Where a step leads.
     struct Aim

@@ -66,6 +66,30 @@ bool IslandSolver::solve(std::span<Mover> movers, std::span<const int> members, 
     return content;
 }
 
+void IslandSolver::end_approaches(std::span<Mover> movers, std::span<const int> members, std::span<ContactPoint> points)
+{
+    const Island island{movers, members, points, 0.0};
+    problem_.points = points;
+    problem_.bodies.clear();
+    for (const int member : members) problem_.bodies.push_back(movers[member]);
+    const std::int64_t before = pieces_.factorisations();
+    pieces_.begin(problem_, members, movers.size());
+    measure_slips(problem_, movers);
+    limits_.assign(points.size(), 0.0);
+    pieces_.lend([&](BlockSystem& blocks, std::int64_t& factorisations) {
+        for (std::size_t k = 0; k < points.size(); ++k) problem_.impulse[2 * k] = points[k].normal;
+        for (int round = 0; round < rest_tolerance::k_limit_rounds; ++round) {
+            for (std::size_t k = 0; k < points.size(); ++k) {
+                const double most = points[k].friction * problem_.impulse[2 * k];
+                limits_[k] = round == 0 ? most : 0.5 * (limits_[k] + most);
+            }
+            (void)interior_.solve(problem_, blocks, problem_.impulse, factorisations, limits_);
+        }
+    });
+    take_impulses(island);
+    counts_.factorisations += pieces_.factorisations() - before;
+}
+
 /// Impulses that suit this step worse than none go.
 void IslandSolver::forget_what_suits_worse(const Island& island)
 {

@@ -43,6 +43,11 @@ public:
     bool solve(std::span<Mover> movers, std::span<const int> members, std::span<ContactPoint> points, double tolerance,
                Effort effort = Effort::full);
 
+    /// Impulses that end every approach to rounding, with friction that is right but for its limits: they are what the
+    /// normal impulses of the last round allow. Never blocked, and never adds energy.
+    /// points  with impulses to take the first limits from, not yet applied; on return those found, applied
+    void end_approaches(std::span<Mover> movers, std::span<const int> members, std::span<ContactPoint> points);
+
     [[nodiscard]] const SolveCounts& counts() const { return counts_; }
     [[nodiscard]] SolveCounts& counts() { return counts_; }
     /// Whether to begin with the impulses that the points have; else with none.
@@ -81,6 +86,7 @@ private:
     PieceSystem pieces_;
     PiecePath path_;
     InteriorPoint interior_;
+    std::vector<double> limits_; // of friction, by the normal impulses of the last round [N s]
     std::vector<SweepPoint> sweep_points_;
     double best_ = 0.0;
     std::vector<ContactPoint> kept_; // the best that was met

@@ -101,7 +101,10 @@ inline constexpr std::size_t k_most_from_nothing = 256;
 inline constexpr int k_path_pieces = 16;
 
 // ---- Impacts in rounds (impact)
-// ---- Interior point (interior_point)
+// ---- Interior point (interior_point, island_solver)
+/// Rounds in which limits of friction follow normal impulses.
+inline constexpr int k_limit_rounds = 3;
+
 /// Steps in a row that don't halve the products: the way on is blocked, as it may be where friction is great.
 inline constexpr int k_interior_patience = 16;
 
@@ -230,9 +233,6 @@ inline constexpr double k_slow_approach = 0x1p-13;
 inline constexpr int k_more_sweeps = 128;
 
 inline constexpr int k_most_swept_on = 1024;
-
-/// [approaches left] Sweeps that leave more don't get on.
-inline constexpr double k_gets_on = 0.25;
 
 /// Sweeps that end the impacts of a heap, and that take off its overlap.
 inline constexpr int k_heap_sweeps = 16;
