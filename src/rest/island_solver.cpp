@@ -72,9 +72,14 @@ void IslandSolver::end_approaches(std::span<Mover> movers, std::span<const int> 
     problem_.points = points;
     problem_.bodies.clear();
     for (const int member : members) problem_.bodies.push_back(movers[member]);
-    const std::int64_t before = pieces_.factorisations();
+    apply(island);
+    const double before = worst_approach(points, movers);
+    kept_.assign(points.begin(), points.end());
+    restore_free(island);
+
+    const std::int64_t factorisations_before = pieces_.factorisations();
     pieces_.begin(problem_, members, movers.size());
-    measure_slips(problem_, movers);
+    measure_finite_slips(island);
     limits_.assign(points.size(), 0.0);
     pieces_.lend([&](BlockSystem& blocks, std::int64_t& factorisations) {
         for (std::size_t k = 0; k < points.size(); ++k) problem_.impulse[2 * k] = points[k].normal;
@@ -87,7 +92,10 @@ void IslandSolver::end_approaches(std::span<Mover> movers, std::span<const int> 
         }
     });
     take_impulses(island);
-    counts_.factorisations += pieces_.factorisations() - before;
+    counts_.factorisations += pieces_.factorisations() - factorisations_before;
+
+    // Where masses differ by more than numbers have digits, rounding may leave more than there was
+    if (!(worst_approach(points, movers) <= before)) go_back_to_best(island);
 }
 
 /// Impulses that suit this step worse than none go.
@@ -154,14 +162,19 @@ bool IslandSolver::find_from_here(const Island& island)
            path_.follow(pieces_, problem_, PiecePath::Start::impulses, few_pieces(island.points.size()));
 }
 
-void IslandSolver::start_from_within(const Island& island)
+/// Slips in which points that may never close part so fast that they bear nothing.
+void IslandSolver::measure_finite_slips(const Island& island)
 {
-    restore_free(island);
     measure_slips(problem_, island.movers);
     double top = 0.0; // [m/s]
     for (const double slip : problem_.slip) top = std::isfinite(slip) ? std::max(top, std::abs(slip)) : top;
-    for (double& slip : problem_.slip)
-        slip = std::min(slip, rest_tolerance::k_never_bears * top); // some may never close
+    for (double& slip : problem_.slip) slip = std::min(slip, rest_tolerance::k_never_bears * top);
+}
+
+void IslandSolver::start_from_within(const Island& island)
+{
+    restore_free(island);
+    measure_finite_slips(island);
     pieces_.lend([&](BlockSystem& blocks, std::int64_t& factorisations) {
         (void)interior_.solve(problem_, blocks, problem_.impulse, factorisations);
     });

@@ -45,7 +45,8 @@ public:
 
     /// Impulses that end every approach to rounding, with friction that is right but for its limits: they are what the
     /// normal impulses of the last round allow. Never blocked, and never adds energy.
-    /// points  with impulses to take the first limits from, not yet applied; on return those found, applied
+    /// points  with impulses to take the first limits from, not yet applied; on return those found, applied, or these
+    ///         where they leave less
     void end_approaches(std::span<Mover> movers, std::span<const int> members, std::span<ContactPoint> points);
 
     [[nodiscard]] const SolveCounts& counts() const { return counts_; }
@@ -72,6 +73,7 @@ private:
     [[nodiscard]] bool improve(const Island& island, From from);
     [[nodiscard]] bool find_pieces(const Island& island, From from);
     [[nodiscard]] bool find_from_here(const Island& island);
+    void measure_finite_slips(const Island& island);
     void start_from_within(const Island& island);
     void forget_what_suits_worse(const Island& island);
     void sweep_on(const Island& island);

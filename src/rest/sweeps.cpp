@@ -109,6 +109,16 @@ double worst_residual(std::span<const ContactPoint> points, std::span<const Move
     return worst;
 }
 
+double worst_approach(std::span<const ContactPoint> points, std::span<const Mover> movers)
+{
+    double worst = 0.0;
+    for (const ContactPoint& c : points) {
+        const double missed = c.bound - normal_speed(c, movers[c.a], movers[c.b]);
+        if (!(missed <= worst)) worst = missed; // what is no number is worst of all
+    }
+    return worst;
+}
+
 bool are_satisfied(std::span<const ContactPoint> points, std::span<const Mover> movers, double tolerance)
 {
     return std::none_of(points.begin(), points.end(),

@@ -14,6 +14,8 @@ void forget_impulses(std::span<ContactPoint> points);
 
 /// How far the worst point is from content: the change of its velocity that it would ask for.  [m/s]
 [[nodiscard]] double worst_residual(std::span<const ContactPoint> points, std::span<const Mover> movers);
+/// By how much the worst point misses the least normal velocity that it may end with.  [m/s]
+[[nodiscard]] double worst_approach(std::span<const ContactPoint> points, std::span<const Mover> movers);
 /// None asks for more than `tolerance`.  [m/s]
 [[nodiscard]] bool are_satisfied(std::span<const ContactPoint> points, std::span<const Mover> movers, double tolerance);
 
