@@ -254,15 +254,11 @@ double Projection::share_that_is_paid(const RestData& data, const Island& island
     return lift > 0.0 ? std::clamp(-gain_of(data, island).gained / lift, 0.0, 1.0) : 1.0;
 }
 
-/// Pushes that take off overlap. Sweeps would move what is heavy on light bodies by next to nothing: they push all
-/// bodies of a heap as if these had the same mass.
+/// Pushes that take off overlap, as if all bodies had the same mass: what is heavy and has sunk onto light bodies would
+/// hardly be moved otherwise.
 void Projection::find_pushes(RestData& data, const Island& island, double tolerance, HeapSweeps& sweeps)
 {
     const std::span<const int> members = island.members;
-    if (!is_heap(island)) {
-        data.solver.solve(pushes_, members, points_, tolerance);
-        return;
-    }
     for (const int member : members) {
         pushes_[member].inv_moment /= pushes_[member].inv_mass;
         pushes_[member].inv_mass = 1.0;
@@ -270,12 +266,12 @@ void Projection::find_pushes(RestData& data, const Island& island, double tolera
     for (ContactPoint& c : points_) {
         const Mover& a = pushes_[c.a];
         const Mover& b = pushes_[c.b];
-        c.normal_mass =
-            1.0 /
-            (a.inv_mass + b.inv_mass +
-             (a.inv_moment * (c.normal_arm_a * c.normal_arm_a) + b.inv_moment * (c.normal_arm_b * c.normal_arm_b)));
+        const double shifts = a.inv_mass + b.inv_mass;
+        c.normal_mass = 1.0 / (shifts + (a.inv_moment * (c.normal_arm_a * c.normal_arm_a) +
+                                         b.inv_moment * (c.normal_arm_b * c.normal_arm_b)));
     }
-    sweeps.sweep_heap(data, island, pushes_, points_, tolerance);
+    if (is_heap(island)) sweeps.sweep_heap(data, island, pushes_, points_, tolerance);
+    else data.solver.solve(pushes_, members, points_, tolerance);
 }
 
 } // namespace flying
