@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "rest/energy_limit.hpp"
 #include "rest/impacts.hpp"
 #include "rest/rest_tolerance.hpp"
 #include "rest/step_field.hpp"
@@ -23,6 +24,35 @@ void set_velocity_bias(const RestData& data, const Island& island)
     }
 }
 
+/// The same where nothing may be lost. A force does no work over a step on whose way the mean of the normal velocities is
+/// zero: so a contact leaves the step as fast as it came, the other way. What is open is left to close, unless it is
+/// known to.
+void set_lossless_bias(const RestData& data, const Island& island)
+{
+    const double slowest = slowest_blow(data, island);
+    for (ContactPoint& c : island.points) {
+        const double u = normal_speed(c, data.motion.before[c.a], data.motion.before[c.b]);
+        const bool is_open = c.gap > std::max(data.bodies.touch_gap(c.a, c.b), hardly_open(data, c));
+        const bool closes = !island.in_turn && c.gap + data.motion.span * u < 0.0;
+        if (is_open && !closes) c.bound = -std::numeric_limits<double>::infinity();
+        else c.bound = -u <= slowest ? std::min(0.0, -u) : -u;
+    }
+}
+
+bool close_missed(const RestData& data, const Island& island)
+{
+    bool any = false;
+    for (ContactPoint& c : island.points) {
+        if (!std::isinf(c.bound)) continue;
+        const double u = normal_speed(c, data.motion.before[c.a], data.motion.before[c.b]);
+        const double u_after = normal_speed(c, data.motion.now[c.a], data.motion.now[c.b]);
+        if (c.gap + 0.5 * data.motion.span * (u + u_after) >= -hardly_open(data, c)) continue;
+        c.bound = -u;
+        any = true;
+    }
+    return any;
+}
+
 void ContactForces::find_impulses(RestData& data, Island& island, std::span<const Mover> start, double time)
 {
     set_free(data, island, start, time);
@@ -30,7 +60,7 @@ void ContactForces::find_impulses(RestData& data, Island& island, std::span<cons
     // An island that stands from the start, and bears for the first time, is worth a search
     const bool is_new = stood(data, island) && std::all_of(points.begin(), points.end(),
                                                            [](const ContactPoint& c) { return c.normal == 0.0; });
-    const Effort effort = is_heap(island) && !is_new ? Effort::brief : Effort::full;
+    const Effort effort = is_heap(island) && !is_new && !is_lossless(island) ? Effort::brief : Effort::full;
     island.is_solved = data.solver.solve(data.motion.now, island.members, points,
                                          rest_tolerance::k_residual * top_speed(data, island), effort);
     if (!island.is_solved && !is_heap(island) && stood(data, island)) keep_loads(data, island, start, time);

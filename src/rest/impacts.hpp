@@ -8,6 +8,9 @@ namespace flying {
 
 class HeapSweeps;
 
+/// An approach that is slower is left to the load: what the field alone would bring about in a small part of the step,
+/// and, where nothing may be lost, rounding.  [m/s]
+[[nodiscard]] double slowest_blow(const RestData& data, const Island& island);
 /// A gap this small isn't worth a moment of its own, unless it closes fast.  [m]
 [[nodiscard]] double hardly_open(const RestData& data, const ContactPoint& c);
 /// The moment of an island's first impact after the beginning, as its contacts foresee it; 0 where there is none.  [s]

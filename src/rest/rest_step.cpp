@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 
 #include "rest/energy_limit.hpp"
 #include "rest/find_contacts.hpp"
@@ -202,12 +204,20 @@ void RestEngine::solve_island(Island& island, int depth)
     const auto hardly_moves = [&] {
         return top_speed(data_, island) <= rest_tolerance::k_standing * field_speed(data_, island);
     };
-    if (!is_solved_whole(data_, island) || (leans && !hardly_moves())) {
+    if (!is_solved_whole(data_, island) || (leans && !hardly_moves() && !is_lossless(island))) {
         sweeps_.sweep_large(data_, island);
         return;
     }
-    set_velocity_bias(data_, island);
-    forces_.find_impulses(data_, island, data_.motion.before, data_.motion.span);
+    if (is_lossless(island)) {
+        set_lossless_bias(data_, island);
+        for (int k = 0; k < rest_tolerance::k_quick_rounds; ++k) {
+            forces_.find_impulses(data_, island, data_.motion.before, data_.motion.span);
+            if (island.in_turn || !close_missed(data_, island)) break;
+        }
+    } else {
+        set_velocity_bias(data_, island);
+        forces_.find_impulses(data_, island, data_.motion.before, data_.motion.span);
+    }
     if (leans && !island.is_solved) {
         // It would cost more than it brings to look on; sweeps go on from what bore before
         for (ContactPoint& c : island.points) recall_impulses(data_, c);
