@@ -188,6 +188,7 @@ void RestEngine::find_clear(double within, std::vector<char>& clear) const
         if (!clear_a && !clear_b) continue;
         bool loaded = false;
         for (int k = 0; k < pair.count; ++k) loaded = loaded || pair.normal[k] > 0.0;
+        loaded = loaded && !(pair.restitution == 1.0 && pair.friction == 0.0);
         if (loaded || !stays_apart(pair, within)) clear_a = clear_b = 0;
     }
 }
@@ -221,6 +222,7 @@ bool RestEngine::stays_apart(const RestPair& pair, double within) const
         (pose_b.position - pose_a.position) + (pose_b.rotation * part_b.centre - pose_a.rotation * part_a.centre);
     if (way.squaredNorm() > far * far) return true;
     const Manifold manifold = look(data_, pair, pose_a, pose_b, margin);
+    const bool is_lossless = pair.restitution == 1.0 && pair.friction == 0.0;
     for (int k = 0; k < manifold.count; ++k) {
         const Contact& contact = manifold.contacts[k];
         const Vec2 velocity_a = velocity_at(a.state, contact.point - pose_a.position);
@@ -230,6 +232,9 @@ bool RestEngine::stays_apart(const RestPair& pair, double within) const
         const double f = fall.dot(contact.normal);
         if (contact.separation < -touch) return false;
         if (u >= 0.0 && f >= 0.0) continue;
+        const double square = u * u - 2.0 * std::min(f, 0.0) * std::max(contact.separation, 0.0);
+        const double slow = 0x1p-6 * data_.options.step * std::abs(f);
+        if (is_lossless && square > slow * slow) continue;
 
         // The gap is least at the end, or where the approach ends before
         const double least_at = u < 0.0 && f > 0.0 ? std::min(within, -u / f) : within;

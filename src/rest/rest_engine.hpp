@@ -147,6 +147,7 @@ private:
     void wake_all_with(int body);
     void split_and_solve(std::span<const int> bodies, int depth);
     void solve_island(Island& island, int depth);
+    void find_lossless(Island& island, bool sweeps);
     void finish_islands(int depth, std::span<const int> pairs);
     [[nodiscard]] double end_early(Island& island, int depth);
     [[nodiscard]] bool may_be_cut(const Island& island, int depth) const;

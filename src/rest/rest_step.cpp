@@ -204,29 +204,42 @@ void RestEngine::solve_island(Island& island, int depth)
     const auto hardly_moves = [&] {
         return top_speed(data_, island) <= rest_tolerance::k_standing * field_speed(data_, island);
     };
-    if (!is_solved_whole(data_, island) || (leans && !hardly_moves() && !is_lossless(island))) {
-        sweeps_.sweep_large(data_, island);
-        return;
-    }
+    const bool sweeps = !is_solved_whole(data_, island) || (leans && !hardly_moves());
     if (is_lossless(island)) {
         set_lossless_bias(data_, island);
         for (int k = 0; k < rest_tolerance::k_quick_rounds; ++k) {
-            forces_.find_impulses(data_, island, data_.motion.before, data_.motion.span);
+            find_lossless(island, sweeps);
             if (island.in_turn || !close_missed(data_, island)) break;
         }
+    } else if (sweeps) {
+        sweeps_.sweep_large(data_, island);
+        return;
     } else {
         set_velocity_bias(data_, island);
         forces_.find_impulses(data_, island, data_.motion.before, data_.motion.span);
-    }
-    if (leans && !island.is_solved) {
-        // It would cost more than it brings to look on; sweeps go on from what bore before
-        for (ContactPoint& c : island.points) recall_impulses(data_, c);
-        sweeps_.sweep_large(data_, island);
-        return;
+        if (leans && !island.is_solved) {
+            // It would cost more than it brings to look on; sweeps go on from what bore before
+            for (ContactPoint& c : island.points) recall_impulses(data_, c);
+            sweeps_.sweep_large(data_, island);
+            return;
+        }
     }
     if (!curves_.follow(data_, island) && island.point_count() <= rest_tolerance::k_most_in_detail)
         slip_ends_.part(data_, island, forces_);
     calm(data_, island);
+}
+
+void RestEngine::find_lossless(Island& island, bool sweeps)
+{
+    if (!sweeps) {
+        forces_.find_impulses(data_, island, data_.motion.before, data_.motion.span);
+        if (island.is_solved) return;
+    }
+    if (is_heap(island)) {
+        set_free(data_, island, data_.motion.before, data_.motion.span);
+        sweeps_.sweep_heap(data_, island, data_.motion.now, island.points);
+    }
+    scale_to_energy(data_, island);
 }
 
 void RestEngine::finish_islands(int depth, std::span<const int> pairs)
