@@ -233,7 +233,7 @@ bool RestEngine::stays_apart(const RestPair& pair, double within) const
         if (contact.separation < -touch) return false;
         if (u >= 0.0 && f >= 0.0) continue;
         const double square = u * u - 2.0 * std::min(f, 0.0) * std::max(contact.separation, 0.0);
-        const double slow = 0x1p-6 * data_.options.step * std::abs(f);
+        const double slow = 0x1p-3 * data_.options.step * std::abs(f);
         if (is_lossless && square > slow * slow) continue;
 
         // The gap is least at the end, or where the approach ends before
