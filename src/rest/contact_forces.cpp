@@ -29,13 +29,13 @@ void set_velocity_bias(const RestData& data, const Island& island)
 /// known to.
 void set_lossless_bias(const RestData& data, const Island& island)
 {
-    const double slowest = slowest_blow(data, island);
+    const double rounding = rest_tolerance::k_stagnant * rest_tolerance::k_residual * top_speed(data, island);
     for (ContactPoint& c : island.points) {
         const double u = normal_speed(c, data.motion.before[c.a], data.motion.before[c.b]);
         const bool is_open = c.gap > std::max(data.bodies.touch_gap(c.a, c.b), hardly_open(data, c));
         const bool closes = !island.in_turn && c.gap + data.motion.span * u < 0.0;
         if (is_open && !closes) c.bound = -std::numeric_limits<double>::infinity();
-        else c.bound = -u <= slowest ? std::min(0.0, -u) : -u;
+        else c.bound = -u <= rounding ? std::min(0.0, -u) : -u;
     }
 }
 

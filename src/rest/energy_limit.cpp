@@ -52,17 +52,19 @@ void scale_to_energy(RestData& data, const Island& island)
     // With a share s of the impulses the energy grows by  square s^2 + linear s  beyond the field's work
     double square = 0.0; // [J]
     double linear = 0.0; // [J]
+    double scale = 0.0;  // [J]
     for (const int member : island.members) {
         const Mover& old = data.motion.before[member];
         const Mover& now = data.motion.now[member];
         const Vec2 velocity(old.v_x, old.v_y);
         const Vec2 fall = data.motion.span * data.motion.field[member];
+        scale += (velocity.squaredNorm() + fall.squaredNorm()) / now.inv_mass + old.spin * old.spin / now.inv_moment;
         const Vec2 change = Vec2(now.v_x, now.v_y) - velocity - fall;
         const double spin = now.spin - old.spin;
         square += 0.5 * (change.squaredNorm() / now.inv_mass + spin * spin / now.inv_moment);
         linear += (velocity + 0.5 * fall).dot(change) / now.inv_mass + old.spin * spin / now.inv_moment;
     }
-    if (!(square > 0.0)) return;
+    if (!(std::abs(square + linear) > rest_tolerance::k_rounding * scale)) return;
     const double share = std::max(0.0, -linear / square);
     for (ContactPoint& c : island.points) {
         c.normal *= share;
@@ -77,7 +79,7 @@ void count_elastic_loss(RestData& data, const Island& island)
     if (!is_lossless(island)) return;
     data.counts.elastic_ended += island.ended;
     const EnergyGain gain = gain_of(data, island);
-    if (getenv("DBG") && std::abs(gain.gained) > 1e-9) fprintf(stderr, "n %d in_turn %d ways %d exact %d solved %d span %g gained %g\n", island.member_count(), island.in_turn, island.has_ways, island.is_exact, island.is_solved, data.motion.span, gain.gained);
+    if (getenv("DBG") && std::abs(gain.gained) > 1e-12) fprintf(stderr, "n %d in_turn %d ways %d exact %d solved %d span %g gained %g\n", island.member_count(), island.in_turn, island.has_ways, island.is_exact, island.is_solved, data.motion.span, gain.gained);
     if (gain.gained < -rest_tolerance::k_rounding * gain.scale) data.counts.elastic_braked -= gain.gained;
 }
 

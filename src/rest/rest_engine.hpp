@@ -150,7 +150,8 @@ private:
     void find_lossless(Island& island, bool sweeps);
     void finish_islands(int depth, std::span<const int> pairs);
     [[nodiscard]] double end_early(Island& island, int depth);
-    [[nodiscard]] bool may_be_cut(const Island& island, int depth) const;
+    [[nodiscard]] bool may_be_parted(const Island& island, int depth) const;
+    [[nodiscard]] bool may_be_halved(const Island& island, int depth) const;
     void note_again(const Island& island, Again& again);
     void find_pairs_of(Again& again, std::span<const int> pairs);
     void make_parts(int depth);
