@@ -32,7 +32,7 @@ void set_lossless_bias(const RestData& data, const Island& island)
     const double rounding = rest_tolerance::k_stagnant * rest_tolerance::k_residual * top_speed(data, island);
     for (ContactPoint& c : island.points) {
         const double u = normal_speed(c, data.motion.before[c.a], data.motion.before[c.b]);
-        const bool is_open = c.gap > std::max(data.bodies.touch_gap(c.a, c.b), hardly_open(data, c));
+        const bool is_open = c.gap > data.bodies.touch_gap(c.a, c.b);
         const bool closes = !island.in_turn && c.gap + data.motion.span * u < 0.0;
         if (is_open && !closes) c.bound = -std::numeric_limits<double>::infinity();
         else c.bound = -u <= rounding ? std::min(0.0, -u) : -u;

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
 #include "rest/rest_tolerance.hpp"
 #include "rest/step_field.hpp"
@@ -79,7 +77,6 @@ void count_elastic_loss(RestData& data, const Island& island)
     if (!is_lossless(island)) return;
     data.counts.elastic_ended += island.ended;
     const EnergyGain gain = gain_of(data, island);
-    if (getenv("DBG") && std::abs(gain.gained) > 1e-12) fprintf(stderr, "n %d in_turn %d ways %d exact %d solved %d span %g gained %g\n", island.member_count(), island.in_turn, island.has_ways, island.is_exact, island.is_solved, data.motion.span, gain.gained);
     if (gain.gained < -rest_tolerance::k_rounding * gain.scale) data.counts.elastic_braked -= gain.gained;
 }
 

@@ -160,6 +160,7 @@ private:
     [[nodiscard]] bool stood_alike(int member) const;
     void move_island(const Island& island);
     void note_legs(const Island& island);
+    [[nodiscard]] bool bounces(const RestPair& pair, double load) const;
     [[nodiscard]] bool stays_apart(const RestPair& pair, double within) const;
 
     RestData data_;

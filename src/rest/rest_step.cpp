@@ -1,7 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
 #include "rest/energy_limit.hpp"
 #include "rest/find_contacts.hpp"
@@ -200,7 +198,7 @@ void RestEngine::solve_island(Island& island, int depth)
         return;
     }
     // Where nothing may be lost, what was struck goes on to strike what it would meet within the step
-    for (int k = 0; k < rest_tolerance::k_patience && is_struck && is_lossless(island); ++k)
+    for (int k = 0; k < rest_tolerance::k_patience && is_struck && !is_heap(island) && is_lossless(island); ++k)
         is_struck = impacts_.strike(data_, island, sweeps_);
 
     // Find the forces of the contacts
