@@ -24,9 +24,9 @@ void set_velocity_bias(const RestData& data, const Island& island)
     }
 }
 
-/// The same where nothing may be lost. A force does no work over a step on whose way the mean of the normal velocities is
-/// zero: so a contact leaves the step as fast as it came, the other way. What is open is left to close, unless it is
-/// known to.
+/// The same where nothing may be lost. A force does no work over a step in which the mean of the normal velocities is
+/// zero: so a contact that bears leaves the step as fast as it came, the other way. An open one bears nothing, unless
+/// it would close within a step that ends for no impact.
 void set_lossless_bias(const RestData& data, const Island& island)
 {
     const double rounding = rest_tolerance::k_stagnant * rest_tolerance::k_residual * top_speed(data, island);

@@ -69,7 +69,7 @@ void set_mean_lines(ContactPoint& mean, const ContactPoint& start, const Contact
     const std::span<const ContactPoint> points = island.points;
     if (std::none_of(points.begin(), points.end(), [](const ContactPoint& c) { return c.normal > 0.0; })) return false;
 
-    // What hops, and loses nothing by it, leaves as it came and not along the surfaces
+    // Where nothing may be lost, a contact that hops leaves as it came, and not along the surfaces
     const auto hops = [](const ContactPoint& c) { return c.normal > 0.0 && c.bound != 0.0; };
     if (is_lossless(island) && std::any_of(points.begin(), points.end(), hops)) return false;
 

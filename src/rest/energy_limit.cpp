@@ -69,7 +69,8 @@ void scale_to_energy(RestData& data, const Island& island)
         c.tangent *= share;
     }
     set_free(data, island, data.motion.before, data.motion.span);
-    for (const ContactPoint& c : island.points) push(c, c.normal, c.tangent, data.motion.now[c.a], data.motion.now[c.b]);
+    for (const ContactPoint& c : island.points)
+        push(c, c.normal, c.tangent, data.motion.now[c.a], data.motion.now[c.b]);
 }
 
 void count_elastic_loss(RestData& data, const Island& island)

@@ -13,6 +13,18 @@
 namespace flying {
 namespace {
 
+/// An approach that the field alone would bring about in a small part of the step is left to the load, but where
+/// nothing may be lost.  [m/s]
+[[nodiscard]] double slowest_blow(const RestData& data, const Island& island)
+{
+    const std::span<const ContactPoint> points = island.points;
+    const bool is_elastic =
+        std::any_of(points.begin(), points.end(), [](const ContactPoint& c) { return c.restitution == 1.0; });
+    const double by_field = is_elastic ? 0.0 : rest_tolerance::k_blow * field_speed(data, island);
+    return by_field + solve_rounding(island) +
+           rest_tolerance::k_stagnant * rest_tolerance::k_residual * top_speed(data, island);
+}
+
 /// A rebound that would come back within the rest of the step doesn't happen, but for one that loses nothing: the
 /// slowest approach that brings a rebound.  [m/s]
 [[nodiscard]] double slowest_rebound(const RestData& data, const ContactPoint& c)
@@ -26,18 +38,6 @@ namespace {
 }
 
 } // namespace
-
-/// An approach that the field alone would bring about in a small part of the step is left to the load, but where
-/// nothing may be lost.  [m/s]
-double slowest_blow(const RestData& data, const Island& island)
-{
-    const std::span<const ContactPoint> points = island.points;
-    const bool is_elastic =
-        std::any_of(points.begin(), points.end(), [](const ContactPoint& c) { return c.restitution == 1.0; });
-    const double by_field = is_elastic ? 0.0 : rest_tolerance::k_blow * field_speed(data, island);
-    return by_field + solve_rounding(island) +
-           rest_tolerance::k_stagnant * rest_tolerance::k_residual * top_speed(data, island);
-}
 
 /// A gap this small isn't worth a moment of its own, unless it closes fast.  [m]
 double hardly_open(const RestData& data, const ContactPoint& c)
@@ -95,21 +95,16 @@ bool Impacts::strike(RestData& data, Island& island, HeapSweeps& sweeps)
     if (!any) return false;
     // [rest.impacts.closed]
 
-    const int impacts = throw_back(data.motion.before, struck_, slowest_);
+    data.counts.impacts += throw_back(data.motion.before, struck_, slowest_);
     const auto approaches = [&](const ContactPoint& c) {
         return normal_speed(c, data.motion.before[c.a], data.motion.before[c.b]) < -slowest;
     };
     if (std::any_of(struck_.begin(), struck_.end(), approaches)) {
-        if (is_lossless(island)) {
-            // Where rounds don't end, the forces of the contacts turn all approaches round at once
-            data.counts.impacts += impacts;
-            return false;
-        }
+        if (is_lossless(island)) return false; // the forces of the contacts turn round what still approaches
         const double energy = kinetic_energy(island, data.motion.before);
         end_approaches(data, island, sweeps);
         island.ended = energy - kinetic_energy(island, data.motion.before);
     }
-    data.counts.impacts += impacts;
     if (!island.in_turn) return true;
     for (const int member : island.members) {
         const Mover& now = data.motion.before[member];

@@ -8,9 +8,6 @@ namespace flying {
 
 class HeapSweeps;
 
-/// An approach that is slower is left to the load: what the field alone would bring about in a small part of the step,
-/// and, where nothing may be lost, rounding.  [m/s]
-[[nodiscard]] double slowest_blow(const RestData& data, const Island& island);
 /// A gap this small isn't worth a moment of its own, unless it closes fast.  [m]
 [[nodiscard]] double hardly_open(const RestData& data, const ContactPoint& c);
 /// The moment of an island's first impact after the beginning, as its contacts foresee it; 0 where there is none.  [s]
@@ -25,7 +22,7 @@ class Impacts
 public:
     /// First what is thrown back, then the rest of the approaches, all at once and without rebound;
     /// `data.motion.before` is what they leave. Where impacts have no moments of their own, all that closes within the
-    /// step counts as closed. True where there were any.
+    /// step counts as closed. True where there were any, and nothing approaches any more.
     bool strike(RestData& data, Island& island, HeapSweeps& sweeps);
 
 private:

@@ -205,7 +205,8 @@ bool RestEngine::bounces(const RestPair& pair, double load) const
                                                   : s.velocity.norm() + std::abs(s.spin) * data_.bodies.radius[index];
     };
     const double step = data_.options.step;
-    const double push = load * (data_.bodies.list[pair.a].inertia.inv_mass + data_.bodies.list[pair.b].inertia.inv_mass);
+    const double push =
+        load * (data_.bodies.list[pair.a].inertia.inv_mass + data_.bodies.list[pair.b].inertia.inv_mass);
     if (push > rest_tolerance::k_most_bounces * (speed(pair.a) + speed(pair.b))) return false;
 
     // Hops that are too low can't be told from contact

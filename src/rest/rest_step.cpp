@@ -189,7 +189,7 @@ void RestEngine::solve_island(Island& island, int depth)
         return;
     }
     // End the part where the first impact comes, or strike now; small islands go on from there with another look
-    island.in_turn = !strikes_at_start(island) && may_be_parted(island, depth);
+    island.in_turn = (!strikes_at_start(island) || is_lossless(island)) && may_be_parted(island, depth);
     if (island.in_turn) island.cut_at = first_impact(data_, island);
     if (island.cut_at > 0.0) return;
     bool is_struck = impacts_.strike(data_, island, sweeps_);
@@ -208,11 +208,7 @@ void RestEngine::solve_island(Island& island, int depth)
     };
     const bool sweeps = !is_solved_whole(data_, island) || (leans && !hardly_moves());
     if (is_lossless(island)) {
-        set_lossless_bias(data_, island);
-        for (int k = 0; k < rest_tolerance::k_quick_rounds; ++k) {
-            find_lossless(island, sweeps);
-            if (island.in_turn || !close_missed(data_, island)) break;
-        }
+        find_lossless(island, sweeps);
     } else if (sweeps) {
         sweeps_.sweep_large(data_, island);
         return;
@@ -231,16 +227,19 @@ void RestEngine::solve_island(Island& island, int depth)
     calm(data_, island);
 }
 
+/// Forces where nothing may be lost. They are found again as long as gaps close that were thought to stay open.
 void RestEngine::find_lossless(Island& island, bool sweeps)
 {
-    if (!sweeps) {
-        forces_.find_impulses(data_, island, data_.motion.before, data_.motion.span);
+    set_lossless_bias(data_, island);
+    for (int k = 0; k < rest_tolerance::k_quick_rounds; ++k) {
+        if (!sweeps) forces_.find_impulses(data_, island, data_.motion.before, data_.motion.span);
+        if (is_heap(island) && (sweeps || !island.is_solved)) {
+            set_free(data_, island, data_.motion.before, data_.motion.span);
+            sweeps_.sweep_heap(data_, island, data_.motion.now, island.points);
+        }
+        scale_to_energy(data_, island);
+        if (island.in_turn || !close_missed(data_, island)) return;
     }
-    if (is_heap(island) && (sweeps || !island.is_solved)) {
-        set_free(data_, island, data_.motion.before, data_.motion.span);
-        sweeps_.sweep_heap(data_, island, data_.motion.now, island.points);
-    }
-    scale_to_energy(data_, island);
 }
 
 void RestEngine::finish_islands(int depth, std::span<const int> pairs)
@@ -288,7 +287,8 @@ double RestEngine::end_early(Island& island, int depth)
 /// There may be more parts of its step.
 bool RestEngine::may_be_parted(const Island& island, int depth) const
 {
-    const int most = strikes_at_start(island) ? rest_tolerance::k_quick_rounds : rest_tolerance::k_patience;
+    const int most =
+        strikes_at_start(island) && !is_lossless(island) ? rest_tolerance::k_quick_rounds : rest_tolerance::k_patience;
     return island.member_count() <= rest_tolerance::k_most_whole && depth < rest_tolerance::k_patience &&
            parts_made_ < most;
 }
