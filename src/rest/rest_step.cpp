@@ -189,7 +189,8 @@ void RestEngine::solve_island(Island& island, int depth)
         return;
     }
     // End the part where the first impact comes, or strike now; small islands go on from there with another look
-    island.in_turn = (!strikes_at_start(island) || is_lossless(island)) && may_be_parted(island, depth);
+    island.in_turn =
+        is_lossless(island) ? may_be_parted(island, depth) : !strikes_at_start(island) && may_be_halved(island, depth);
     if (island.in_turn) island.cut_at = first_impact(data_, island);
     if (island.cut_at > 0.0) return;
     bool is_struck = impacts_.strike(data_, island, sweeps_);
