@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "rest/energy_limit.hpp"
 #include "rest/impacts.hpp"
 #include "rest/rest_tolerance.hpp"
 #include "rest/step_field.hpp"
@@ -21,6 +22,35 @@ void set_velocity_bias(const RestData& data, const Island& island)
         c.bound = std::min(0.0, -2.0 * gap / data.motion.span - u);
         if (island.in_turn && gap > hardly_open(data, c)) c.bound = -std::numeric_limits<double>::infinity();
     }
+}
+
+/// The same where nothing may be lost. A force does no work over a step in which the mean of the normal velocities is
+/// zero: so a contact that bears leaves the step as fast as it came, the other way. An open one bears nothing, unless
+/// it would close within a step that ends for no impact.
+void set_lossless_bias(const RestData& data, const Island& island)
+{
+    const double rounding = rest_tolerance::k_stagnant * rest_tolerance::k_residual * top_speed(data, island);
+    for (ContactPoint& c : island.points) {
+        const double u = normal_speed(c, data.motion.before[c.a], data.motion.before[c.b]);
+        const bool is_open = c.gap > data.bodies.touch_gap(c.a, c.b);
+        const bool closes = !island.in_turn && c.gap + data.motion.span * u < 0.0;
+        if (is_open && !closes) c.bound = -std::numeric_limits<double>::infinity();
+        else c.bound = -u <= rounding ? std::min(0.0, -u) : -u;
+    }
+}
+
+bool close_missed(const RestData& data, const Island& island)
+{
+    bool any = false;
+    for (ContactPoint& c : island.points) {
+        if (!std::isinf(c.bound)) continue;
+        const double u = normal_speed(c, data.motion.before[c.a], data.motion.before[c.b]);
+        const double u_after = normal_speed(c, data.motion.now[c.a], data.motion.now[c.b]);
+        if (c.gap + 0.5 * data.motion.span * (u + u_after) >= -hardly_open(data, c)) continue;
+        c.bound = -u;
+        any = true;
+    }
+    return any;
 }
 
 void ContactForces::find_impulses(RestData& data, Island& island, std::span<const Mover> start, double time)

@@ -24,6 +24,10 @@ private:
 
 /// Sets the least normal velocities with which the step may end.
 void set_velocity_bias(const RestData& data, const Island& island);
+/// The same where nothing may be lost.
+void set_lossless_bias(const RestData& data, const Island& island);
+/// An open contact that closes on the ways that were found is to bear. True where there was any.
+[[nodiscard]] bool close_missed(const RestData& data, const Island& island);
 /// Takes for standing still what the solve's rounding alone moves.
 void calm(RestData& data, const Island& island);
 

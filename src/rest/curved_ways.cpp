@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "rest/energy_limit.hpp"
 #include "rest/rest_tolerance.hpp"
 
 namespace flying {
@@ -67,6 +68,10 @@ void set_mean_lines(ContactPoint& mean, const ContactPoint& start, const Contact
         return false;
     const std::span<const ContactPoint> points = island.points;
     if (std::none_of(points.begin(), points.end(), [](const ContactPoint& c) { return c.normal > 0.0; })) return false;
+
+    // Where nothing may be lost, a contact that hops leaves as it came, and not along the surfaces
+    const auto hops = [](const ContactPoint& c) { return c.normal > 0.0 && c.bound != 0.0; };
+    if (is_lossless(island) && std::any_of(points.begin(), points.end(), hops)) return false;
 
     // A slide that ends is parted where it does; below, slip is what the last step's end has left
     const double slide = rest_tolerance::k_blow * field_speed(data, island);

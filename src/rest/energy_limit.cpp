@@ -45,6 +45,34 @@ bool is_lossless(const Island& island)
                        [](const ContactPoint& c) { return c.restitution == 1.0 && c.friction == 0.0; });
 }
 
+void scale_to_energy(RestData& data, const Island& island)
+{
+    // With a share s of the impulses the energy grows by  square s^2 + linear s  beyond the field's work
+    double square = 0.0; // [J]
+    double linear = 0.0; // [J]
+    double scale = 0.0;  // [J]
+    for (const int member : island.members) {
+        const Mover& old = data.motion.before[member];
+        const Mover& now = data.motion.now[member];
+        const Vec2 velocity(old.v_x, old.v_y);
+        const Vec2 fall = data.motion.span * data.motion.field[member];
+        scale += (velocity.squaredNorm() + fall.squaredNorm()) / now.inv_mass + old.spin * old.spin / now.inv_moment;
+        const Vec2 change = Vec2(now.v_x, now.v_y) - velocity - fall;
+        const double spin = now.spin - old.spin;
+        square += 0.5 * (change.squaredNorm() / now.inv_mass + spin * spin / now.inv_moment);
+        linear += (velocity + 0.5 * fall).dot(change) / now.inv_mass + old.spin * spin / now.inv_moment;
+    }
+    if (!(std::abs(square + linear) > rest_tolerance::k_rounding * scale)) return;
+    const double share = std::max(0.0, -linear / square);
+    for (ContactPoint& c : island.points) {
+        c.normal *= share;
+        c.tangent *= share;
+    }
+    set_free(data, island, data.motion.before, data.motion.span);
+    for (const ContactPoint& c : island.points)
+        push(c, c.normal, c.tangent, data.motion.now[c.a], data.motion.now[c.b]);
+}
+
 void count_elastic_loss(RestData& data, const Island& island)
 {
     if (!is_lossless(island)) return;

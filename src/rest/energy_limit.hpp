@@ -20,6 +20,10 @@ struct EnergyGain
 /// Nothing may take energy from an island: none of its contacts loses any, by impact or by friction.
 [[nodiscard]] bool is_lossless(const Island& island);
 
+/// Impulses that were not found to rounding would give such an island energy, or take some. With some share of them all
+/// neither happens.
+void scale_to_energy(RestData& data, const Island& island);
+
 /// Counts what a step has nevertheless taken from such an island, after its impacts and besides what the field did.
 void count_elastic_loss(RestData& data, const Island& island);
 

@@ -100,12 +100,12 @@ bool Impacts::strike(RestData& data, Island& island, HeapSweeps& sweeps)
         return normal_speed(c, data.motion.before[c.a], data.motion.before[c.b]) < -slowest;
     };
     if (std::any_of(struck_.begin(), struck_.end(), approaches)) {
+        if (is_lossless(island)) return false; // the forces of the contacts turn round what still approaches
         const double energy = kinetic_energy(island, data.motion.before);
         end_approaches(data, island, sweeps);
         island.ended = energy - kinetic_energy(island, data.motion.before);
     }
     if (!island.in_turn) return true;
-    if (is_lossless(island)) data.counts.elastic_ended += island.ended;
     for (const int member : island.members) {
         const Mover& now = data.motion.before[member];
         BodyState& state = data.bodies.list[member].state;

@@ -22,7 +22,7 @@ class Impacts
 public:
     /// First what is thrown back, then the rest of the approaches, all at once and without rebound;
     /// `data.motion.before` is what they leave. Where impacts have no moments of their own, all that closes within the
-    /// step counts as closed. True where there were any.
+    /// step counts as closed. True where there were any, and nothing approaches any more.
     bool strike(RestData& data, Island& island, HeapSweeps& sweeps);
 
 private:

@@ -186,10 +186,52 @@ void RestEngine::find_clear(double within, std::vector<char>& clear) const
         char& clear_a = clear[data_.bodies.order[pair.a]];
         char& clear_b = clear[data_.bodies.order[pair.b]];
         if (!clear_a && !clear_b) continue;
-        bool loaded = false;
-        for (int k = 0; k < pair.count; ++k) loaded = loaded || pair.normal[k] > 0.0;
-        if (loaded || !stays_apart(pair, within)) clear_a = clear_b = 0;
+        double load = 0.0;
+        for (int k = 0; k < pair.count; ++k) load += pair.normal[k];
+        if ((load > 0.0 || !stays_apart(pair, within)) && !bounces(pair, load)) clear_a = clear_b = 0;
     }
+}
+
+/// The pair doesn't lean, but bounces, and nothing is lost by that: impacts, a few in a step, bring about what the last
+/// step took for a load.
+///
+/// load  impulse of that step [N s]
+bool RestEngine::bounces(const RestPair& pair, double load) const
+{
+    if (pair.restitution != 1.0 || pair.friction != 0.0) return false;
+    const auto speed = [&](int index) {
+        const BodyState& s = data_.bodies.list[index].state;
+        return data_.bodies.list[index].is_static ? 0.0
+                                                  : s.velocity.norm() + std::abs(s.spin) * data_.bodies.radius[index];
+    };
+    const double step = data_.options.step;
+    const double push =
+        load * (data_.bodies.list[pair.a].inertia.inv_mass + data_.bodies.list[pair.b].inertia.inv_mass);
+    if (push > rest_tolerance::k_most_bounces * (speed(pair.a) + speed(pair.b))) return false;
+
+    // Hops that are too low can't be told from contact
+    const auto pull = [&](int index) {
+        return data_.bodies.list[index].is_static ? Vec2(Vec2::Zero())
+                                                  : field_at(data_, index, data_.bodies.list[index].state.position);
+    };
+    const RestBody& a = data_.bodies.list[pair.a];
+    const RestBody& b = data_.bodies.list[pair.b];
+    const Pose pose_a = pose_of(a.state);
+    const Pose pose_b = pose_of(b.state);
+    const Vec2 fall = pull(pair.b) - pull(pair.a);
+    const double press = std::max(step * fall.norm(), push);
+    const double least = rest_tolerance::k_blow * press;
+    const double near = std::min(data_.bodies.radius[pair.a], data_.bodies.radius[pair.b]);
+    const Manifold manifold = look(data_, pair, pose_a, pose_b, rest_tolerance::k_closed * near);
+    for (int k = 0; k < manifold.count; ++k) {
+        const Contact& contact = manifold.contacts[k];
+        const Vec2 velocity_a = velocity_at(a.state, contact.point - pose_a.position);
+        const Vec2 velocity_b = velocity_at(b.state, contact.point - pose_b.position);
+        const double u = (velocity_b - velocity_a).dot(contact.normal);
+        const double f = std::min(0.0, fall.dot(contact.normal));
+        if (u * u - 2.0 * f * std::max(contact.separation, 0.0) < least * least) return false;
+    }
+    return true;
 }
 
 /// No point of the pair closes for so long.

@@ -147,9 +147,11 @@ private:
     void wake_all_with(int body);
     void split_and_solve(std::span<const int> bodies, int depth);
     void solve_island(Island& island, int depth);
+    void find_lossless(Island& island, bool sweeps);
     void finish_islands(int depth, std::span<const int> pairs);
     [[nodiscard]] double end_early(Island& island, int depth);
-    [[nodiscard]] bool may_be_cut(const Island& island, int depth) const;
+    [[nodiscard]] bool may_be_parted(const Island& island, int depth) const;
+    [[nodiscard]] bool may_be_halved(const Island& island, int depth) const;
     void note_again(const Island& island, Again& again);
     void find_pairs_of(Again& again, std::span<const int> pairs);
     void make_parts(int depth);
@@ -158,6 +160,7 @@ private:
     [[nodiscard]] bool stood_alike(int member) const;
     void move_island(const Island& island);
     void note_legs(const Island& island);
+    [[nodiscard]] bool bounces(const RestPair& pair, double load) const;
     [[nodiscard]] bool stays_apart(const RestPair& pair, double within) const;
 
     RestData data_;

@@ -189,34 +189,58 @@ void RestEngine::solve_island(Island& island, int depth)
         return;
     }
     // End the part where the first impact comes, or strike now; small islands go on from there with another look
-    island.in_turn = !strikes_at_start(island) && may_be_cut(island, depth);
+    island.in_turn =
+        is_lossless(island) ? may_be_parted(island, depth) : !strikes_at_start(island) && may_be_halved(island, depth);
     if (island.in_turn) island.cut_at = first_impact(data_, island);
     if (island.cut_at > 0.0) return;
-    if (impacts_.strike(data_, island, sweeps_) && island.in_turn) {
+    bool is_struck = impacts_.strike(data_, island, sweeps_);
+    if (is_struck && island.in_turn) {
         island.cut_at = data_.motion.span;
         return;
     }
+    // Where nothing may be lost, what was struck goes on to strike what it would meet within the step
+    for (int k = 0; k < rest_tolerance::k_patience && is_struck && !is_heap(island) && is_lossless(island); ++k)
+        is_struck = impacts_.strike(data_, island, sweeps_);
 
     // Find the forces of the contacts
     const bool leans = is_heap(island);
     const auto hardly_moves = [&] {
         return top_speed(data_, island) <= rest_tolerance::k_standing * field_speed(data_, island);
     };
-    if (!is_solved_whole(data_, island) || (leans && !hardly_moves())) {
+    const bool sweeps = !is_solved_whole(data_, island) || (leans && !hardly_moves());
+    if (is_lossless(island)) {
+        find_lossless(island, sweeps);
+    } else if (sweeps) {
         sweeps_.sweep_large(data_, island);
         return;
-    }
-    set_velocity_bias(data_, island);
-    forces_.find_impulses(data_, island, data_.motion.before, data_.motion.span);
-    if (leans && !island.is_solved) {
-        // It would cost more than it brings to look on; sweeps go on from what bore before
-        for (ContactPoint& c : island.points) recall_impulses(data_, c);
-        sweeps_.sweep_large(data_, island);
-        return;
+    } else {
+        set_velocity_bias(data_, island);
+        forces_.find_impulses(data_, island, data_.motion.before, data_.motion.span);
+        if (leans && !island.is_solved) {
+            // It would cost more than it brings to look on; sweeps go on from what bore before
+            for (ContactPoint& c : island.points) recall_impulses(data_, c);
+            sweeps_.sweep_large(data_, island);
+            return;
+        }
     }
     if (!curves_.follow(data_, island) && island.point_count() <= rest_tolerance::k_most_in_detail)
         slip_ends_.part(data_, island, forces_);
     calm(data_, island);
+}
+
+/// Forces where nothing may be lost. They are found again as long as gaps close that were thought to stay open.
+void RestEngine::find_lossless(Island& island, bool sweeps)
+{
+    set_lossless_bias(data_, island);
+    for (int k = 0; k < rest_tolerance::k_quick_rounds; ++k) {
+        if (!sweeps) forces_.find_impulses(data_, island, data_.motion.before, data_.motion.span);
+        if (is_heap(island) && (sweeps || !island.is_solved)) {
+            set_free(data_, island, data_.motion.before, data_.motion.span);
+            sweeps_.sweep_heap(data_, island, data_.motion.now, island.points);
+        }
+        scale_to_energy(data_, island);
+        if (island.in_turn || !close_missed(data_, island)) return;
+    }
 }
 
 void RestEngine::finish_islands(int depth, std::span<const int> pairs)
@@ -256,16 +280,24 @@ double RestEngine::end_early(Island& island, int depth)
     }
     if (island.points.empty()) return 0.0;
     const double overlap = projection_.measure_overlap(data_, island);
-    if (may_be_cut(island, depth) && !is_fair(data_, island, overlap)) return 0.5 * data_.motion.span;
+    if (may_be_halved(island, depth) && !is_fair(data_, island, overlap)) return 0.5 * data_.motion.span;
     projection_.put_apart(data_, island, overlap, sweeps_);
     return 0.0;
 }
 
-bool RestEngine::may_be_cut(const Island& island, int depth) const
+/// There may be more parts of its step.
+bool RestEngine::may_be_parted(const Island& island, int depth) const
 {
-    const int most = strikes_at_start(island) ? rest_tolerance::k_quick_rounds : rest_tolerance::k_patience;
+    const int most =
+        strikes_at_start(island) && !is_lossless(island) ? rest_tolerance::k_quick_rounds : rest_tolerance::k_patience;
     return island.member_count() <= rest_tolerance::k_most_whole && depth < rest_tolerance::k_patience &&
-           parts_made_ < most && data_.motion.span > rest_tolerance::k_shortest_part * data_.options.step;
+           parts_made_ < most;
+}
+
+/// The same where nothing says where to part it.
+bool RestEngine::may_be_halved(const Island& island, int depth) const
+{
+    return may_be_parted(island, depth) && data_.motion.span > rest_tolerance::k_shortest_part * data_.options.step;
 }
 
 void RestEngine::note_again(const Island& island, Again& again)

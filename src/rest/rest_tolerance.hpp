@@ -161,7 +161,10 @@ inline constexpr int k_curve_rounds = 6;
 
 inline constexpr double k_left_of_gap = 0.125;
 
-// ---- Steps of other lengths (rest_engine)
+// ---- Steps of other lengths, and bodies that may fly again (rest_engine)
+/// [impacts in a step] More of them in place of a load cost too much.
+inline constexpr double k_most_bounces = 8.0;
+
 // ---- Islands (islands)
 /// [speeds that the field gives in a step] A large island whose bodies are all slower may part.
 inline constexpr double k_slow_island = 0x1p-4;
