@@ -91,8 +91,7 @@ struct RigidMotion
     double spin = 0.0;            ///< [rad/s]
 };
 
-/// The motion of an island as one rigid body that no contact with something static resists: all of it where there is
-/// none, what goes along a wall where the normals of all lead the same way, and none otherwise. Slowing an island down
+/// The motion of an island as one rigid body that no contact with something static resists. Slowing an island down
 /// relative to that changes no momentum that is its own.
 [[nodiscard]] RigidMotion free_motion(const RestData& data, const Island& island)
 {
@@ -107,18 +106,9 @@ struct RigidMotion
     rigid.centre /= mass;
     rigid.velocity /= mass;
 
-    // Where it leans on something static
-    Vec2 normal = Vec2::Zero();
-    for (const ContactPoint& c : island.points) {
-        if (!(c.normal > 0.0) || (data.motion.is_moved(c.a) && data.motion.is_moved(c.b))) continue;
-        const Vec2 n(c.n_x, c.n_y);
-        if (normal.isZero(0.0)) normal = n;
-        else if (std::abs(cross(normal, n)) > rest_tolerance::k_same_normal) return {};
-    }
-    if (!normal.isZero(0.0)) {
-        rigid.velocity -= normal.dot(rigid.velocity) * normal;
-        return rigid;
-    }
+    const StaticHold hold = static_hold(data, island.points);
+    rigid.velocity = hold.leaves(rigid.velocity);
+    if (hold.directions > 0) return rigid;
     double moment = 0.0;
     double turning = 0.0;
     for (const int member : island.members) {

@@ -27,8 +27,8 @@ void scale_to_energy(RestData& data, const Island& island);
 /// Counts what a step has nevertheless taken from such an island, after its impacts and besides what the field did.
 void count_elastic_loss(RestData& data, const Island& island);
 
-/// The one limit of energy: what a step has gained beyond the field's work is taken from the motion of bodies relative to
-/// the one that nothing outside resists, and where there is too little, from the way that they rise relative to it.
+/// The one limit of energy: what a step has gained beyond the field's work is taken from the motion of bodies relative
+/// to the one that nothing outside resists, and where there is too little, from the way that they rise relative to it.
 /// Momentum that is the island's own stays. Counted, since it changes the motion.
 void limit_energy(RestData& data, const Island& island);
 

@@ -25,8 +25,10 @@ class InteriorPoint
 public:
     /// system   with the pattern of the island
     /// impulse  filled: normal and tangential, of each point [N s]
-    /// limits   of friction at each point, whatever its normal impulse comes to; where none are given, the limit is mu j.
-    ///          With limits that are given the conditions are those of a least energy, and the way is never blocked [N s]
+    /// limits   of friction at each point, whatever its normal impulse comes to; where none are given, the limit is mu
+    /// j.
+    ///          With limits that are given the conditions are those of a least energy, and the way is never blocked [N
+    ///          s]
     /// True where all products have become as small as asked for.
     bool solve(const ContactProblem& problem, BlockSystem& system, std::span<double> impulse,
                std::int64_t& factorisations, std::span<const double> limits = {});
@@ -50,8 +52,8 @@ private:
         double normal;   ///< impulses at unchanged speeds
         double tangent;
         double lift;
-        double mix;  ///< share of changes of the limit and of slip in that of l
-        double left; ///< of u_n - bound - w
+        double mix;        ///< share of changes of the limit and of slip in that of l
+        double left;       ///< of u_n - bound - w
         double coupling;   ///< by which the limit of friction grows with j
         bool has_friction; ///< and with it the pairs beyond the first
     };

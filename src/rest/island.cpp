@@ -81,6 +81,18 @@ bool any_slip_ended(const Island& island, std::span<const Mover> before, std::sp
     return false;
 }
 
+StaticHold static_hold(const RestData& data, std::span<const ContactPoint> points)
+{
+    StaticHold hold;
+    for (const ContactPoint& c : points) {
+        if (!(c.normal > 0.0) || (data.motion.is_moved(c.a) && data.motion.is_moved(c.b))) continue;
+        const Vec2 n(c.n_x, c.n_y);
+        if (hold.directions == 0) hold = {1, n};
+        else if (std::abs(cross(hold.normal, n)) > rest_tolerance::k_same_normal) return {2, Vec2::Zero()};
+    }
+    return hold;
+}
+
 void scale_impulses(const Island& island, double factor)
 {
     for (ContactPoint& c : island.points) {

@@ -48,6 +48,20 @@ struct Island
 [[nodiscard]] bool any_slip_ended(const Island& island, std::span<const Mover> before, std::span<const Mover> after,
                                   double still);
 
+/// What an island's contacts with static bodies leave of a motion that all its bodies have in common.
+struct StaticHold
+{
+    int directions = 0;         ///< in which they resist: none, one, or 2 for several
+    Vec2 normal = Vec2::Zero(); ///< of the only one
+
+    [[nodiscard]] Vec2 leaves(const Vec2& motion) const
+    {
+        if (directions == 0) return motion;
+        return directions == 1 ? Vec2(motion - normal.dot(motion) * normal) : Vec2(Vec2::Zero());
+    }
+};
+[[nodiscard]] StaticHold static_hold(const RestData& data, std::span<const ContactPoint> points);
+
 void scale_impulses(const Island& island, double factor);
 /// What a point bore at the end of the step before.
 void recall_impulses(const RestData& data, ContactPoint& c);

@@ -272,6 +272,20 @@ void Projection::find_pushes(RestData& data, const Island& island, double tolera
     }
     if (is_heap(island)) sweeps.sweep_heap(data, island, pushes_, points_, tolerance);
     else data.solver.solve(pushes_, members, points_, tolerance);
+
+    // The common centre of mass stays, as far as nothing static holds it
+    Vec2 moved = Vec2::Zero();
+    double mass = 0.0;
+    for (const int member : members) {
+        const double m = 1.0 / data.motion.now[member].inv_mass;
+        moved += m * Vec2(pushes_[member].v_x, pushes_[member].v_y);
+        mass += m;
+    }
+    const Vec2 back = static_hold(data, island.points).leaves(static_hold(data, points_).leaves(Vec2(moved / mass)));
+    for (const int member : members) {
+        pushes_[member].v_x -= back.x();
+        pushes_[member].v_y -= back.y();
+    }
 }
 
 } // namespace flying
