@@ -32,15 +32,22 @@ Leaning Hybrid::leaning(int k) const
             radius_[k],
             speed,
             pull,
-            {box.min - Vec2(way, way), box.max + Vec2(way, way)},
-            !resting_->is_asleep(k)};
+            {box.min - Vec2(way, way), box.max + Vec2(way, way)}};
 }
 
-std::vector<Leaning> Hybrid::leaning(const std::vector<int>& bodies) const
+std::vector<Leaning> Hybrid::leaning(std::span<const int> bodies) const
 {
     std::vector<Leaning> all;
     for (const int k : bodies) all.push_back(leaning(k));
     return all;
+}
+
+/// Tell the rules of handing over of those that lean; of those that sleep only where others slept before.
+void Hybrid::begin_hand_over()
+{
+    if (others_sleep_) hand_over_.set_asleep(leaning(movers_.list(BodyMover::asleep)));
+    others_sleep_ = false;
+    hand_over_.begin(leaning(movers_.list(BodyMover::rest)));
 }
 
 
@@ -89,13 +96,5 @@ double Hybrid::energy(int body, const BodyState& state) const
     const double turn = state.spin * state.spin / inertia.inv_moment_of_inertia;
     return 0.5 * (shift + turn) + potential_at(setting_.field, state.position) / inertia.inv_mass;
 }
-
-double Hybrid::energy_of_leaning() const
-{
-    double sum = 0.0;
-    for (const int k : leaning_) sum += energy(k, resting_->state(k));
-    return sum;
-}
-
 
 } // namespace flying
