@@ -28,8 +28,7 @@ public:
             list_.push_back(body);
         }
         std::sort(list_.begin() + middle, list_.end());
-        const bool in_order =
-            middle == 0 || middle == std::ssize(list_) || list_[middle - 1] < list_[middle];
+        const bool in_order = middle == 0 || middle == std::ssize(list_) || list_[middle - 1] < list_[middle];
         if (!in_order) std::inplace_merge(list_.begin(), list_.begin() + middle, list_.end());
     }
     void insert(int body) { insert(std::span(&body, 1)); }

@@ -17,7 +17,10 @@ namespace {
     return std::tie(pair.a, pair.b, pair.part_a, pair.part_b);
 }
 
-[[nodiscard]] bool in_order(const RestPair& one, const RestPair& two) { return key(one) < key(two); }
+[[nodiscard]] bool in_order(const RestPair& one, const RestPair& two)
+{
+    return key(one) < key(two);
+}
 
 /// Moves those that belong there from one list in order to another.
 template <typename Belongs>
@@ -90,17 +93,16 @@ std::vector<RestPair> PairList::all() const
     return all;
 }
 
-bool PairList::update(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes,
-                      std::span<const double> radius, std::span<const double> reach, const BodySet& awake)
+int PairList::update(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes,
+                     std::span<const double> radius, std::span<const double> reach, const BodySet& awake)
 {
+    if (!is_new_ && is_valid_ && all_inside(bodies, radius, reach, awake)) return 0;
+    boxes_sorted_ = 0;
     if (is_new_) {
         search_all(bodies, shapes, radius, reach);
         separate(bodies, awake);
-        return true;
-    }
-    if (is_valid_ && all_inside(bodies, radius, reach, awake)) return false;
-    search(bodies, shapes, radius, reach, awake);
-    return true;
+    } else search(bodies, shapes, radius, reach, awake);
+    return boxes_sorted_;
 }
 
 /// For the pairs of all that move, those that sleep too.
@@ -162,7 +164,7 @@ void PairList::sort_others(std::span<const RestBody> bodies, const BodySet& move
         const bool has_box = bodies[k].is_active && !std::holds_alternative<HalfPlane>(bodies[k].shape);
         if (has_box && !movers.has(k)) entries.push_back({boxes_[k], k});
     }
-    boxes_sorted_ += std::ssize(entries);
+    boxes_sorted_ += static_cast<int>(entries.size());
     others_.sort(std::move(entries));
 }
 
@@ -172,12 +174,11 @@ void PairList::find_partners(std::span<const RestBody> bodies, const BodySet& mo
     std::vector<BoxCells::Entry> entries;
     entries.reserve(movers.list().size());
     for (const int k : movers.list()) entries.push_back({boxes_[k], k});
-    boxes_sorted_ += std::ssize(entries);
+    boxes_sorted_ += static_cast<int>(entries.size());
     cells_.sort(std::move(entries));
     found_.clear();
     const auto note = [&](int one, int two) { found_.emplace_back(std::min(one, two), std::max(one, two)); };
-    cells_.for_each_pair(
-        [&](const BoxCells::Entry& one, const BoxCells::Entry& two) { note(one.body, two.body); });
+    cells_.for_each_pair([&](const BoxCells::Entry& one, const BoxCells::Entry& two) { note(one.body, two.body); });
 
     // The others stay where they are, and walls without end meet what reaches into them
     for (const auto& [box, k] : cells_.entries()) {

@@ -47,8 +47,8 @@ struct RestPair : PairLoads
 };
 
 /// Which pairs may touch soon, kept from step to step. Every body has a box with room to spare; as long as all stay
-/// within theirs, the list stays as it is. Pairs are in the order of (a, b, part of a, part of b), and those of which no
-/// body is awake lie apart: a step doesn't touch them.
+/// within theirs, the list stays as it is. Pairs are in the order of (a, b, part of a, part of b), and those of which
+/// no body is awake lie apart: a step doesn't touch them.
 class PairList
 {
 public:
@@ -56,9 +56,9 @@ public:
     /// radius  of each body's bounding circle; infinite for half-planes [m]
     /// awake   as `separate` was told last
     /// Searches again only where a body that is awake has left its box, or `invalidate` was called, and then only for
-    /// the pairs of those that are awake. True if it searched.
-    bool update(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes,
-                std::span<const double> radius, std::span<const double> reach, const BodySet& awake);
+    /// the pairs of those that are awake. How many boxes it sorted for that; 0 where it didn't search.
+    int update(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes, std::span<const double> radius,
+               std::span<const double> reach, const BodySet& awake);
 
     /// Some body that is awake, or no longer takes part, was put elsewhere.
     void invalidate() { is_valid_ = false; }
@@ -93,9 +93,6 @@ public:
             else m = asleep_.next_of_second[m];
         }
     }
-
-    /// Boxes sorted, in all searches.
-    [[nodiscard]] std::int64_t boxes_sorted() const { return boxes_sorted_; }
 
 private:
     /// Pairs in order, and where to find those of a body.
@@ -144,7 +141,7 @@ private:
     Pairs awake_;
     Pairs asleep_;
     std::vector<RestPair> old_;
-    std::int64_t boxes_sorted_ = 0;
+    int boxes_sorted_ = 0; // in a search
 };
 
 } // namespace flying

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "rest/energy_limit.hpp"
 #include "rest/find_contacts.hpp"
@@ -82,8 +83,10 @@ void RestEngine::step()
         ++data_.counts.steps;
         return;
     }
-    if (data_.pairs.update(data_.bodies.list, data_.bodies.shapes, data_.bodies.radius, data_.motion.reach, awake_))
-        ++data_.counts.looks;
+    const int boxes =
+        data_.pairs.update(data_.bodies.list, data_.bodies.shapes, data_.bodies.radius, data_.motion.reach, awake_);
+    data_.counts.looks += boxes > 0 ? 1 : 0;
+    data_.counts.boxes += boxes;
     watch.stop(seconds_.pairs);
 
     // [rest.step.find]
@@ -180,6 +183,7 @@ void RestEngine::find_all_contacts()
 {
     found_.clear();
     is_near_.resize(data_.pairs.pairs().size());
+    data_.counts.pairs += std::ssize(is_near_);
     for (int k = 0; k < static_cast<int>(is_near_.size()); ++k) is_near_[k] = find_contacts(data_, k, found_) ? 1 : 0;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "broadphase/box_cells.hpp"
@@ -19,20 +20,33 @@ struct Leaning
     Aabb way;            ///< holds all of it for a whole step, as it moves now
 };
 
-/// Which of some are connected, directly or by others.
+/// Which of some are connected, directly or by others, and how fast the fastest is.
 class Connections
 {
 public:
-    void begin(int count);
-    /// One more, which is connected to none.
-    int add();
+    void clear();
+    /// One more, which is connected to none; what comes back is its number.
+    int add(double speed);
     void join(int one, int two);
     /// The first that one is connected to.
     [[nodiscard]] int root_of(int k);
-    [[nodiscard]] int count() const { return static_cast<int>(parent_.size()); }
+    [[nodiscard]] double top_speed(int k) { return nodes_[root_of(k)].top_speed; }
+
+    /// What has come so far is known, from now on.
+    void know_all();
+    void know(int k) { nodes_[root_of(k)].is_known = true; }
+    /// Some that is known was joined to something faster.
+    [[nodiscard]] bool any_is_faster() const { return any_is_faster_; }
 
 private:
-    std::vector<int> parent_; // of each, towards the first that it is connected to
+    struct Node
+    {
+        int parent = 0;         // towards the first that it is connected to, which knows the rest
+        double top_speed = 0.0; // [m/s]
+        bool is_known = false;
+    };
+    std::vector<Node> nodes_;
+    bool any_is_faster_ = false;
 };
 
 /// The rules by which bodies change hands, as functions of where bodies are when a step begins and how fast they move:
@@ -48,10 +62,12 @@ public:
     void set_asleep(std::vector<Leaning> asleep);
     /// Which of those that are awake are connected within a step, and with which that sleep. To be followed by `reach`.
     void begin(std::vector<Leaning> awake);
-    /// Some that have come since.
-    void add(const std::vector<Leaning>& more);
     /// Where those that are awake, and those that they may wake, can get within so long.  [s]
     void reach(double time);
+    /// Some that have come since, one or more times. What comes back is as far as others may get now than before; to be
+    /// followed by `end`.
+    [[nodiscard]] std::span<const BoxCells::Entry> add(const std::vector<Leaning>& more);
+    void end();
 
     /// Whether one of these may get into the box.
     [[nodiscard]] bool is_near(const Aabb& box) const;
@@ -67,9 +83,11 @@ private:
     struct Island
     {
         std::vector<int> members; // places in `asleep_`
+        double top_speed = 0.0;   // [m/s]
         int node = -1;            // in `connections_`, where one that is awake may come to it
     };
     void connect_to_sleepers(int k);
+    void add_reach(const Leaning& one, int node);
 
     std::vector<Leaning> asleep_;
     std::vector<int> island_; // of each of them
@@ -77,13 +95,15 @@ private:
     BoxCells ways_asleep_; // entries name places in `asleep_`
 
     std::vector<Leaning> awake_;
-    std::vector<int> node_;         // of each of them, in `connections_`
-    BoxCells ways_;                 // of those that were sorted; entries name places in `awake_`
-    int sorted_ = 0;                // how many
-    std::vector<int> reached_;      // islands that one of these may come to
+    std::vector<int> node_;    // of each of them, in `connections_`
+    BoxCells ways_;            // of those that were sorted; entries name places in `awake_`
+    int sorted_ = 0;           // how many
+    std::vector<int> reached_; // islands that one of these may come to
     Connections connections_;
-    std::vector<double> top_speed_; // of all that are connected, in the place of the first [m/s]
-    BoxCells reaches_;              // entries name bodies
+    double time_ = 0.0;                        // within which others are reached [s]
+    std::vector<BoxCells::Entry> new_reaches_; // not sorted yet; entries name bodies
+    std::size_t first_new_ = 0;                // of these, that came last
+    BoxCells reaches_;                         // the others
     std::int64_t looked_at_ = 0;
 };
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "math/tolerance.hpp"
+#include "rest/stopwatch.hpp"
 #include "world/leaning.hpp"
 
 namespace flying {
@@ -136,9 +137,11 @@ std::optional<EventFailure> Hybrid::advance(double time, std::int64_t most)
 void Hybrid::finish_step()
 {
     step_by(step_length(), *step_ends_);
+    Stopwatch watch(seconds_);
     follow_sleep();
     let_go_of_the_clear();
     take_in_all_near();
+    watch.stop(seconds_between_steps_);
 }
 
 
@@ -185,21 +188,23 @@ double Hybrid::next_end(double time, int halvings) const
 
 
 
-/// How often the step must be halved for those that lean, and those near them, to stay within a small part of their size.
-int Hybrid::halvings_for(const std::vector<int>& near) const
+/// How fast the body changes places, by its size.  [1/s]
+double Hybrid::pace(const BodyState& state, int k) const
+{
+    const auto* central = std::get_if<CentralField>(&setting_.field);
+    double size = radius_[k];
+    if (central) size = std::min(size, (state.position - central->centre).norm()); // the field changes as fast
+    return state.velocity.norm() / size + std::abs(state.spin);
+}
+
+/// How often the step must be halved for bodies to stay within a small part of their size.
+///
+/// pace  of the fastest [1/s]
+int Hybrid::halvings_for(double pace) const
 {
     if (setting_.policy == EngineChoice::rest) return 0;
-    const auto* central = std::get_if<CentralField>(&setting_.field);
-    double fastest = 0.0; // [sizes/s]
-    const auto look = [&](const BodyState& state, int k) {
-        double size = radius_[k];
-        if (central) size = std::min(size, (state.position - central->centre).norm()); // the field changes as fast
-        fastest = std::max(fastest, state.velocity.norm() / size + std::abs(state.spin));
-    };
-    for (const int k : movers_.list(BodyMover::rest)) look(resting_->state(k), k);
-    for (const int k : near) look(flying_.flyer(k).state, k);
     int halvings = 0;
-    for (double way = fastest * setting_.step; way > k_way && halvings < k_most_halvings; way *= 0.5) ++halvings;
+    for (double way = pace * setting_.step; way > k_way && halvings < k_most_halvings; way *= 0.5) ++halvings;
     return halvings;
 }
 
@@ -308,30 +313,30 @@ void Hybrid::take_in_all_near()
 {
     step_ends_.reset();
     if (!any_leans()) return;
-    int halvings = halvings_for({});
+    double fastest = 0.0;
+    for (const int k : movers_.list(BodyMover::rest)) fastest = std::max(fastest, pace(resting_->state(k), k));
+    int halvings = halvings_for(fastest);
     step_ends_ = next_end(resting_->time(), halvings);
     if (setting_.policy == EngineChoice::rest) return;
     begin_hand_over();
-    while (true) {
-        step_ends_ = next_end(resting_->time(), halvings);
-        hand_over_.reach(*step_ends_ - resting_->time());
-        std::vector<int> near;
-        for (const int k : movers_.list(BodyMover::events)) {
-            if (comes_near(k)) near.push_back(k);
-        }
-        if (near.empty()) return;
-
+    std::vector<int> near = find_near();
+    while (!near.empty()) {
         // Those that come fast need short steps, in which fewer come near
-        const int needed = halvings_for(near);
-        if (needed > halvings) {
+        double fastest_near = fastest;
+        for (const int k : near) fastest_near = std::max(fastest_near, pace(flying_.flyer(k).state, k));
+        if (const int needed = halvings_for(fastest_near); needed > halvings) {
             halvings = needed;
+            step_ends_ = next_end(resting_->time(), halvings);
+            near = find_near();
             continue;
         }
         Change change;
         change.why = Change::Why::near;
         take_in(near, change);
-        hand_over_.add(leaning(near));
+        for (const int k : near) fastest = std::max(fastest, pace(resting_->state(k), k));
+        near = find_near_to(hand_over_.add(leaning(near)));
     }
+    hand_over_.end();
 }
 
 

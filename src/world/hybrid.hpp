@@ -78,6 +78,8 @@ public:
     [[nodiscard]] const RestEngine* resting() const { return resting_ ? &*resting_ : nullptr; }
     [[nodiscard]] const Setting& setting() const { return setting_; }
     void set_stopwatch(double (*seconds)());
+    /// Spent between steps to find out which bodies change hands, where a clock was lent.
+    [[nodiscard]] double seconds_between_steps() const { return seconds_between_steps_; }
     /// Hand-overs since they were last fetched.
     [[nodiscard]] std::vector<Change> fetch_changes() { return std::exchange(changes_, {}); }
     /// What the resting integrator's steps have changed of the energy.  [J]
@@ -125,16 +127,21 @@ private:
     [[nodiscard]] Leaning leaning(int body) const;
     [[nodiscard]] std::vector<Leaning> leaning(std::span<const int> bodies) const;
     void begin_hand_over();
+    [[nodiscard]] Aabb flight_box(int body) const;
     [[nodiscard]] bool comes_near(int body) const;
     [[nodiscard]] double greatest_pull(const Vec2& place) const;
     [[nodiscard]] double bow_of(const Flyer& flyer, double from, double left) const;
     [[nodiscard]] double energy(int body, const BodyState& state) const;
     [[nodiscard]] double next_end(double time, int halvings) const;
     [[nodiscard]] double step_length() const;
-    [[nodiscard]] int halvings_for(const std::vector<int>& near) const;
+    [[nodiscard]] double pace(const BodyState& state, int body) const;
+    [[nodiscard]] int halvings_for(double pace) const;
+    [[nodiscard]] std::vector<int> find_near();
+    [[nodiscard]] std::vector<int> find_near_to(std::span<const BoxCells::Entry> reaches);
 
     Setting setting_;
     double (*seconds_)() = nullptr;          // a clock, lent; or null
+    double seconds_between_steps_ = 0.0;     // spent on who has which body
     double clock_ = 0.0;                     // [s]
     EventEngine flying_;
     std::optional<RestEngine> resting_;
@@ -145,6 +152,8 @@ private:
     std::optional<double> step_ends_;        // the present step, where some body leans that is awake [s]
     HandOver hand_over_;
     bool others_sleep_ = true;               // than it knows
+    BoxCells flights_;                       // until the step ends, of bodies that came near nothing at first
+    bool has_flights_ = false;
     std::vector<Change> changes_;
     double energy_of_steps_ = 0.0;
     double energy_of_blows_ = 0.0;

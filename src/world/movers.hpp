@@ -28,7 +28,10 @@ public:
     [[nodiscard]] BodyMover of(int body) const { return movers_[body]; }
     [[nodiscard]] const std::vector<BodyMover>& all() const { return movers_; }
     /// Ascending.
-    [[nodiscard]] std::span<const int> list(BodyMover mover) const { return bodies_[static_cast<std::size_t>(mover)].list(); }
+    [[nodiscard]] std::span<const int> list(BodyMover mover) const
+    {
+        return bodies_[static_cast<std::size_t>(mover)].list();
+    }
 
     void give(std::span<const int> bodies, BodyMover to)
     {
