@@ -218,7 +218,6 @@ TEST_CASE("whatever might be struck is near as far as its reach, and no further"
         one.speed = v;
         one.pull = g;
         one.way = {Vec2(-1.0, -1.0), Vec2(1.0, 1.0)};
-        one.is_awake = true;
         HandOver rules;
         rules.begin({one});
         rules.reach(d);

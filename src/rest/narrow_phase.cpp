@@ -103,9 +103,7 @@ void find_moving_seams(const RestBodies& bodies, const PairList& list, const Res
                 return;
             find_seams_with(bodies, body, part, other, others_part, seams);
         };
-        const std::span<const RestPair> pairs = list.pairs();
-        for (int next = list.starts()[body]; next < list.starts()[body + 1]; ++next) look_at(pairs[next]);
-        for (const int next : list.pairs_of_second(body)) look_at(pairs[next]);
+        list.for_each_of(body, look_at);
         break;
     }
     for (Seam& seam : seams) seam.is_loose = true;

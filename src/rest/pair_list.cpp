@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <iterator>
 #include <tuple>
 #include <utility>
 
@@ -17,6 +17,22 @@ namespace {
     return std::tie(pair.a, pair.b, pair.part_a, pair.part_b);
 }
 
+[[nodiscard]] bool in_order(const RestPair& one, const RestPair& two)
+{
+    return key(one) < key(two);
+}
+
+/// Moves those that belong there from one list in order to another.
+template <typename Belongs>
+void move_pairs(std::vector<RestPair>& from, std::vector<RestPair>& to, Belongs&& belongs)
+{
+    const auto middle = std::ssize(to);
+    std::copy_if(from.begin(), from.end(), std::back_inserter(to), belongs);
+    if (std::ssize(to) == middle) return;
+    std::erase_if(from, belongs);
+    std::inplace_merge(to.begin(), to.begin() + middle, to.end(), in_order);
+}
+
 /// A box reaches into a half-plane.
 [[nodiscard]] bool overlap(const Aabb& box, const HalfPlane& wall)
 {
@@ -29,11 +45,10 @@ namespace {
 } // namespace
 
 bool PairList::all_inside(std::span<const RestBody> bodies, std::span<const double> radius,
-                          std::span<const double> reach) const
+                          std::span<const double> reach, const BodySet& awake) const
 {
-    for (std::size_t k = 0; k < bodies.size(); ++k) {
+    for (const int k : awake.list()) {
         const RestBody& body = bodies[k];
-        if (body.is_static || !body.is_active) continue;
         const double moved = (body.state.position - homes_[k].position).norm();
         const double turned = std::abs(body.state.angle - homes_[k].angle) * radius[k];
         if (moved + turned + reach[k] > homes_[k].room) return false;
@@ -41,114 +56,185 @@ bool PairList::all_inside(std::span<const RestBody> bodies, std::span<const doub
     return true;
 }
 
-void PairList::remember(std::vector<RestPair> pairs, int bodies)
+void PairList::separate(std::span<const RestBody> bodies, const BodySet& awake)
 {
-    pairs_ = std::move(pairs);
-    make_index(bodies);
-    valid_ = false;
+    const auto is_awake = [&](const RestPair& pair) { return awake.has(pair.a) || awake.has(pair.b); };
+    const auto is_asleep = [&](const RestPair& pair) { return !is_awake(pair); };
+    const auto is_gone = [&](const RestPair& pair) { return !bodies[pair.a].is_active || !bodies[pair.b].is_active; };
+    const int count = static_cast<int>(bodies.size());
+    awake_.clear_index(count);
+    asleep_.clear_index(count);
+    std::vector<RestPair> woken;
+    move_pairs(asleep_.pairs, woken, is_awake);
+    move_pairs(awake_.pairs, asleep_.pairs, is_asleep);
+    move_pairs(woken, awake_.pairs, is_awake);
+    std::erase_if(asleep_.pairs, is_gone);
+    awake_.make_index();
+    asleep_.make_index();
 }
 
-bool PairList::update(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes,
-                      std::span<const double> radius, std::span<const double> reach)
+void PairList::remember(std::vector<RestPair> pairs, std::span<const RestBody> bodies, const BodySet& awake)
 {
-    if (valid_ && all_inside(bodies, radius, reach)) return false;
+    const int count = static_cast<int>(bodies.size());
+    awake_.clear_index(count);
+    asleep_.clear_index(count);
+    asleep_.pairs.clear();
+    awake_.pairs = std::move(pairs);
+    separate(bodies, awake);
+    is_new_ = true;
+}
 
+std::vector<RestPair> PairList::all() const
+{
+    std::vector<RestPair> all;
+    all.reserve(awake_.pairs.size() + asleep_.pairs.size());
+    std::merge(awake_.pairs.begin(), awake_.pairs.end(), asleep_.pairs.begin(), asleep_.pairs.end(),
+               std::back_inserter(all), in_order);
+    return all;
+}
+
+int PairList::update(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes,
+                     std::span<const double> radius, std::span<const double> reach, const BodySet& awake)
+{
+    if (!is_new_ && is_valid_ && all_inside(bodies, radius, reach, awake)) return 0;
+    boxes_sorted_ = 0;
+    if (is_new_) {
+        search_all(bodies, shapes, radius, reach);
+        separate(bodies, awake);
+    } else search(bodies, shapes, radius, reach, awake);
+    return boxes_sorted_;
+}
+
+/// For the pairs of all that move, those that sleep too.
+void PairList::search_all(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes,
+                          std::span<const double> radius, std::span<const double> reach)
+{
+    const int count = static_cast<int>(bodies.size());
     homes_.resize(bodies.size());
     boxes_.resize(bodies.size());
-    for (std::size_t k = 0; k < bodies.size(); ++k) {
+    walls_.clear();
+    std::vector<int> movers;
+    for (int k = 0; k < count; ++k) {
         const RestBody& body = bodies[k];
-        const bool moves = !body.is_static && body.is_active;
-        const double room =
-            moves ? rest_tolerance::k_room_reaches * reach[k] + rest_tolerance::k_room_radii * radius[k] : 0.0;
-        homes_[k] = {body.state.position, body.state.angle, room};
-        const Aabb box = bounding_box(body.shape, pose_of(body.state));
-        boxes_[k] = {box.min - Vec2(room, room), box.max + Vec2(room, room)};
+        if (std::holds_alternative<HalfPlane>(body.shape)) walls_.push_back(k);
+        if (body.is_static) make_box(body, k, 0.0);
+        else if (body.is_active) movers.push_back(k);
     }
-    find_partners(bodies);
-    add_pairs(bodies, shapes);
-    make_index(static_cast<int>(bodies.size()));
-    valid_ = true;
-    return true;
+    BodySet all(count);
+    all.insert(movers);
+    awake_.clear_index(count);
+    asleep_.clear_index(count);
+    awake_.pairs = this->all();
+    asleep_.pairs.clear();
+    sort_others(bodies, all);
+    search(bodies, shapes, radius, reach, all);
+    is_new_ = false;
 }
 
-void PairList::find_partners(std::span<const RestBody> bodies)
+/// For the pairs of some, among which are all that may have left their boxes; all pairs of theirs are known as `pairs`.
+void PairList::search(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes,
+                      std::span<const double> radius, std::span<const double> reach, const BodySet& movers)
 {
-    // Sort the boxes of all that have one into cells
-    const int count = static_cast<int>(bodies.size());
+    // What was searched for last has another box by now than when the others were sorted
+    const auto is_other = [&](int k) { return bodies[k].is_active && !movers.has(k); };
+    if (std::any_of(searched_.begin(), searched_.end(), is_other)) sort_others(bodies, movers);
+    searched_.assign(movers.list().begin(), movers.list().end());
+
+    for (const int k : movers.list())
+        make_box(bodies[k], k, rest_tolerance::k_room_reaches * reach[k] + rest_tolerance::k_room_radii * radius[k]);
+    find_partners(bodies, movers);
+    awake_.clear_index(static_cast<int>(bodies.size()));
+    add_pairs(bodies, shapes);
+    awake_.make_index();
+    is_valid_ = true;
+}
+
+/// room  by which it is larger than the body [m]
+void PairList::make_box(const RestBody& body, int k, double room)
+{
+    homes_[k] = {body.state.position, body.state.angle, room};
+    const Aabb box = bounding_box(body.shape, pose_of(body.state));
+    boxes_[k] = {box.min - Vec2(room, room), box.max + Vec2(room, room)};
+}
+
+void PairList::sort_others(std::span<const RestBody> bodies, const BodySet& movers)
+{
     std::vector<BoxCells::Entry> entries;
-    entries.reserve(bodies.size());
-    for (int k = 0; k < count; ++k) {
-        if (bodies[k].is_active && !std::holds_alternative<HalfPlane>(bodies[k].shape))
-            entries.push_back({boxes_[k], k});
+    for (int k = 0; k < static_cast<int>(bodies.size()); ++k) {
+        const bool has_box = bodies[k].is_active && !std::holds_alternative<HalfPlane>(bodies[k].shape);
+        if (has_box && !movers.has(k)) entries.push_back({boxes_[k], k});
     }
+    boxes_sorted_ += static_cast<int>(entries.size());
+    others_.sort(std::move(entries));
+}
+
+void PairList::find_partners(std::span<const RestBody> bodies, const BodySet& movers)
+{
+    // Sort the boxes of those that are searched for into cells
+    std::vector<BoxCells::Entry> entries;
+    entries.reserve(movers.list().size());
+    for (const int k : movers.list()) entries.push_back({boxes_[k], k});
+    boxes_sorted_ += static_cast<int>(entries.size());
     cells_.sort(std::move(entries));
     found_.clear();
-    cells_.for_each_pair([&](const BoxCells::Entry& one, const BoxCells::Entry& two) {
-        if (bodies[one.body].is_static && bodies[two.body].is_static) return;
-        found_.emplace_back(std::min(one.body, two.body), std::max(one.body, two.body));
-    });
+    const auto note = [&](int one, int two) { found_.emplace_back(std::min(one, two), std::max(one, two)); };
+    cells_.for_each_pair([&](const BoxCells::Entry& one, const BoxCells::Entry& two) { note(one.body, two.body); });
 
-    // Walls without end meet what reaches into them
-    for (int w = 0; w < count; ++w) {
-        const auto* wall = std::get_if<HalfPlane>(&bodies[w].shape);
-        if (!wall || !bodies[w].is_active) continue;
-        for (const auto& [box, k] : cells_.entries()) {
-            if (!bodies[k].is_static && overlap(box, *wall)) found_.emplace_back(std::min(w, k), std::max(w, k));
+    // The others stay where they are, and walls without end meet what reaches into them
+    for (const auto& [box, k] : cells_.entries()) {
+        others_.visit_all_at(box, [&](const BoxCells::Entry& other) {
+            if (bodies[other.body].is_active && !movers.has(other.body)) note(k, other.body);
+            return true;
+        });
+        for (const int wall : walls_) {
+            if (overlap(box, std::get<HalfPlane>(bodies[wall].shape))) note(k, wall);
         }
     }
-
-    // Sort by the first body, then each few by the second
-    partner_start_.assign(count + 1, 0);
-    for (const auto& [a, b] : found_) ++partner_start_[a + 1];
-    for (int k = 0; k < count; ++k) partner_start_[k + 1] += partner_start_[k];
-    partners_.resize(found_.size());
-    for (const auto& [a, b] : found_) partners_[partner_start_[a]++] = b;
-    for (int k = count; k > 0; --k) partner_start_[k] = partner_start_[k - 1];
-    partner_start_[0] = 0;
-    for (int k = 0; k < count; ++k) {
-        std::sort(partners_.begin() + partner_start_[k], partners_.begin() + partner_start_[k + 1]);
-    }
+    std::sort(found_.begin(), found_.end());
+    found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
 }
 
 void PairList::add_pairs(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes)
 {
-    old_.swap(pairs_);
-    pairs_.clear();
+    old_.swap(awake_.pairs);
+    std::vector<RestPair>& pairs = awake_.pairs;
+    pairs.clear();
     std::size_t next = 0;
-    for (int a = 0; a < static_cast<int>(bodies.size()); ++a) {
-        for (int i = partner_start_[a]; i < partner_start_[a + 1]; ++i) {
-            RestPair pair;
-            pair.a = a;
-            pair.b = partners_[i];
-            const Material material = combine(bodies[a].material, bodies[pair.b].material);
-            pair.friction = material.friction;
-            pair.restitution = material.restitution;
-            for (pair.part_a = 0; pair.part_a < static_cast<int>(shapes[a].parts.size()); ++pair.part_a) {
-                for (pair.part_b = 0; pair.part_b < static_cast<int>(shapes[pair.b].parts.size()); ++pair.part_b) {
-                    // [rest.pairs.known]
-                    // Both lists are in order: what the pair bore is found by walking along
-                    while (next < old_.size() && key(old_[next]) < key(pair)) ++next;
-                    const bool known = next < old_.size() && key(old_[next]) == key(pair);
-                    pairs_.push_back(known ? old_[next] : pair);
-                    // [rest.pairs.known]
-                }
+    for (const auto& [a, b] : found_) {
+        RestPair pair;
+        pair.a = a;
+        pair.b = b;
+        const Material material = combine(bodies[a].material, bodies[b].material);
+        pair.friction = material.friction;
+        pair.restitution = material.restitution;
+        for (pair.part_a = 0; pair.part_a < static_cast<int>(shapes[a].parts.size()); ++pair.part_a) {
+            for (pair.part_b = 0; pair.part_b < static_cast<int>(shapes[b].parts.size()); ++pair.part_b) {
+                // [rest.pairs.known]
+                // Both lists are in order: what the pair bore is found by walking along
+                while (next < old_.size() && key(old_[next]) < key(pair)) ++next;
+                const bool known = next < old_.size() && key(old_[next]) == key(pair);
+                pairs.push_back(known ? old_[next] : pair);
+                // [rest.pairs.known]
             }
         }
     }
 }
 
-void PairList::make_index(int bodies)
+void PairList::Pairs::clear_index(int bodies)
 {
-    starts_.assign(bodies + 1, 0);
-    for (const RestPair& pair : pairs_) ++starts_[pair.a + 1];
-    std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
-    second_starts_.assign(bodies + 1, 0);
-    for (const RestPair& pair : pairs_) ++second_starts_[pair.b + 1];
-    for (int k = 0; k < bodies; ++k) second_starts_[k + 1] += second_starts_[k];
-    by_second_.resize(pairs_.size());
-    for (int k = 0; k < static_cast<int>(pairs_.size()); ++k) by_second_[second_starts_[pairs_[k].b]++] = k;
-    for (int k = bodies; k > 0; --k) second_starts_[k] = second_starts_[k - 1];
-    second_starts_[0] = 0;
+    firsts.resize(bodies, -1);
+    seconds.resize(bodies, -1);
+    for (const RestPair& pair : pairs) firsts[pair.a] = seconds[pair.b] = -1;
+}
+
+void PairList::Pairs::make_index()
+{
+    next_of_second.resize(pairs.size());
+    for (int k = static_cast<int>(pairs.size()) - 1; k >= 0; --k) {
+        firsts[pairs[k].a] = k;
+        next_of_second[k] = seconds[pairs[k].b];
+        seconds[pairs[k].b] = k;
+    }
 }
 
 } // namespace flying

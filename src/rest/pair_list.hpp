@@ -7,6 +7,7 @@
 #include "broadphase/box_cells.hpp"
 #include "collide/separation.hpp"
 #include "geometry/aabb.hpp"
+#include "rest/body_set.hpp"
 #include "rest/near_points.hpp"
 #include "rest/rest_body.hpp"
 
@@ -20,6 +21,15 @@ struct PairLoads
     Vec2 place[2] = {Vec2::Zero(), Vec2::Zero()}; ///< their places, in the frame of the one of the two that moves [m]
     double normal[2] = {0.0, 0.0};                ///< impulses that lasted to the end of the step [N s]
     double tangent[2] = {0.0, 0.0};               ///< [N s]
+
+    /// Impulses of another length of time.
+    void scale(double factor)
+    {
+        for (int k = 0; k < count; ++k) {
+            normal[k] *= factor;
+            tangent[k] *= factor;
+        }
+    }
 };
 
 /// Two convex parts of two bodies that are near each other.
@@ -37,56 +47,101 @@ struct RestPair : PairLoads
 };
 
 /// Which pairs may touch soon, kept from step to step. Every body has a box with room to spare; as long as all stay
-/// within theirs, the list stays as it is. Pairs are in the order of (a, b, part of a, part of b).
+/// within theirs, the list stays as it is. Pairs are in the order of (a, b, part of a, part of b), and those of which
+/// no body is awake lie apart: a step doesn't touch them.
 class PairList
 {
 public:
     /// reach   how far each body may get in the coming step, whatever it turns or is pushed [m]
     /// radius  of each body's bounding circle; infinite for half-planes [m]
-    /// NarrowPhase again only where a body has left its box, or `invalidate` was called. True if it looked.
-    bool update(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes,
-                std::span<const double> radius, std::span<const double> reach);
+    /// awake   as `separate` was told last
+    /// Searches again only where a body that is awake has left its box, or `invalidate` was called, and then only for
+    /// the pairs of those that are awake. How many boxes it sorted for that; 0 where it didn't search.
+    int update(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes, std::span<const double> radius,
+               std::span<const double> reach, const BodySet& awake);
 
-    void invalidate() { valid_ = false; }
-    /// Pairs of another list, in order, to look for anew with what they remember.
-    void remember(std::vector<RestPair> pairs, int bodies);
+    /// Some body that is awake, or no longer takes part, was put elsewhere.
+    void invalidate() { is_valid_ = false; }
+    /// Others are awake now, or take part.
+    void separate(std::span<const RestBody> bodies, const BodySet& awake);
+    /// Pairs of another list, in order, to search for anew with what they remember.
+    void remember(std::vector<RestPair> pairs, std::span<const RestBody> bodies, const BodySet& awake);
 
-    [[nodiscard]] std::span<RestPair> pairs() { return pairs_; }
-    [[nodiscard]] std::span<const RestPair> pairs() const { return pairs_; }
+    /// Those of which a body is awake.
+    [[nodiscard]] std::span<RestPair> pairs() { return awake_.pairs; }
+    [[nodiscard]] std::span<const RestPair> pairs() const { return awake_.pairs; }
+    /// The others.
+    [[nodiscard]] std::span<const RestPair> pairs_asleep() const { return asleep_.pairs; }
+    /// All of them, in order.
+    [[nodiscard]] std::vector<RestPair> all() const;
 
-    /// Where the pairs with a given first body begin; one entry more than there are bodies.
-    [[nodiscard]] std::span<const int> starts() const { return starts_; }
-    /// The pairs whose second body this is.
-    [[nodiscard]] std::span<const int> pairs_of_second(int body) const
+    /// Call visit(pair) for every pair of a body, in order: first those whose first body it is.
+    template <typename Visit>
+    void for_each_of(int body, Visit&& visit) const
     {
-        return std::span(by_second_).subspan(second_starts_[body], second_starts_[body + 1] - second_starts_[body]);
+        if (body >= static_cast<int>(awake_.firsts.size())) return;
+        for (int k = awake_.firsts[body], m = asleep_.firsts[body]; k >= 0 || m >= 0;) {
+            const bool is_next = m < 0 || (k >= 0 && awake_.pairs[k].b < asleep_.pairs[m].b);
+            visit(is_next ? awake_.pairs[k] : asleep_.pairs[m]);
+            if (is_next) k = awake_.next_of_first(k);
+            else m = asleep_.next_of_first(m);
+        }
+        for (int k = awake_.seconds[body], m = asleep_.seconds[body]; k >= 0 || m >= 0;) {
+            const bool is_next = m < 0 || (k >= 0 && awake_.pairs[k].a < asleep_.pairs[m].a);
+            visit(is_next ? awake_.pairs[k] : asleep_.pairs[m]);
+            if (is_next) k = awake_.next_of_second[k];
+            else m = asleep_.next_of_second[m];
+        }
     }
 
 private:
-    [[nodiscard]] bool all_inside(std::span<const RestBody> bodies, std::span<const double> radius,
-                                  std::span<const double> reach) const;
-    void find_partners(std::span<const RestBody> bodies);
-    void add_pairs(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes);
-    void make_index(int bodies);
+    /// Pairs in order, and where to find those of a body.
+    struct Pairs
+    {
+        std::vector<RestPair> pairs;
+        std::vector<int> firsts;         // of each body, its first pair as the first of two; -1 for none
+        std::vector<int> seconds;        // the same as the second of two
+        std::vector<int> next_of_second; // of each pair, the next with the same second body; -1 at the end
 
+        void clear_index(int bodies);
+        void make_index();
+        [[nodiscard]] int next_of_first(int pair) const
+        {
+            const bool goes_on = pair + 1 < static_cast<int>(pairs.size()) && pairs[pair + 1].a == pairs[pair].a;
+            return goes_on ? pair + 1 : -1;
+        }
+    };
     struct Home
     {
         Vec2 position = Vec2::Zero(); ///< where the body was when its box was made
         double angle = 0.0;
         double room = 0.0; ///< by which the box is larger than the body [m]
     };
-    bool valid_ = false;
+
+    [[nodiscard]] bool all_inside(std::span<const RestBody> bodies, std::span<const double> radius,
+                                  std::span<const double> reach, const BodySet& awake) const;
+    void search_all(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes,
+                    std::span<const double> radius, std::span<const double> reach);
+    void search(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes,
+                std::span<const double> radius, std::span<const double> reach, const BodySet& movers);
+    void make_box(const RestBody& body, int k, double room);
+    void sort_others(std::span<const RestBody> bodies, const BodySet& movers);
+    void find_partners(std::span<const RestBody> bodies, const BodySet& movers);
+    void add_pairs(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes);
+
+    bool is_valid_ = false;
+    bool is_new_ = true; // nothing was searched for yet, or what was is forgotten
     std::vector<Home> homes_;
     std::vector<Aabb> boxes_;
-    BoxCells cells_; // of all that have a box and take part
-    std::vector<int> partner_start_;
-    std::vector<int> partners_;
+    BoxCells cells_;            // of those that the last search was for
+    BoxCells others_;           // of those that it wasn't for, as far as they take part; may hold some that it was for
+    std::vector<int> searched_; // those that the last search was for
+    std::vector<int> walls_;    // half-planes
     std::vector<std::pair<int, int>> found_;
-    std::vector<RestPair> pairs_;
+    Pairs awake_;
+    Pairs asleep_;
     std::vector<RestPair> old_;
-    std::vector<int> starts_;
-    std::vector<int> second_starts_; // the same in `by_second_`
-    std::vector<int> by_second_;     // pairs, by their second body
+    int boxes_sorted_ = 0; // in a search
 };
 
 } // namespace flying

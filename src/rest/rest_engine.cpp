@@ -21,9 +21,15 @@ RestEngine::RestEngine(std::vector<RestBody> bodies, const RestOptions& options,
       start_(time),
       sleepers_(data_.bodies.count()),
       still_(data_.bodies.list.size(), 0),
+      awake_(data_.bodies.count()),
+      saved_(data_.bodies.list.size()),
+      clear_(data_.bodies.list.size(), 0),
       part_of_(data_.bodies.list.size(), -1)
 {
-    for (int k = 0; k < data_.bodies.count(); ++k) expect_flight(data_, k, data_.bodies.list[k].state.position);
+    for (int k = 0; k < data_.bodies.count(); ++k) {
+        expect_flight(data_, k, data_.bodies.list[k].state.position);
+        stirred_.push_back(k);
+    }
 }
 
 void RestEngine::advance(double time)
@@ -51,24 +57,24 @@ void RestEngine::set_active(int number, bool active)
     if (data_.bodies.list[body].is_active == active) return;
     wake_all_with(body);
     data_.bodies.list[body].is_active = active;
+    stirred_.push_back(body);
     data_.pairs.invalidate();
 }
 
 void RestEngine::wake_all_with(int body)
 {
-    none_awake_ = false;
     sleepers_.wake(sleepers_.island_of(body));
-    for (const RestPair& pair : data_.pairs.pairs()) {
-        if (pair.count == 0 || (pair.a != body && pair.b != body)) continue;
+    data_.pairs.for_each_of(body, [&](const RestPair& pair) {
+        if (pair.count == 0) return;
         sleepers_.wake(sleepers_.island_of(pair.a));
         sleepers_.wake(sleepers_.island_of(pair.b));
-    }
+    });
 }
 
 std::vector<RestContact> RestEngine::contacts() const
 {
     std::vector<RestContact> result;
-    for (const RestPair& pair : data_.pairs.pairs()) {
+    for (const RestPair& pair : data_.pairs.all()) {
         if (pair.count == 0) continue;
         const double margin =
             data_.motion.reach[pair.a] + data_.motion.reach[pair.b] + 2.0 * data_.bodies.touch_gap(pair.a, pair.b);
@@ -136,9 +142,6 @@ void RestEngine::step_by(double length, double end)
         // Loads are remembered for a whole step, and only a whole one shows that nothing changes
         const bool sleeps = data_.options.sleeps;
         const bool tells = length > rest_tolerance::k_at_once * whole;
-        const std::vector<Vec2> pull = tells ? std::vector<Vec2>() : data_.motion.pull;
-        const std::vector<double> expected_angular_acceleration =
-            tells ? std::vector<double>() : data_.motion.expected_angular_acceleration;
         scale_loads_awake(length / whole);
         data_.options.step = length;
         data_.options.sleeps = false;
@@ -146,9 +149,10 @@ void RestEngine::step_by(double length, double end)
         data_.options.step = whole;
         data_.options.sleeps = sleeps;
         scale_loads_awake(whole / length);
-        if (!tells) {
-            data_.motion.pull = pull;
-            data_.motion.expected_angular_acceleration = expected_angular_acceleration;
+        for (const int k : moved_) {
+            if (tells) break;
+            data_.motion.pull[k] = saved_[k].pull;
+            data_.motion.expected_angular_acceleration[k] = saved_[k].expected_angular_acceleration;
         }
     }
     start_ = end;
@@ -157,15 +161,8 @@ void RestEngine::step_by(double length, double end)
 
 void RestEngine::scale_loads_awake(double factor)
 {
-    const auto is_awake = [&](int body) {
-        return !data_.bodies.list[body].is_static && data_.bodies.list[body].is_active && !sleepers_.is_asleep(body);
-    };
-    std::vector<int> pairs;
-    for (int k = 0; k < static_cast<int>(data_.pairs.pairs().size()); ++k) {
-        const RestPair& pair = data_.pairs.pairs()[k];
-        if (is_awake(pair.a) || is_awake(pair.b)) pairs.push_back(k);
-    }
-    scale_loads(pairs, factor);
+    list_awake();
+    for (RestPair& pair : data_.pairs.pairs()) pair.scale(factor);
 }
 
 void RestEngine::set_time(double time)
@@ -174,22 +171,23 @@ void RestEngine::set_time(double time)
     steps_ = 0;
 }
 
-void RestEngine::find_clear(double within, std::vector<char>& clear) const
+std::vector<int> RestEngine::find_clear(double within)
 {
-    clear.assign(data_.bodies.list.size(), 0);
-    for (std::size_t k = 0; k < data_.bodies.list.size(); ++k) {
-        const RestBody& body = data_.bodies.list[k];
-        clear[data_.bodies.order[k]] =
-            body.is_active && !body.is_static && !sleepers_.is_asleep(static_cast<int>(k)) ? 1 : 0;
-    }
+    list_awake();
+    for (const int k : awake_.list()) clear_[k] = 1;
     for (const RestPair& pair : data_.pairs.pairs()) {
-        char& clear_a = clear[data_.bodies.order[pair.a]];
-        char& clear_b = clear[data_.bodies.order[pair.b]];
-        if (!clear_a && !clear_b) continue;
+        if (!clear_[pair.a] && !clear_[pair.b]) continue;
         double load = 0.0;
         for (int k = 0; k < pair.count; ++k) load += pair.normal[k];
-        if ((load > 0.0 || !stays_apart(pair, within)) && !bounces(pair, load)) clear_a = clear_b = 0;
+        if ((load > 0.0 || !stays_apart(pair, within)) && !bounces(pair, load)) clear_[pair.a] = clear_[pair.b] = 0;
     }
+    std::vector<int> clear;
+    for (const int k : awake_.list()) {
+        if (clear_[k]) clear.push_back(data_.bodies.order[k]);
+        clear_[k] = 0;
+    }
+    std::sort(clear.begin(), clear.end());
+    return clear;
 }
 
 /// The pair doesn't lean, but bounces, and nothing is lost by that: impacts, a few in a step, bring about what the last
@@ -282,8 +280,7 @@ bool RestEngine::stays_apart(const RestPair& pair, double within) const
 
 RestEngine::Memory RestEngine::memory() const
 {
-    Memory memory{
-        time(), data_.bodies.order, {}, {data_.pairs.pairs().begin(), data_.pairs.pairs().end()}, data_.max_overlap};
+    Memory memory{time(), data_.bodies.order, {}, data_.pairs.all(), data_.max_overlap};
     for (std::size_t k = 0; k < data_.bodies.list.size(); ++k) {
         memory.bodies.push_back({data_.bodies.list[k].state, data_.motion.pull[k],
                                  data_.motion.expected_angular_acceleration[k], data_.motion.reach[k],
@@ -301,10 +298,7 @@ void RestEngine::go_on_from(const Memory& memory)
         *this = RestEngine(std::move(bodies), data_.options, memory.time, memory.order);
     }
     set_time(memory.time);
-    none_awake_ = false;
     data_.max_overlap = memory.max_overlap;
-    data_.pairs.remember(memory.pairs, data_.bodies.count());
-    for (RestPair& pair : data_.pairs.pairs()) pair.memory = {}; // ways are counted from another beginning
     for (std::size_t k = 0; k < data_.bodies.list.size(); ++k) {
         const Memory::Body& body = memory.bodies[k];
         data_.bodies.list[k].state = body.state;
@@ -312,7 +306,7 @@ void RestEngine::go_on_from(const Memory& memory)
         data_.motion.pull[k] = body.pull;
         data_.motion.expected_angular_acceleration[k] = body.expected_angular_acceleration;
         data_.motion.reach[k] = body.reach;
-        sleepers_.set(static_cast<int>(k), body.sleep_island);
+        stirred_.push_back(static_cast<int>(k));
         data_.bodies.in_large_island[k] = body.in_large_island ? 1 : 0;
         still_[k] = body.sleep_island >= 0 ? 1 : 0;
         data_.bodies.set_pose(static_cast<int>(k), pose_of(body.state));
@@ -324,20 +318,31 @@ void RestEngine::go_on_from(const Memory& memory)
         mover.spin = body.state.spin;
         data_.motion.before[k] = mover;
     }
+    for (std::size_t k = 0; k < data_.bodies.list.size(); ++k) {
+        const int body = static_cast<int>(k);
+        if (sleepers_.island_of(body) != memory.bodies[k].sleep_island) sleepers_.wake(sleepers_.island_of(body));
+    }
+    for (std::size_t k = 0; k < data_.bodies.list.size(); ++k) {
+        const int body = static_cast<int>(k);
+        const int island = memory.bodies[k].sleep_island;
+        if (island >= 0 && !sleepers_.is_asleep(body)) sleepers_.put_to_sleep(body, island);
+    }
+    list_awake();
+    std::vector<RestPair> pairs = memory.pairs;
+    for (RestPair& pair : pairs) pair.memory = {}; // ways are counted from another beginning
+    data_.pairs.remember(std::move(pairs), data_.bodies.list, awake_);
 }
 
 std::vector<std::vector<Leg>> RestEngine::foresee(double length, double end)
 {
     const Memory before = memory();
     const RestCounts counts = data_.counts;
-    const bool none_awake = none_awake_;
     std::vector<std::vector<Leg>> legs(data_.bodies.list.size());
     legs_ = &legs;
     step_by(length, end);
     legs_ = nullptr;
     go_on_from(before);
     data_.counts = counts;
-    none_awake_ = none_awake;
     return legs;
 }
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "rest/body_set.hpp"
 #include "rest/contact_forces.hpp"
 #include "rest/curved_ways.hpp"
 #include "rest/heap_sweeps.hpp"
@@ -70,8 +71,9 @@ public:
     /// Take a body out, or put it back where its state says.
     void set_active(int body, bool active);
 
-    /// Marks each awake body that bears no load, and that nothing will touch for so long if all goes on as it does. [s]
-    void find_clear(double within, std::vector<char>& clear) const;
+    /// The bodies that are awake, bear no load, and that nothing will touch for so long if all goes on as it does;
+    /// ascending.  [s]
+    [[nodiscard]] std::vector<int> find_clear(double within);
 
     /// What the engine knows beside shapes and inertia: all that the next step depends on.
     struct Memory
@@ -101,6 +103,19 @@ public:
     /// is its lowest body. -1 for static bodies and those not active.
     [[nodiscard]] std::vector<int> groups() const;
     [[nodiscard]] bool is_asleep(int body) const { return sleepers_.is_asleep(data_.bodies.place[body]); }
+    /// Those that are awake, as they lie in memory.
+    template <typename Visit>
+    void for_each_awake(Visit&& visit)
+    {
+        list_awake();
+        for (const int k : awake_.list()) visit(data_.bodies.order[k]);
+    }
+    /// Call visit(body, before) for every body that the last step had to move, with its state as the step began.
+    template <typename Visit>
+    void for_each_moved(Visit&& visit) const
+    {
+        for (const int k : moved_) visit(data_.bodies.order[k], saved_[k].state);
+    }
     /// The last step changed nothing of the body.
     [[nodiscard]] bool is_still(int body) const { return still_[data_.bodies.place[body]] != 0; }
 
@@ -141,6 +156,7 @@ private:
     };
 
     void list_awake();
+    void begin_awake();
     void measure_reach(std::span<const int> bodies);
     void find_all_contacts();
     [[nodiscard]] bool wake_touched();
@@ -179,11 +195,12 @@ private:
     Projection projection_;
 
     Sleepers sleepers_;
-    bool none_awake_ = false;  // and none was, since a look found it so
     std::vector<char> still_;  // of each body: the last step left it as it was
-    std::vector<char> wakes_;  // of each body: awake, and can move
-    std::vector<int> awake_;   // those, ascending
-    std::vector<Saved> saved_; // of those awake
+    std::vector<int> stirred_; // came or went since the list of those awake was made
+    BodySet awake_;            // and can move
+    std::vector<int> moved_;   // those that the last step was for, ascending
+    std::vector<Saved> saved_; // of those
+    std::vector<char> clear_;  // of each body, while those are found; else 0
     std::vector<Again> again_; // at each depth of parts within parts
     int parts_made_ = 0;       // of the step of an island
     std::vector<int> part_of_; // of each body, while pairs are sorted out; -1 for none

@@ -100,7 +100,7 @@ void RestEngine::move_island(const Island& island)
     same = same && data_.motion.span == data_.options.step;
     for (const int member : island.members) {
         still_[member] = same ? 1 : 0;
-        if (same && data_.options.sleeps) sleepers_.set(member, island.members.front());
+        if (same && data_.options.sleeps) sleepers_.put_to_sleep(member, island.members.front());
     }
 }
 

@@ -24,6 +24,8 @@ struct RestCounts
 {
     std::int64_t steps = 0;
     std::int64_t looks = 0;      ///< searches for pairs
+    std::int64_t boxes = 0;      ///< sorted in these
+    std::int64_t pairs = 0;      ///< of bodies near each other, one of which was awake: in all steps
     std::int64_t manifolds = 0;  ///< pairs whose points were sought
     std::int64_t points = 0;     ///< points solved for
     std::int64_t groups = 0;     ///< islands solved for

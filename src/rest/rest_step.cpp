@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "rest/energy_limit.hpp"
 #include "rest/find_contacts.hpp"
@@ -73,19 +74,19 @@ void find_places(RestData& data, const Island& island)
 
 void RestEngine::step()
 {
-    if (none_awake_) {
-        data_.counts.asleep += sleepers_.count();
+    Stopwatch watch(data_.options.seconds);
+    data_.motion.span = data_.options.step;
+    data_.motion.after = 0.0;
+    begin_awake();
+    if (moved_.empty()) {
         ++steps_;
         ++data_.counts.steps;
         return;
     }
-    Stopwatch watch(data_.options.seconds);
-    data_.motion.span = data_.options.step;
-    data_.motion.after = 0.0;
-    list_awake();
-    measure_reach(awake_);
-    if (data_.pairs.update(data_.bodies.list, data_.bodies.shapes, data_.bodies.radius, data_.motion.reach))
-        ++data_.counts.looks;
+    const int boxes =
+        data_.pairs.update(data_.bodies.list, data_.bodies.shapes, data_.bodies.radius, data_.motion.reach, awake_);
+    data_.counts.looks += boxes > 0 ? 1 : 0;
+    data_.counts.boxes += boxes;
     watch.stop(seconds_.pairs);
 
     // [rest.step.find]
@@ -95,30 +96,47 @@ void RestEngine::step()
     // [rest.step.find]
 
     parts_made_ = 0;
-    split_and_solve(awake_, 0);
+    split_and_solve(moved_, 0);
     watch.stop(seconds_.solve);
     finish_islands(0, {});
     make_parts(0);
     watch.stop(seconds_.move);
     ++steps_;
     ++data_.counts.steps;
-    none_awake_ = awake_.empty();
 }
 
+/// Puts right the list of those that are awake, and the pairs of theirs, where any fell asleep, woke, came or went.
 void RestEngine::list_awake()
 {
-    awake_.clear();
-    wakes_.assign(data_.bodies.list.size(), 0);
-    saved_.resize(data_.bodies.list.size());
-    data_.counts.asleep += sleepers_.count();
-    for (int k = 0; k < data_.bodies.count(); ++k) {
+    std::vector<int> changed = sleepers_.fetch_changed();
+    bool any_pairs = !stirred_.empty();
+    changed.insert(changed.end(), stirred_.begin(), stirred_.end());
+    stirred_.clear();
+    if (changed.empty()) return;
+    std::vector<int> woken;
+    std::vector<int> gone;
+    for (const int k : changed) {
         const RestBody& body = data_.bodies.list[k];
-        if (sleepers_.is_asleep(k) || body.is_static || !body.is_active) continue;
-        awake_.push_back(k);
-        wakes_[k] = 1;
-        saved_[k] = {body.state, data_.motion.pull[k], data_.motion.expected_angular_acceleration[k],
+        const bool is_awake = body.is_active && !body.is_static && !sleepers_.is_asleep(k);
+        if (is_awake != awake_.has(k)) (is_awake ? woken : gone).push_back(k);
+    }
+    awake_.insert(woken);
+    awake_.erase(gone);
+    any_pairs = any_pairs || !woken.empty() || !gone.empty();
+    if (any_pairs) data_.pairs.separate(data_.bodies.list, awake_);
+}
+
+/// A step begins for those that are awake.
+void RestEngine::begin_awake()
+{
+    list_awake();
+    data_.counts.asleep += sleepers_.count();
+    moved_.assign(awake_.list().begin(), awake_.list().end());
+    for (const int k : moved_) {
+        saved_[k] = {data_.bodies.list[k].state, data_.motion.pull[k], data_.motion.expected_angular_acceleration[k],
                      data_.bodies.in_large_island[k]};
     }
+    measure_reach(moved_);
 }
 
 /// Islands that something awake comes near wake.
@@ -129,10 +147,7 @@ bool RestEngine::wake_touched()
     for (const ContactPoint& point : found_) {
         for (const int body : {point.a, point.b}) any = sleepers_.wake(sleepers_.island_of(body)) || any;
     }
-    if (any) {
-        list_awake();
-        measure_reach(awake_);
-    }
+    if (any) begin_awake();
     return any;
 }
 
@@ -167,11 +182,9 @@ void RestEngine::measure_reach(std::span<const int> bodies)
 void RestEngine::find_all_contacts()
 {
     found_.clear();
-    const std::span<const RestPair> pairs = data_.pairs.pairs();
-    is_near_.assign(pairs.size(), 0);
-    for (int k = 0; k < static_cast<int>(pairs.size()); ++k) {
-        if (wakes_[pairs[k].a] || wakes_[pairs[k].b]) is_near_[k] = find_contacts(data_, k, found_) ? 1 : 0;
-    }
+    is_near_.resize(data_.pairs.pairs().size());
+    data_.counts.pairs += std::ssize(is_near_);
+    for (int k = 0; k < static_cast<int>(is_near_.size()); ++k) is_near_[k] = find_contacts(data_, k, found_) ? 1 : 0;
 }
 
 void RestEngine::split_and_solve(std::span<const int> bodies, int depth)
@@ -379,15 +392,7 @@ void RestEngine::make_parts(int depth)
 
 void RestEngine::scale_loads(std::span<const int> pairs, double factor)
 {
-    // Impulses of another length of time
-    if (factor == 1.0) return;
-    for (const int k : pairs) {
-        RestPair& pair = data_.pairs.pairs()[k];
-        for (int i = 0; i < pair.count; ++i) {
-            pair.normal[i] *= factor;
-            pair.tangent[i] *= factor;
-        }
-    }
+    for (const int k : pairs) data_.pairs.pairs()[k].scale(factor);
 }
 
 } // namespace flying

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace flying {
@@ -9,31 +9,42 @@ namespace flying {
 class Sleepers
 {
 public:
-    explicit Sleepers(int bodies) : island_(static_cast<std::size_t>(bodies), -1) {}
+    explicit Sleepers(int bodies) : island_(static_cast<std::size_t>(bodies), -1), next_(island_), first_(island_) {}
 
     [[nodiscard]] bool is_asleep(int body) const { return island_[body] >= 0; }
     /// The lowest body of its sleeping island; -1 where it is awake.
     [[nodiscard]] int island_of(int body) const { return island_[body]; }
     [[nodiscard]] int count() const { return count_; }
 
-    /// island  its lowest body; -1 wakes
-    void set(int body, int island)
+    /// body    awake
+    /// island  its lowest body
+    void put_to_sleep(int body, int island)
     {
-        count_ += (island >= 0 ? 1 : 0) - (island_[body] >= 0 ? 1 : 0);
         island_[body] = island;
+        next_[body] = std::exchange(first_[island], body);
+        ++count_;
+        changed_.push_back(body);
     }
     /// True where any of it slept.
     bool wake(int island)
     {
-        if (island < 0) return false;
-        const auto woken = std::count(island_.begin(), island_.end(), island);
-        std::replace(island_.begin(), island_.end(), island, -1);
-        count_ -= static_cast<int>(woken);
-        return woken > 0;
+        if (island < 0 || first_[island] < 0) return false;
+        for (int body = std::exchange(first_[island], -1); body >= 0; body = next_[body]) {
+            island_[body] = -1;
+            --count_;
+            changed_.push_back(body);
+        }
+        return true;
     }
+
+    /// Bodies that fell asleep or woke since this was asked last, in any order, some more than once.
+    [[nodiscard]] std::vector<int> fetch_changed() { return std::exchange(changed_, {}); }
 
 private:
     std::vector<int> island_;
+    std::vector<int> next_;  // of each sleeping body, another of its island; -1 at the end
+    std::vector<int> first_; // of each sleeping island, one of its bodies
+    std::vector<int> changed_;
     int count_ = 0;
 };
 

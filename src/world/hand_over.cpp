@@ -5,91 +5,192 @@
 namespace flying {
 namespace {
 
-
 /// [radii] Room about a body's circle, against rounding and the tolerance of touching.
 constexpr double k_room = 0x1p-10;
 
 /// More that have come than this are better sorted into cells.
 constexpr std::size_t k_few = 64;
+/// So are more than this part of all.
+constexpr std::size_t k_share = 16;
 
+/// Sorts the ways of some into cells; entries name places in the list.
+void sort_ways(const std::vector<Leaning>& leaning, BoxCells& cells)
+{
+    std::vector<BoxCells::Entry> boxes;
+    for (int k = 0; k < static_cast<int>(leaning.size()); ++k) boxes.push_back({leaning[k].way, k});
+    cells.sort(std::move(boxes));
+}
 
 } // namespace
 
-
-void HandOver::begin(std::vector<Leaning> leaning)
+void Connections::clear()
 {
-    leaning_ = std::move(leaning);
-    sorted_ = static_cast<int>(leaning_.size());
-    std::vector<BoxCells::Entry> boxes;
-    parent_.resize(leaning_.size());
-    for (int k = 0; k < sorted_; ++k) {
-        parent_[k] = k;
-        boxes.push_back({leaning_[k].way, k});
-    }
-    ways_.sort(std::move(boxes));
-    for (const BoxCells::Entry& one : ways_.entries()) {
-        ways_.visit_all_at(one.box, [&](const BoxCells::Entry& two) {
-            if (two.body < one.body) join(one.body, two.body);
-            return true;
-        });
-    }
+    nodes_.clear();
+    any_is_faster_ = false;
 }
 
-void HandOver::add(std::vector<Leaning> more)
+int Connections::add(double speed)
 {
-    const std::size_t first = leaning_.size();
-    leaning_.insert(leaning_.end(), more.begin(), more.end());
-    if (leaning_.size() - sorted_ > k_few) {
-        begin(std::move(leaning_));
-        return;
-    }
-    for (int k = static_cast<int>(first); k < static_cast<int>(leaning_.size()); ++k) {
-        parent_.push_back(k);
-        const Aabb& way = leaning_[k].way;
-        ways_.visit_all_at(way, [&](const BoxCells::Entry& two) {
-            join(k, two.body);
-            return true;
-        });
-        for (int late = sorted_; late < k; ++late) {
-            if (overlap(way, leaning_[late].way)) join(k, late);
-        }
-    }
+    const int number = static_cast<int>(nodes_.size());
+    nodes_.push_back({number, speed, false});
+    return number;
 }
 
-int HandOver::root_of(int k)
+int Connections::root_of(int k)
 {
-    while (parent_[k] != k) k = parent_[k] = parent_[parent_[k]];
+    while (nodes_[k].parent != k) k = nodes_[k].parent = nodes_[nodes_[k].parent].parent;
     return k;
 }
 
-void HandOver::join(int one, int two)
+void Connections::join(int one, int two)
 {
     const int p = root_of(one);
     const int q = root_of(two);
-    parent_[std::max(p, q)] = std::min(p, q);
+    if (p == q) return;
+    Node& first = nodes_[std::min(p, q)];
+    Node& other = nodes_[std::max(p, q)];
+    const double top = std::max(first.top_speed, other.top_speed);
+    for (const Node& node : {first, other}) any_is_faster_ = any_is_faster_ || (node.is_known && node.top_speed < top);
+    other.parent = std::min(p, q);
+    first.top_speed = top;
+    first.is_known = first.is_known || other.is_known;
 }
 
+void Connections::know_all()
+{
+    for (Node& node : nodes_) node.is_known = true;
+    any_is_faster_ = false;
+}
 
+void HandOver::set_asleep(std::vector<Leaning> asleep)
+{
+    // Find out which may come to each other within a step
+    const int count = static_cast<int>(asleep.size());
+    looked_at_ += count;
+    sort_ways(asleep, ways_asleep_);
+    connections_.clear();
+    for (const Leaning& one : asleep) connections_.add(one.speed);
+    ways_asleep_.for_each_pair(
+        [&](const BoxCells::Entry& one, const BoxCells::Entry& two) { connections_.join(one.body, two.body); });
+
+    // Number the islands
+    islands_.clear();
+    island_.assign(asleep.size(), -1);
+    for (int k = 0; k < count; ++k) {
+        const int root = connections_.root_of(k); // no later than k
+        if (root == k) {
+            island_[k] = static_cast<int>(islands_.size());
+            islands_.push_back({{}, connections_.top_speed(k), -1});
+        }
+        island_[k] = island_[root];
+        islands_[island_[k]].members.push_back(k);
+    }
+    asleep_ = std::move(asleep);
+    reached_.clear();
+}
+
+void HandOver::begin(std::vector<Leaning> awake)
+{
+    awake_ = std::move(awake);
+    sorted_ = static_cast<int>(awake_.size());
+    looked_at_ += sorted_;
+    sort_ways(awake_, ways_);
+    connections_.clear();
+    node_.clear();
+    for (const Leaning& one : awake_) node_.push_back(connections_.add(one.speed));
+    for (const int island : reached_) islands_[island].node = -1;
+    reached_.clear();
+    ways_.for_each_pair(
+        [&](const BoxCells::Entry& one, const BoxCells::Entry& two) { connections_.join(one.body, two.body); });
+    for (int k = 0; k < sorted_; ++k) connect_to_sleepers(k);
+}
+
+/// The sleeping islands that one may come to within a step.
+void HandOver::connect_to_sleepers(int k)
+{
+    ways_asleep_.visit_all_at(awake_[k].way, [&](const BoxCells::Entry& sleeper) {
+        Island& island = islands_[island_[sleeper.body]];
+        if (island.node < 0) {
+            island.node = connections_.add(island.top_speed);
+            reached_.push_back(island_[sleeper.body]);
+            looked_at_ += static_cast<std::int64_t>(island.members.size());
+        }
+        connections_.join(node_[k], island.node);
+        return true;
+    });
+}
 
 void HandOver::reach(double time)
 {
-    islands_.assign(leaning_.size(), {});
-    for (int k = 0; k < static_cast<int>(leaning_.size()); ++k) {
-        Island& island = islands_[root_of(k)];
-        island.top_speed = std::max(island.top_speed, leaning_[k].speed);
-        island.is_awake = island.is_awake || leaning_[k].is_awake;
+    time_ = time;
+    new_reaches_.clear();
+    for (std::size_t k = 0; k < awake_.size(); ++k) add_reach(awake_[k], node_[k]);
+    for (const int island : reached_) {
+        for (const int member : islands_[island].members) add_reach(asleep_[member], islands_[island].node);
     }
-    std::vector<BoxCells::Entry> reaches;
-    for (int k = 0; k < static_cast<int>(leaning_.size()); ++k) {
-        const Leaning& one = leaning_[k];
-        const Island& island = islands_[root_of(k)];
-        if (!island.is_awake) continue;
+    connections_.know_all();
+    reaches_.clear();
+    first_new_ = 0;
+    end();
+}
 
-        // A blow gives it no more than twice the speed of what strikes it
-        const double way = time * (2.0 * island.top_speed + one.pull * time) + (1.0 + k_room) * one.radius;
-        reaches.push_back({{one.position - Vec2(way, way), one.position + Vec2(way, way)}, one.body});
+void HandOver::add_reach(const Leaning& one, int node)
+{
+    // A blow gives it no more than twice the speed of what strikes it
+    const double top = connections_.top_speed(node);
+    const double way = time_ * (2.0 * top + one.pull * time_) + (1.0 + k_room) * one.radius;
+    new_reaches_.push_back({{one.position - Vec2(way, way), one.position + Vec2(way, way)}, one.body});
+}
+
+std::span<const BoxCells::Entry> HandOver::add(const std::vector<Leaning>& more)
+{
+    const std::size_t first = awake_.size();
+    const std::size_t first_island = reached_.size();
+    awake_.insert(awake_.end(), more.begin(), more.end());
+    if (awake_.size() > static_cast<std::size_t>(sorted_) + static_cast<std::size_t>(sorted_) / k_share + k_few) {
+        begin(std::move(awake_));
+        reach(time_);
+        return reaches_.entries();
     }
-    reaches_.sort(std::move(reaches));
+
+    // Connect them
+    for (int k = static_cast<int>(first); k < static_cast<int>(awake_.size()); ++k) {
+        node_.push_back(connections_.add(awake_[k].speed));
+        const Aabb& way = awake_[k].way;
+        ways_.visit_all_at(way, [&](const BoxCells::Entry& two) {
+            connections_.join(node_[k], node_[two.body]);
+            return true;
+        });
+        for (int late = sorted_; late < k; ++late) {
+            if (overlap(way, awake_[late].way)) connections_.join(node_[k], node_[late]);
+        }
+        connect_to_sleepers(k);
+    }
+    if (connections_.any_is_faster()) {
+        reach(time_);
+        return reaches_.entries();
+    }
+
+    // Nothing reaches further than before but for them, and what they may wake
+    first_new_ = new_reaches_.size();
+    for (std::size_t k = first; k < awake_.size(); ++k) {
+        add_reach(awake_[k], node_[k]);
+        connections_.know(node_[k]);
+    }
+    for (std::size_t i = first_island; i < reached_.size(); ++i) {
+        const Island& island = islands_[reached_[i]];
+        for (const int member : island.members) add_reach(asleep_[member], island.node);
+    }
+    return std::span(new_reaches_).subspan(first_new_);
+}
+
+void HandOver::end()
+{
+    if (new_reaches_.empty()) return;
+    std::vector<BoxCells::Entry> all = reaches_.entries();
+    all.insert(all.end(), new_reaches_.begin(), new_reaches_.end());
+    new_reaches_.clear();
+    reaches_.sort(std::move(all));
 }
 
 bool HandOver::is_near(const Aabb& box) const
@@ -97,29 +198,21 @@ bool HandOver::is_near(const Aabb& box) const
     return !reaches_.visit_all_at(box, [](const BoxCells::Entry&) { return false; });
 }
 
-
-
-std::vector<int> HandOver::may_leave(std::vector<char> may_go) const
+std::vector<int> HandOver::may_leave(std::vector<int> may_go) const
 {
-    std::vector<int> going;
-    for (bool changed = true; changed;) {
-        changed = false;
-        going.clear();
+    const auto goes = [&](int body) { return std::binary_search(may_go.begin(), may_go.end(), body); };
+    while (true) {
+        std::vector<int> going;
         for (const BoxCells::Entry& one : reaches_.entries()) {
-            if (!may_go[one.body]) continue;
+            if (!goes(one.body)) continue;
             const bool stays_clear =
-                reaches_.visit_all_at(one.box, [&](const BoxCells::Entry& other) { return may_go[other.body] != 0; });
-            if (stays_clear) {
-                going.push_back(one.body);
-            } else {
-                may_go[one.body] = 0;
-                changed = true;
-            }
+                reaches_.visit_all_at(one.box, [&](const BoxCells::Entry& other) { return goes(other.body); });
+            if (stays_clear) going.push_back(one.body);
         }
+        std::sort(going.begin(), going.end());
+        if (going.size() == may_go.size()) return going;
+        may_go = std::move(going);
     }
-    std::sort(going.begin(), going.end());
-    return going;
 }
-
 
 } // namespace flying

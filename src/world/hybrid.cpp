@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "math/tolerance.hpp"
+#include "rest/stopwatch.hpp"
 #include "world/leaning.hpp"
 
 namespace flying {
@@ -46,11 +48,13 @@ constexpr char k_clear_steps = 2;
 Hybrid::Hybrid(EventEngine engine, std::vector<Material> materials, const Setting& setting)
     : setting_(setting), flying_(std::move(engine)), materials_(std::move(materials))
 {
+    std::vector<BodyMover> movers;
     for (int k = 0; k < flying_.body_count(); ++k) {
         radius_.push_back(bounding_radius(flying_.shape(k)));
-        movers_.push_back(flying_.is_static(k) ? BodyMover::nobody : BodyMover::events);
+        movers.push_back(flying_.is_static(k) ? BodyMover::nobody : BodyMover::events);
     }
-    clear_.assign(movers_.size(), 0);
+    clear_.assign(movers.size(), 0);
+    movers_ = Movers(std::move(movers));
 }
 
 void Hybrid::begin()
@@ -59,9 +63,8 @@ void Hybrid::begin()
     const bool any_field = is_central || uniform_acceleration(setting_.field) != Vec2::Zero();
     std::vector<int> first;
     if (setting_.policy == EngineChoice::rest) {
-        for (int k = 0; k < static_cast<int>(movers_.size()); ++k) {
-            if (movers_[k] == BodyMover::events) first.push_back(k);
-        }
+        const std::span<const int> all = movers_.list(BodyMover::events);
+        first.assign(all.begin(), all.end());
     } else if (setting_.policy == EngineChoice::automatic && any_field) first = find_leaning(flying_, setting_.field);
     if (first.empty()) return;
     set_up_resting();
@@ -84,7 +87,7 @@ void Hybrid::set_up_resting()
     if (const auto* central = std::get_if<CentralField>(&setting_.field)) options.centre = *central;
     std::vector<RestBody> bodies;
     for (int k = 0; k < flying_.body_count(); ++k) {
-        const bool moves = movers_[k] != BodyMover::nobody;
+        const bool moves = movers_.of(k) != BodyMover::nobody;
         const Vec2 gravity = moves ? uniform_acceleration(setting_.field) : Vec2(Vec2::Zero());
         bodies.push_back({flying_.shape(k), flying_.flyer(k).state, flying_.inertia(k), materials_[k], gravity, !moves, !moves});
     }
@@ -134,9 +137,11 @@ std::optional<EventFailure> Hybrid::advance(double time, std::int64_t most)
 void Hybrid::finish_step()
 {
     step_by(step_length(), *step_ends_);
+    Stopwatch watch(seconds_);
     follow_sleep();
     let_go_of_the_clear();
     take_in_all_near();
+    watch.stop(seconds_between_steps_);
 }
 
 
@@ -154,9 +159,12 @@ void Hybrid::cut(double time)
 void Hybrid::step_by(double length, double end)
 {
     ways_.clear();
-    const double before = energy_of_leaning();
     resting_->step_by(length, end);
-    energy_of_steps_ += energy_of_leaning() - before;
+    double change = 0.0;
+    resting_->for_each_moved([&](int body, const BodyState& before) {
+        change += energy(body, resting_->state(body)) - energy(body, before);
+    });
+    energy_of_steps_ += change;
 }
 
 /// Of the present step: a whole one has its length to the bit, whatever the difference of its ends rounds to.  [s]
@@ -180,23 +188,23 @@ double Hybrid::next_end(double time, int halvings) const
 
 
 
-/// How often the step must be halved for those that lean, and those near them, to stay within a small part of their size.
-int Hybrid::halvings_for(const std::vector<int>& near) const
+/// How fast the body changes places, by its size.  [1/s]
+double Hybrid::pace(const BodyState& state, int k) const
+{
+    const auto* central = std::get_if<CentralField>(&setting_.field);
+    double size = radius_[k];
+    if (central) size = std::min(size, (state.position - central->centre).norm()); // the field changes as fast
+    return state.velocity.norm() / size + std::abs(state.spin);
+}
+
+/// How often the step must be halved for bodies to stay within a small part of their size.
+///
+/// pace  of the fastest [1/s]
+int Hybrid::halvings_for(double pace) const
 {
     if (setting_.policy == EngineChoice::rest) return 0;
-    const auto* central = std::get_if<CentralField>(&setting_.field);
-    double fastest = 0.0; // [sizes/s]
-    const auto look = [&](const BodyState& state, int k) {
-        double size = radius_[k];
-        if (central) size = std::min(size, (state.position - central->centre).norm()); // the field changes as fast
-        fastest = std::max(fastest, state.velocity.norm() / size + std::abs(state.spin));
-    };
-    for (const int k : leaning_) {
-        if (movers_[k] == BodyMover::rest) look(resting_->state(k), k);
-    }
-    for (const int k : near) look(flying_.flyer(k).state, k);
     int halvings = 0;
-    for (double way = fastest * setting_.step; way > k_way && halvings < k_most_halvings; way *= 0.5) ++halvings;
+    for (double way = pace * setting_.step; way > k_way && halvings < k_most_halvings; way *= 0.5) ++halvings;
     return halvings;
 }
 
@@ -216,7 +224,7 @@ void Hybrid::answer_impact(const Event& impact)
 
     // A body that was thrown towards those that lean joins them
     for (const int body : {impact.a, impact.b}) {
-        if (movers_[body] != BodyMover::events || !comes_near(body)) continue;
+        if (movers_.of(body) != BodyMover::events || !comes_near(body)) continue;
         cut(impact.time);
         take_in_all_near();
         return;
@@ -229,7 +237,7 @@ std::vector<Hybrid::Blow> Hybrid::blows_of(int a, int b) const
 {
     std::vector<Blow> blows;
     for (const int body : {a, b}) {
-        if (movers_[body] == BodyMover::asleep) blows.push_back({body, flying_.flyer(body).state});
+        if (movers_.of(body) == BodyMover::asleep) blows.push_back({body, flying_.flyer(body).state});
     }
     return blows;
 }
@@ -249,7 +257,8 @@ void Hybrid::take_blow(const Blow& blow)
     state.velocity += blow.state.velocity;
     state.spin += blow.state.spin;
     energy_of_blows_ += (energy(body, state) - energy(body, old)) - noted;
-    movers_[body] = BodyMover::rest;
+    movers_.give(std::span(&body, 1), BodyMover::rest);
+    others_sleep_ = true;
     ways_.clear();
     resting_->set_state(body, state);
 }
@@ -266,7 +275,7 @@ void Hybrid::take(const EventFailure& failure)
     for (const Blow& blow : blows) take_blow(blow);
     std::vector<int> bodies;
     for (const int body : {failure.a, failure.b}) {
-        if (movers_[body] == BodyMover::events) bodies.push_back(body);
+        if (movers_.of(body) == BodyMover::events) bodies.push_back(body);
     }
     Change change;
     change.why = reason_of(failure.kind);
@@ -291,10 +300,9 @@ void Hybrid::take_in(const std::vector<int>& bodies, Change change)
         resting_->set_active(body, true);
         resting_->set_state(body, state);
         change.energy_after += energy(body, resting_->state(body));
-        movers_[body] = BodyMover::rest;
-        leaning_.insert(std::lower_bound(leaning_.begin(), leaning_.end(), body), body);
         clear_[body] = 0;
     }
+    movers_.give(bodies, BodyMover::rest);
     ways_.clear();
     changes_.push_back(std::move(change));
 }
@@ -305,36 +313,36 @@ void Hybrid::take_in_all_near()
 {
     step_ends_.reset();
     if (!any_leans()) return;
-    int halvings = halvings_for({});
+    double fastest = 0.0;
+    for (const int k : movers_.list(BodyMover::rest)) fastest = std::max(fastest, pace(resting_->state(k), k));
+    int halvings = halvings_for(fastest);
     step_ends_ = next_end(resting_->time(), halvings);
     if (setting_.policy == EngineChoice::rest) return;
-    hand_over_.begin(leaning(leaning_));
-    while (true) {
-        step_ends_ = next_end(resting_->time(), halvings);
-        hand_over_.reach(*step_ends_ - resting_->time());
-        std::vector<int> near;
-        for (int k = 0; k < static_cast<int>(movers_.size()); ++k) {
-            if (movers_[k] == BodyMover::events && comes_near(k)) near.push_back(k);
-        }
-        if (near.empty()) return;
-
+    begin_hand_over();
+    std::vector<int> near = find_near();
+    while (!near.empty()) {
         // Those that come fast need short steps, in which fewer come near
-        const int needed = halvings_for(near);
-        if (needed > halvings) {
+        double fastest_near = fastest;
+        for (const int k : near) fastest_near = std::max(fastest_near, pace(flying_.flyer(k).state, k));
+        if (const int needed = halvings_for(fastest_near); needed > halvings) {
             halvings = needed;
+            step_ends_ = next_end(resting_->time(), halvings);
+            near = find_near();
             continue;
         }
         Change change;
         change.why = Change::Why::near;
         take_in(near, change);
-        hand_over_.add(leaning(near));
+        for (const int k : near) fastest = std::max(fastest, pace(resting_->state(k), k));
+        near = find_near_to(hand_over_.add(leaning(near)));
     }
+    hand_over_.end();
 }
 
 
 bool Hybrid::any_leans() const
 {
-    return std::any_of(leaning_.begin(), leaning_.end(), [&](int k) { return movers_[k] == BodyMover::rest; });
+    return !movers_.list(BodyMover::rest).empty();
 }
 
 
@@ -344,18 +352,17 @@ void Hybrid::let_go_of_the_clear()
     if (setting_.policy == EngineChoice::rest) return;
 
     // Find what bears no load and stays alone, for the second time
-    std::vector<char> may_go;
-    resting_->find_clear(k_ahead * setting_.step, may_go);
-    bool any = false;
-    for (std::size_t k = 0; k < may_go.size(); ++k) {
-        clear_[k] = may_go[k] ? std::min<char>(k_clear_steps, static_cast<char>(clear_[k] + 1)) : 0;
-        may_go[k] = clear_[k] == k_clear_steps ? 1 : 0;
-        any = any || may_go[k];
+    const std::vector<int> clear = resting_->find_clear(k_ahead * setting_.step);
+    std::vector<int> may_go;
+    for (const int k : movers_.list(BodyMover::rest)) {
+        const bool is_clear = std::binary_search(clear.begin(), clear.end(), k);
+        clear_[k] = is_clear ? std::min<char>(k_clear_steps, static_cast<char>(clear_[k] + 1)) : 0;
+        if (clear_[k] == k_clear_steps) may_go.push_back(k);
     }
-    if (!any) return;
+    if (may_go.empty()) return;
 
     // What would be taken in again by one that stays, stays
-    hand_over_.begin(leaning(leaning_));
+    begin_hand_over();
     hand_over_.reach(next_end(resting_->time(), 0) - resting_->time());
     const std::vector<int> going = hand_over_.may_leave(std::move(may_go));
     if (going.empty()) return;
@@ -368,10 +375,9 @@ void Hybrid::let_go_of_the_clear()
         const BodyState state = resting_->state(body);
         change.energy_before += energy(body, state);
         resting_->set_active(body, false);
-        movers_[body] = BodyMover::events;
-        leaning_.erase(std::lower_bound(leaning_.begin(), leaning_.end(), body));
         clear_[body] = 0;
     }
+    movers_.give(going, BodyMover::events);
     for (const int body : going) {
         flying_.place(body, EventEngine::Presence::flies, resting_->state(body));
         change.energy_after += energy(body, flying_.flyer(body).state);
@@ -384,12 +390,27 @@ void Hybrid::let_go_of_the_clear()
 /// Tell the event engine what has fallen asleep, and what has woken.
 void Hybrid::follow_sleep()
 {
-    for (const int k : leaning_) {
-        const bool asleep = resting_->is_asleep(k);
-        const auto presence = asleep ? EventEngine::Presence::lies : EventEngine::Presence::away;
-        if (flying_.presence(k) != presence) flying_.place(k, presence, resting_->state(k));
-        movers_[k] = asleep ? BodyMover::asleep : BodyMover::rest;
+    // Find them among those that were awake, and those that are
+    std::vector<int> bodies;
+    std::vector<int> asleep;
+    std::vector<int> woken;
+    for (const int k : movers_.list(BodyMover::rest)) {
+        bodies.push_back(k);
+        if (resting_->is_asleep(k)) asleep.push_back(k);
     }
+    resting_->for_each_awake([&](int k) {
+        if (movers_.of(k) == BodyMover::asleep) woken.push_back(k);
+    });
+    bodies.insert(bodies.end(), woken.begin(), woken.end());
+    std::sort(bodies.begin(), bodies.end());
+    for (const int k : bodies) {
+        const auto presence = resting_->is_asleep(k) ? EventEngine::Presence::lies : EventEngine::Presence::away;
+        if (flying_.presence(k) != presence) flying_.place(k, presence, resting_->state(k));
+    }
+    for (const int k : asleep) clear_[k] = 0;
+    movers_.give(asleep, BodyMover::asleep);
+    movers_.give(woken, BodyMover::rest);
+    others_sleep_ = others_sleep_ || !asleep.empty() || !woken.empty();
     if (!any_leans()) step_ends_.reset();
 }
 
@@ -397,14 +418,15 @@ void Hybrid::follow_sleep()
 
 bool Hybrid::is_within_step(int body) const
 {
-    const bool leans = movers_[body] == BodyMover::rest || movers_[body] == BodyMover::asleep; // a step may wake it
+    const BodyMover mover = movers_.of(body);
+    const bool leans = mover == BodyMover::rest || mover == BodyMover::asleep; // a step may wake it
     if (!leans || !step_ends_) return false;
     return clock_ - resting_->time() > k_same_moment * tolerance::k_epsilon * std::abs(clock_);
 }
 
 BodyState Hybrid::state(int body)
 {
-    if (movers_[body] == BodyMover::nobody || movers_[body] == BodyMover::events) {
+    if (movers_.of(body) == BodyMover::nobody || movers_.of(body) == BodyMover::events) {
         return state_at(flying_.flyer(body), clock_);
     }
     const double since = clock_ - resting_->time();
@@ -420,7 +442,7 @@ BodyState Hybrid::state(int body)
 
 Hybrid::Memory Hybrid::memory() const
 {
-    Memory memory{flying_.resume(), {}, movers_, clear_, step_ends_.value_or(0.0), energy_of_steps_, energy_of_blows_};
+    Memory memory{flying_.resume(), {}, movers_.all(), clear_, step_ends_.value_or(0.0), energy_of_steps_, energy_of_blows_};
     if (resting_) memory.resting = resting_->memory();
     return memory;
 }
@@ -432,16 +454,14 @@ void Hybrid::go_on_from(const Memory& memory, const std::vector<BodyState>& flig
     energy_of_steps_ = memory.energy_of_steps;
     energy_of_blows_ = memory.energy_of_blows;
     if (!memory.resting) return;
-    movers_ = memory.movers;
+    movers_ = Movers(memory.movers);
+    others_sleep_ = true;
     clear_ = memory.clear;
     set_up_resting();
     resting_->go_on_from(*memory.resting);
-    for (int k = 0; k < static_cast<int>(movers_.size()); ++k) {
-        if (movers_[k] == BodyMover::rest || movers_[k] == BodyMover::asleep) leaning_.push_back(k);
-    }
     if (!any_leans()) return;
     step_ends_ = memory.step_ends;
-    hand_over_.begin(leaning(leaning_));
+    begin_hand_over();
     hand_over_.reach(*step_ends_ - resting_->time());
 }
 

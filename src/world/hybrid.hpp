@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "motion/field.hpp"
 #include "rest/rest_engine.hpp"
 #include "world/hand_over.hpp"
+#include "world/movers.hpp"
 #include "world/policy.hpp"
 #include "world/report.hpp"
 
@@ -67,7 +69,7 @@ public:
     /// A body at the clock. Between the ends of a step, a body that leans is asked on the way on which the step leads it;
     /// should a blow end the step before, after the clock, it will have gone the way of the shorter step.
     [[nodiscard]] BodyState state(int body);
-    [[nodiscard]] BodyMover mover(int body) const { return movers_[body]; }
+    [[nodiscard]] BodyMover mover(int body) const { return movers_.of(body); }
     /// The clock stands between the ends of a step that moves the body.
     [[nodiscard]] bool is_within_step(int body) const;
 
@@ -76,6 +78,8 @@ public:
     [[nodiscard]] const RestEngine* resting() const { return resting_ ? &*resting_ : nullptr; }
     [[nodiscard]] const Setting& setting() const { return setting_; }
     void set_stopwatch(double (*seconds)());
+    /// Spent between steps to find out which bodies change hands, where a clock was lent.
+    [[nodiscard]] double seconds_between_steps() const { return seconds_between_steps_; }
     /// Hand-overs since they were last fetched.
     [[nodiscard]] std::vector<Change> fetch_changes() { return std::exchange(changes_, {}); }
     /// What the resting integrator's steps have changed of the energy.  [J]
@@ -121,28 +125,35 @@ private:
     void find_step_end();
     [[nodiscard]] bool any_leans() const;
     [[nodiscard]] Leaning leaning(int body) const;
-    [[nodiscard]] std::vector<Leaning> leaning(const std::vector<int>& bodies) const;
+    [[nodiscard]] std::vector<Leaning> leaning(std::span<const int> bodies) const;
+    void begin_hand_over();
+    [[nodiscard]] Aabb flight_box(int body) const;
     [[nodiscard]] bool comes_near(int body) const;
     [[nodiscard]] double greatest_pull(const Vec2& place) const;
     [[nodiscard]] double bow_of(const Flyer& flyer, double from, double left) const;
     [[nodiscard]] double energy(int body, const BodyState& state) const;
-    [[nodiscard]] double energy_of_leaning() const;
     [[nodiscard]] double next_end(double time, int halvings) const;
     [[nodiscard]] double step_length() const;
-    [[nodiscard]] int halvings_for(const std::vector<int>& near) const;
+    [[nodiscard]] double pace(const BodyState& state, int body) const;
+    [[nodiscard]] int halvings_for(double pace) const;
+    [[nodiscard]] std::vector<int> find_near();
+    [[nodiscard]] std::vector<int> find_near_to(std::span<const BoxCells::Entry> reaches);
 
     Setting setting_;
     double (*seconds_)() = nullptr;          // a clock, lent; or null
+    double seconds_between_steps_ = 0.0;     // spent on who has which body
     double clock_ = 0.0;                     // [s]
     EventEngine flying_;
     std::optional<RestEngine> resting_;
     std::vector<Material> materials_;
     std::vector<double> radius_;             // of bounding circles [m]
-    std::vector<BodyMover> movers_;
+    Movers movers_;
     std::vector<char> clear_;                // steps in a row after which a body was clear, no more than counts
-    std::vector<int> leaning_;               // bodies that the resting integrator has, ascending
     std::optional<double> step_ends_;        // the present step, where some body leans that is awake [s]
     HandOver hand_over_;
+    bool others_sleep_ = true;               // than it knows
+    BoxCells flights_;                       // until the step ends, of bodies that came near nothing at first
+    bool has_flights_ = false;
     std::vector<Change> changes_;
     double energy_of_steps_ = 0.0;
     double energy_of_blows_ = 0.0;

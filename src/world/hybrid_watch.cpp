@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -32,29 +33,75 @@ Leaning Hybrid::leaning(int k) const
             radius_[k],
             speed,
             pull,
-            {box.min - Vec2(way, way), box.max + Vec2(way, way)},
-            !resting_->is_asleep(k)};
+            {box.min - Vec2(way, way), box.max + Vec2(way, way)}};
 }
 
-std::vector<Leaning> Hybrid::leaning(const std::vector<int>& bodies) const
+std::vector<Leaning> Hybrid::leaning(std::span<const int> bodies) const
 {
     std::vector<Leaning> all;
     for (const int k : bodies) all.push_back(leaning(k));
     return all;
 }
 
-
-/// A flight leads, before the step ends, to where a body that leans may be.
-bool Hybrid::comes_near(int body) const
+/// Tell the rules of handing over of those that lean; of those that sleep only where others slept before.
+void Hybrid::begin_hand_over()
 {
-    if (!step_ends_ || setting_.policy == EngineChoice::rest) return false;
+    if (others_sleep_) hand_over_.set_asleep(leaning(movers_.list(BodyMover::asleep)));
+    others_sleep_ = false;
+    hand_over_.begin(leaning(movers_.list(BodyMover::rest)));
+}
+
+
+/// Holds all of a flight until the step ends; without end where it may pass the centre.
+Aabb Hybrid::flight_box(int body) const
+{
     const Flyer flyer = flying_.flyer(body);
     const double from = flying_.time();
     const Vec2 start = state_at(flyer, from).position;
     const Vec2 end = state_at(flyer, *step_ends_).position;
     const double room = (1.0 + k_room) * radius_[body] + bow_of(flyer, from, *step_ends_ - from);
-    if (!std::isfinite(room)) return true;
-    return hand_over_.is_near({start.cwiseMin(end) - Vec2(room, room), start.cwiseMax(end) + Vec2(room, room)});
+    return {start.cwiseMin(end) - Vec2(room, room), start.cwiseMax(end) + Vec2(room, room)};
+}
+
+/// A flight leads, before the step ends, to where a body that leans may be.
+bool Hybrid::comes_near(int body) const
+{
+    if (!step_ends_ || setting_.policy == EngineChoice::rest) return false;
+    const Aabb box = flight_box(body);
+    return !std::isfinite(box.max.x()) || hand_over_.is_near(box);
+}
+
+/// All whose flights come near those that lean, or what these may wake; ascending.
+std::vector<int> Hybrid::find_near()
+{
+    hand_over_.reach(*step_ends_ - resting_->time());
+    has_flights_ = false;
+    std::vector<int> near;
+    for (const int k : movers_.list(BodyMover::events)) {
+        if (comes_near(k)) near.push_back(k);
+    }
+    return near;
+}
+
+/// Those whose flights come near what reaches further than before.
+std::vector<int> Hybrid::find_near_to(std::span<const BoxCells::Entry> reaches)
+{
+    if (!has_flights_) {
+        std::vector<BoxCells::Entry> flights;
+        for (const int k : movers_.list(BodyMover::events)) flights.push_back({flight_box(k), k});
+        flights_.sort(std::move(flights));
+        has_flights_ = true;
+    }
+    std::vector<int> near;
+    for (const BoxCells::Entry& reach : reaches) {
+        flights_.visit_all_at(reach.box, [&](const BoxCells::Entry& flight) {
+            if (movers_.of(flight.body) == BodyMover::events) near.push_back(flight.body);
+            return true;
+        });
+    }
+    std::sort(near.begin(), near.end());
+    near.erase(std::unique(near.begin(), near.end()), near.end());
+    return near;
 }
 
 
@@ -89,13 +136,5 @@ double Hybrid::energy(int body, const BodyState& state) const
     const double turn = state.spin * state.spin / inertia.inv_moment_of_inertia;
     return 0.5 * (shift + turn) + potential_at(setting_.field, state.position) / inertia.inv_mass;
 }
-
-double Hybrid::energy_of_leaning() const
-{
-    double sum = 0.0;
-    for (const int k : leaning_) sum += energy(k, resting_->state(k));
-    return sum;
-}
-
 
 } // namespace flying

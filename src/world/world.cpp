@@ -296,6 +296,7 @@ Report World::report()
     if (rest) {
         const std::vector<StageCost> more = stage_costs(rest->counts(), rest->seconds());
         report.stages.insert(report.stages.end(), more.begin(), more.end());
+        report.stages.push_back({"hand over", rest->counts().steps, parts.hybrid.seconds_between_steps()});
         report.rest = rest_account(rest->counts(), rest->solve_counts());
         const double energy = std::max(std::abs(report.initial_total), report.energy.kinetic);
         report.warnings = warnings_of(*report.rest, energy);

@@ -46,7 +46,11 @@ inline RestData data_of(std::vector<RestBody> bodies, const RestOptions& options
         const double dt = data.motion.span;
         if (!body.is_static) data.motion.reach[k] = dt * (body.state.velocity.norm() + dt * k_gravity) + 0.01;
     }
-    data.pairs.update(data.bodies.list, data.bodies.shapes, data.bodies.radius, data.motion.reach);
+    BodySet awake(data.bodies.count());
+    for (int k = 0; k < data.bodies.count(); ++k) {
+        if (!data.bodies.list[k].is_static) awake.insert(k);
+    }
+    data.pairs.update(data.bodies.list, data.bodies.shapes, data.bodies.radius, data.motion.reach, awake);
     return data;
 }
 
