@@ -147,13 +147,14 @@ double Projection::measure_overlap_swept(RestData& data, const Island& island)
     return worst > rest_tolerance::k_fair_overlap ? worst : 0.0;
 }
 
-/// The pairs that points belong to, and where the two come nearer to each other those of all their parts.
+/// The pairs that points belong to, in their order, and where the two come nearer to each other those of all their
+/// parts.
 void Projection::list_pairs_of(const RestData& data, std::span<const ContactPoint> points)
 {
     pairs_near_.clear();
     const std::span<const RestPair> pairs = data.pairs.pairs();
     for (const ContactPoint& c : points) {
-        if (!pairs_near_.empty() && pairs_near_.back() == c.pair) continue;
+        if (!pairs_near_.empty() && pairs_near_.back() >= c.pair) continue;
         const bool has_parts = data.bodies.shapes[c.a].parts.size() + data.bodies.shapes[c.b].parts.size() > 2;
         const bool all = has_parts && comes_nearer(data, c.a, c.b);
         // The pairs of all parts of the two stand together
@@ -164,8 +165,6 @@ void Projection::list_pairs_of(const RestData& data, std::span<const ContactPoin
         while (all && end < static_cast<int>(pairs.size()) && is_theirs(end)) ++end;
         for (int pair = first; pair < end; ++pair) pairs_near_.push_back(pair);
     }
-    std::sort(pairs_near_.begin(), pairs_near_.end());
-    pairs_near_.erase(std::unique(pairs_near_.begin(), pairs_near_.end()), pairs_near_.end());
 }
 
 /// The points of a pair as the step ends, and how much it overlaps.  [sizes]
