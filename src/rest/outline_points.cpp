@@ -116,9 +116,10 @@ void add_corners_over_sides(const OutlineSide& with_sides, const OutlineSide& wi
             if (separation > margin || !faces(corner, side.normal)) continue;
             const double along = side.tangent.dot(from_start);
             const bool is_sunk = height < -touch;
-            // Where the boundary rises at an end, what is behind both of the sides that meet there is over neither
-            if (along < -touch && !(is_sunk && side.rises_before)) continue;
-            if (along > side.length + touch && !(is_sunk && side.rises_after)) continue;
+            // In a notch a corner stays in front of the lines of both flanks, whichever of them it is over
+            const double beyond = is_sunk ? std::numeric_limits<double>::infinity() : std::max(margin, touch);
+            if (along < -(side.rises_before ? beyond : touch)) continue;
+            if (along > side.length + (side.rises_after ? beyond : touch)) continue;
             if (is_sunk && !leaves_over(with_sides.outline, side, corner, touch)) continue;
             const std::uint32_t feature = static_cast<std::uint32_t>(side.edge) << 16 |
                                           static_cast<std::uint32_t>(corner.vertex) << 1 | owner;

@@ -65,7 +65,8 @@ bool PairList::update(std::span<const RestBody> bodies, std::span<const Collisio
         boxes_[k] = {box.min - Vec2(room, room), box.max + Vec2(room, room)};
     }
     find_partners(bodies);
-    add_pairs(bodies, shapes);
+    place_parts(bodies, shapes);
+    add_pairs(bodies, radius);
     make_index(static_cast<int>(bodies.size()));
     valid_ = true;
     return true;
@@ -110,7 +111,36 @@ void PairList::find_partners(std::span<const RestBody> bodies)
     }
 }
 
-void PairList::add_pairs(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes)
+void PairList::place_parts(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes)
+{
+    circles_.clear();
+    first_circle_.assign(1, 0);
+    for (std::size_t k = 0; k < bodies.size(); ++k) {
+        const Pose pose = pose_of(bodies[k].state);
+        for (const ConvexPart& part : shapes[k].parts) circles_.push_back({pose * part.centre, part.radius});
+        first_circle_.push_back(static_cast<int>(circles_.size()));
+    }
+}
+
+/// The circles of a body's parts that another body may reach.
+///
+/// radius  of the other body's bounding circle [m]
+/// room    gap that the two may close before one of them leaves its box, with what is watched beyond that [m]
+void PairList::find_parts_near(const RestBody& other, double radius, int body, double room,
+                               std::vector<int>& parts) const
+{
+    parts.clear();
+    const auto* wall = std::get_if<HalfPlane>(&other.shape);
+    for (int k = first_circle_[body]; k < first_circle_[body + 1]; ++k) {
+        const Vec2& centre = circles_[k].centre;
+        const double distance =
+            wall ? wall->normal.dot(centre) - wall->offset : (centre - other.state.position).norm() - radius;
+        const bool is_all = first_circle_[body + 1] - first_circle_[body] == 1;
+        if (is_all || distance <= circles_[k].radius + room) parts.push_back(k);
+    }
+}
+
+void PairList::add_pairs(std::span<const RestBody> bodies, std::span<const double> radius)
 {
     old_.swap(pairs_);
     pairs_.clear();
@@ -123,8 +153,17 @@ void PairList::add_pairs(std::span<const RestBody> bodies, std::span<const Colli
             const Material material = combine(bodies[a].material, bodies[pair.b].material);
             pair.friction = material.friction;
             pair.restitution = material.restitution;
-            for (pair.part_a = 0; pair.part_a < static_cast<int>(shapes[a].parts.size()); ++pair.part_a) {
-                for (pair.part_b = 0; pair.part_b < static_cast<int>(shapes[pair.b].parts.size()); ++pair.part_b) {
+            const double room = homes_[a].room + homes_[pair.b].room +
+                                rest_tolerance::k_watch * std::min(radius[a], radius[pair.b]);
+            find_parts_near(bodies[pair.b], radius[pair.b], a, room, near_a_);
+            find_parts_near(bodies[a], radius[a], pair.b, room, near_b_);
+            for (const int one : near_a_) {
+                for (const int two : near_b_) {
+                    const double clear = circles_[one].radius + circles_[two].radius + room;
+                    const bool is_far = (circles_[two].centre - circles_[one].centre).squaredNorm() > clear * clear;
+                    if (is_far) continue;
+                    pair.part_a = one - first_circle_[a];
+                    pair.part_b = two - first_circle_[pair.b];
                     // [rest.pairs.known]
                     // Both lists are in order: what the pair bore is found by walking along
                     while (next < old_.size() && key(old_[next]) < key(pair)) ++next;

@@ -36,8 +36,9 @@ struct RestPair : PairLoads
     double turn = 0.0;
 };
 
-/// Which pairs may touch soon, kept from step to step. Every body has a box with room to spare; as long as all stay
-/// within theirs, the list stays as it is. Pairs are in the order of (a, b, part of a, part of b).
+/// Which pairs may touch soon, kept from step to step. Every body has a box with room to spare, and with the same room
+/// the parts of one that is cut have circles; as long as all stay within their boxes, the list stays as it is. Pairs are
+/// in the order of (a, b, part of a, part of b).
 class PairList
 {
 public:
@@ -66,7 +67,9 @@ private:
     [[nodiscard]] bool all_inside(std::span<const RestBody> bodies, std::span<const double> radius,
                                   std::span<const double> reach) const;
     void find_partners(std::span<const RestBody> bodies);
-    void add_pairs(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes);
+    void place_parts(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes);
+    void find_parts_near(const RestBody& other, double radius, int body, double room, std::vector<int>& parts) const;
+    void add_pairs(std::span<const RestBody> bodies, std::span<const double> radius);
     void make_index(int bodies);
 
     struct Home
@@ -75,8 +78,16 @@ private:
         double angle = 0.0;
         double room = 0.0; ///< by which the box is larger than the body [m]
     };
+    /// The circle of a part.
+    struct PartCircle
+    {
+        Vec2 centre = Vec2::Zero(); ///< where it was when its body's box was made
+        double radius = 0.0;        ///< [m]
+    };
     bool valid_ = false;
     std::vector<Home> homes_;
+    std::vector<PartCircle> circles_; // of all parts, body after body
+    std::vector<int> first_circle_;   // of each body, and the number of all at the end
     std::vector<Aabb> boxes_;
     BoxCells cells_; // of all that have a box and take part
     std::vector<int> partner_start_;
@@ -84,6 +95,8 @@ private:
     std::vector<std::pair<int, int>> found_;
     std::vector<RestPair> pairs_;
     std::vector<RestPair> old_;
+    std::vector<int> near_a_; // circles of the one body that the other may reach
+    std::vector<int> near_b_; // and the other way round
     std::vector<int> starts_;
     std::vector<int> second_starts_; // the same in `by_second_`
     std::vector<int> by_second_;     // pairs, by their second body
