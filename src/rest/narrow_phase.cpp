@@ -38,16 +38,15 @@ void find_seams_with(const RestBodies& bodies, int body, int part, int neighbour
 {
     const auto& polygon = std::get<Polygon>(bodies.shapes[body].parts[part].shape);
     const double size = std::min(bodies.radius[body], bodies.radius[neighbour]);
-    const double reach = bodies.poses[body].position.cwiseAbs().maxCoeff() +
-                         bodies.poses[neighbour].position.cwiseAbs().maxCoeff();
+    const double reach =
+        bodies.poses[body].position.cwiseAbs().maxCoeff() + bodies.poses[neighbour].position.cwiseAbs().maxCoeff();
     SeamTolerance tolerance = seam_tolerance(size, reach);
     // Bricks that move lie as level as the solve leaves them
     if (!bodies.list[body].is_static || !bodies.list[neighbour].is_static) tolerance.step = tolerance.crack;
     const bool is_wall = std::holds_alternative<HalfPlane>(bodies.shapes[neighbour].parts[neighbours_part].shape);
     const Pose there = is_wall ? Pose{} : bodies.poses[neighbour];
-    find_seams(polygon, relative_pose(bodies.poses[body], there),
-               bodies.shapes[neighbour].parts[neighbours_part].shape, bodies.real_edges[neighbour][neighbours_part],
-               tolerance, seams);
+    find_seams(polygon, relative_pose(bodies.poses[body], there), bodies.shapes[neighbour].parts[neighbours_part].shape,
+               bodies.real_edges[neighbour][neighbours_part], tolerance, seams);
 }
 
 /// Adds those of one body of a pair with others that go with it, beside it, while the other body of the pair passes a
@@ -158,10 +157,9 @@ void NarrowPhase::mend(const RestBodies& bodies, const PairList& pairs, const Re
 Manifold NarrowPhase::look(const RestBodies& bodies, const PairList& pairs, const RestPair& pair, const Pose& pose_a,
                            const Pose& pose_b, double margin) const
 {
-    Manifold manifold = any_has_cuts(bodies, pair)
-                            ? points_of_outlines(bodies, pair, pose_a, pose_b, margin)
-                            : near_points(bodies.shapes[pair.a].parts[0].shape, pose_a, bodies.shapes[pair.b].parts[0].shape,
-                                          pose_b, margin);
+    Manifold manifold = any_has_cuts(bodies, pair) ? points_of_outlines(bodies, pair, pose_a, pose_b, margin)
+                                                   : near_points(bodies.shapes[pair.a].parts[0].shape, pose_a,
+                                                                 bodies.shapes[pair.b].parts[0].shape, pose_b, margin);
     if (manifold.count > 0) mend(bodies, pairs, pair, pose_a, pose_b, margin, manifold);
     return manifold;
 }

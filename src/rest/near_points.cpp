@@ -19,8 +19,8 @@ struct NearSide
     const Pose& pose;
 };
 
-/// The way out of `side` over one of its edges that is the shortest for the other. The normal leads from the side to the
-/// other.
+/// The way out of `side` over one of its edges that is the shortest for the other. The normal leads from the side to
+/// the other.
 [[nodiscard]] Contact shortest_way_out(const NearSide& side, const NearSide& other)
 {
     Contact best;
@@ -107,8 +107,7 @@ void look_at_corners(const NearSide& side, const NearSide& other, std::uint32_t 
     if (found.square <= rounding * rounding) {
         const Contact apart = shortest_way_apart(a, b);
         if (std::abs(apart.separation) <= rounding) manifold.contacts[manifold.count++] = apart;
-    } else if (found.contact.separation <= margin)
-        manifold.contacts[manifold.count++] = found.contact;
+    } else if (found.contact.separation <= margin) manifold.contacts[manifold.count++] = found.contact;
     return manifold;
 }
 

@@ -1,6 +1,7 @@
 #include "rest/outline.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "geometry/straight_vertices.hpp"
 #include "rest/rest_tolerance.hpp"
@@ -26,6 +27,9 @@ Outline::Outline(const Shape& shape, const CollisionShape& parts)
                 sides_.push_back({k, start, finish, edge.tangent, edge.normal, edge.length});
             }
         }
+        double longest = 0.0;
+        for (std::size_t k = first_side_.back(); k < sides_.size(); ++k) longest = std::max(longest, sides_[k].length);
+        longest_side_.push_back(longest > 0.0 ? longest : std::numeric_limits<double>::infinity());
         first_side_.push_back(static_cast<int>(sides_.size()));
     }
 

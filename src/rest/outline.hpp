@@ -48,6 +48,8 @@ public:
     {
         return std::span(corners_).subspan(first_corner_[part], first_corner_[part + 1] - first_corner_[part]);
     }
+    /// Of a part; infinite where it has none, as a disc.  [m]
+    [[nodiscard]] double longest_side(int part) const { return longest_side_[part]; }
     /// Whether a point lies inside of the boundary.
     [[nodiscard]] bool holds(const Vec2& point) const;
 
@@ -56,6 +58,7 @@ private:
     std::vector<Corner> corners_;
     std::vector<int> first_side_; // of each part, and the number of all at the end
     std::vector<int> first_corner_;
+    std::vector<double> longest_side_; // of each part [m]
 };
 
 } // namespace flying

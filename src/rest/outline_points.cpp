@@ -11,9 +11,6 @@
 namespace flying {
 namespace {
 
-/// [cosine] Normals that differ by more are those of different faces.
-constexpr double k_one_face = 0.75;
-
 using Side = Outline::Side;
 using Corner = Outline::Corner;
 
@@ -25,7 +22,7 @@ using Corner = Outline::Corner;
     if (corner.radius > 0.0) return true;
     const double before = corner.before.dot(normal);
     const double after = corner.after.dot(normal);
-    return before + after < 0.0 || std::min(before, after) < -k_one_face;
+    return before + after < 0.0 || std::min(before, after) < -rest_tolerance::k_one_face;
 }
 
 [[nodiscard]] Corner seen_from(const Pose& here_from_there, const Corner& corner)
@@ -76,7 +73,7 @@ public:
         next.separation = std::numeric_limits<double>::infinity();
         for (const Contact* other = all_; other != all_ + count_; ++other) {
             const double cosine = other->normal.dot(lowest->normal);
-            if (!(cosine > k_one_face)) continue;
+            if (!(cosine > rest_tolerance::k_one_face)) continue;
             const Vec2 way = other->point - lowest->point;
             if (!(std::abs(cross(lowest->normal, way)) > near)) continue;
             const double separation = other->separation / cosine;
@@ -121,8 +118,8 @@ void add_corners_over_sides(const OutlineSide& with_sides, const OutlineSide& wi
             if (along < -(side.rises_before ? beyond : touch)) continue;
             if (along > side.length + (side.rises_after ? beyond : touch)) continue;
             if (is_sunk && !leaves_over(with_sides.outline, side, corner, touch)) continue;
-            const std::uint32_t feature = static_cast<std::uint32_t>(side.edge) << 16 |
-                                          static_cast<std::uint32_t>(corner.vertex) << 1 | owner;
+            const std::uint32_t feature =
+                static_cast<std::uint32_t>(side.edge) << 16 | static_cast<std::uint32_t>(corner.vertex) << 1 | owner;
             add(Contact{corner.place - (corner.radius + 0.5 * separation) * side.normal, side.normal, separation,
                         feature});
         }
@@ -157,14 +154,6 @@ void add_corners_over_corners(const OutlineSide& a, const OutlineSide& b, const 
     }
 }
 
-/// Of a part, as far as points of its can be told apart.  [m]
-[[nodiscard]] double size_of(const OutlineSide& side)
-{
-    double size = 0.0;
-    for (const Side& own : side.outline.sides_of(side.part)) size = std::max(size, own.length);
-    return size > 0.0 ? size : std::numeric_limits<double>::infinity();
-}
-
 [[nodiscard]] Manifold seen_in_world(Manifold manifold, const Pose& world_from_here)
 {
     for (int k = 0; k < manifold.count; ++k) {
@@ -184,12 +173,12 @@ Manifold outline_points(const OutlineSide& a, const OutlineSide& b, double margi
     BestPoints points;
     add_corners_over_sides(a, b, a_from_b, 1u, margin, touch, [&](const Contact& contact) { points.add(contact); });
     add_corners_over_sides(b, a, b_from_a, 0u, margin, touch, [&](const Contact& contact) {
-        points.add({a_from_b * contact.point, -(a_from_b.rotation * contact.normal), contact.separation,
-                    contact.feature});
+        points.add(
+            {a_from_b * contact.point, -(a_from_b.rotation * contact.normal), contact.separation, contact.feature});
     });
     add_corners_over_corners(a, b, a_from_b, margin, touch, points);
-    const double near = rest_tolerance::k_same_place * std::min(size_of(a), size_of(b));
-    return seen_in_world(points.fetch(near, margin), a.pose);
+    const double size = std::min(a.outline.longest_side(a.part), b.outline.longest_side(b.part));
+    return seen_in_world(points.fetch(rest_tolerance::k_same_place * size, margin), a.pose);
 }
 
 Manifold outline_points(const HalfPlane& wall, const OutlineSide& b, double margin)
@@ -203,7 +192,7 @@ Manifold outline_points(const HalfPlane& wall, const OutlineSide& b, double marg
         points.add({b.pose.position + (place - (corner.radius + 0.5 * separation) * wall.normal), wall.normal,
                     separation, static_cast<std::uint32_t>(corner.vertex) << 1 | 1u});
     }
-    return points.fetch(rest_tolerance::k_same_place * size_of(b), margin);
+    return points.fetch(rest_tolerance::k_same_place * b.outline.longest_side(b.part), margin);
 }
 
 } // namespace flying

@@ -153,8 +153,8 @@ void PairList::add_pairs(std::span<const RestBody> bodies, std::span<const doubl
             const Material material = combine(bodies[a].material, bodies[pair.b].material);
             pair.friction = material.friction;
             pair.restitution = material.restitution;
-            const double room = homes_[a].room + homes_[pair.b].room +
-                                rest_tolerance::k_watch * std::min(radius[a], radius[pair.b]);
+            const double room =
+                homes_[a].room + homes_[pair.b].room + rest_tolerance::k_watch * std::min(radius[a], radius[pair.b]);
             find_parts_near(bodies[pair.b], radius[pair.b], a, room, near_a_);
             find_parts_near(bodies[a], radius[a], pair.b, room, near_b_);
             for (const int one : near_a_) {

@@ -37,8 +37,8 @@ struct RestPair : PairLoads
 };
 
 /// Which pairs may touch soon, kept from step to step. Every body has a box with room to spare, and with the same room
-/// the parts of one that is cut have circles; as long as all stay within their boxes, the list stays as it is. Pairs are
-/// in the order of (a, b, part of a, part of b).
+/// the parts of one that is cut have circles; as long as all stay within their boxes, the list stays as it is. Pairs
+/// are in the order of (a, b, part of a, part of b).
 class PairList
 {
 public:

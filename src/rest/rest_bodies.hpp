@@ -34,7 +34,7 @@ struct RestBodies
     std::vector<Outline> outlines;
     /// Of each body and part: for each edge, whether it is a side of the body and no cut; empty where all are.
     std::vector<std::vector<std::vector<char>>> real_edges;
-    std::vector<double> radius;                             ///< bounding radii [m]
+    std::vector<double> radius;  ///< bounding radii [m]
     std::vector<double> turning; ///< how far a turn may bring any point of each: the radius, 0 for discs [m]
     std::vector<Pose> poses;     ///< as the step, or a part of one, begins
 
