@@ -10,6 +10,24 @@
 namespace flying {
 namespace {
 
+/// Where two parts cross so that neither has a corner in the other: those along the shortest way that parts them, if
+/// that is over a side.
+[[nodiscard]] Manifold points_of_crossing(const RestBodies& bodies, const RestPair& pair, const Pose& pose_a,
+                                          const Pose& pose_b)
+{
+    const auto* a = std::get_if<Polygon>(&bodies.shapes[pair.a].parts[pair.part_a].shape);
+    const auto* b = std::get_if<Polygon>(&bodies.shapes[pair.b].parts[pair.part_b].shape);
+    if (!a || !b) return {};
+    const Pose a_from_b = relative_pose(pose_a, pose_b);
+    const Axis axis = greatest_separation(*a, *b, a_from_b);
+    const double size = std::min(bodies.radius[pair.a], bodies.radius[pair.b]);
+    if (!(axis.separation < -rest_tolerance::k_deep * size)) return {};
+    const bool of_a = axis.owner == Owner::a;
+    const std::vector<char>& real = bodies.real_edges[of_a ? pair.a : pair.b][of_a ? pair.part_a : pair.part_b];
+    if (!real.empty() && !real[axis.edge]) return {};
+    return make_manifold(*a, pose_a, *b, pose_b, a_from_b, axis, 0.0);
+}
+
 /// The points of a pair of which a body is cut into parts, or both are: those of their outlines.
 [[nodiscard]] Manifold points_of_outlines(const RestBodies& bodies, const RestPair& pair, const Pose& pose_a,
                                           const Pose& pose_b, double margin)
@@ -22,7 +40,9 @@ namespace {
         for (int k = 0; k < manifold.count; ++k) manifold.contacts[k].normal = -manifold.contacts[k].normal;
         return manifold;
     }
-    return outline_points(a, b, margin, bodies.touch_gap(pair.a, pose_a.position, pair.b, pose_b.position));
+    const Manifold manifold =
+        outline_points(a, b, margin, bodies.touch_gap(pair.a, pose_a.position, pair.b, pose_b.position));
+    return manifold.count > 0 ? manifold : points_of_crossing(bodies, pair, pose_a, pose_b);
 }
 
 [[nodiscard]] bool any_has_cuts(const RestBodies& bodies, const RestPair& pair)

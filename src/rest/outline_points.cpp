@@ -42,6 +42,9 @@ using Corner = Outline::Corner;
 {
     const double distance = distance_to(side, corner.place);
     for (const Side& other : outline.sides()) {
+        // Beyond an end that sticks out there is no way over it
+        const double along = other.tangent.dot(corner.place - other.start);
+        if ((along < 0.0 && !other.rises_before) || (along > other.length && !other.rises_after)) continue;
         if (faces(corner, other.normal) && distance_to(other, corner.place) < distance - touch) return false;
     }
     return outline.holds(corner.place);
