@@ -165,7 +165,7 @@ std::vector<Ring> triangles_of(std::span<const Vec2> vertices, Ring ring)
 
 
 /// [sine] A side and a cut that turn by less at their common vertex stand in one line. Twice what the contacts of resting
-/// bodies (rest/near_points.cpp) allow two normals to differ by.
+/// bodies once allowed two normals to differ by.
 constexpr double k_in_line = 0x1p-9;
 
 /// At the vertex `at` of a ring a side of the polygon and a cut follow each other in one line.

@@ -1,71 +1,72 @@
 #include "rest/narrow_phase.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "broadphase/box_cells.hpp"
 #include "rest/near_points.hpp"
+#include "rest/outline_points.hpp"
 #include "rest/rest_tolerance.hpp"
 
 namespace flying {
 namespace {
 
-[[nodiscard]] NearSide side_of(const RestBodies& bodies, int body, int part, const Pose& pose)
+/// Where two parts cross so that neither has a corner in the other: those along the shortest way that parts them, if
+/// that is over a side.
+[[nodiscard]] Manifold points_of_crossing(const RestBodies& bodies, const RestPair& pair, const Pose& pose_a,
+                                          const Pose& pose_b)
 {
-    return {bodies.shapes[body].parts[part].shape, pose, bodies.real_edges[body][part]};
+    const auto* a = std::get_if<Polygon>(&bodies.shapes[pair.a].parts[pair.part_a].shape);
+    const auto* b = std::get_if<Polygon>(&bodies.shapes[pair.b].parts[pair.part_b].shape);
+    if (!a || !b) return {};
+    const Pose a_from_b = relative_pose(pose_a, pose_b);
+    const Axis axis = greatest_separation(*a, *b, a_from_b);
+    const double size = std::min(bodies.radius[pair.a], bodies.radius[pair.b]);
+    if (!(axis.separation < -rest_tolerance::k_deep * size)) return {};
+    const bool of_a = axis.owner == Owner::a;
+    const std::vector<char>& real = bodies.real_edges[of_a ? pair.a : pair.b][of_a ? pair.part_a : pair.part_b];
+    if (!real.empty() && !real[axis.edge]) return {};
+    return make_manifold(*a, pose_a, *b, pose_b, a_from_b, axis, 0.0);
+}
+
+/// The points of a pair of which a body is cut into parts, or both are: those of their outlines.
+[[nodiscard]] Manifold points_of_outlines(const RestBodies& bodies, const RestPair& pair, const Pose& pose_a,
+                                          const Pose& pose_b, double margin)
+{
+    const OutlineSide a{bodies.outlines[pair.a], pair.part_a, pose_a};
+    const OutlineSide b{bodies.outlines[pair.b], pair.part_b, pose_b};
+    if (const auto* wall = std::get_if<HalfPlane>(&bodies.list[pair.a].shape)) return outline_points(*wall, b, margin);
+    if (const auto* wall = std::get_if<HalfPlane>(&bodies.list[pair.b].shape)) {
+        Manifold manifold = outline_points(*wall, a, margin);
+        for (int k = 0; k < manifold.count; ++k) manifold.contacts[k].normal = -manifold.contacts[k].normal;
+        return manifold;
+    }
+    const Manifold manifold =
+        outline_points(a, b, margin, bodies.touch_gap(pair.a, pose_a.position, pair.b, pose_b.position));
+    return manifold.count > 0 ? manifold : points_of_crossing(bodies, pair, pose_a, pose_b);
+}
+
+[[nodiscard]] bool any_has_cuts(const RestBodies& bodies, const RestPair& pair)
+{
+    return bodies.has_cuts(pair.a) || bodies.has_cuts(pair.b);
 }
 
 // Where surfaces of neighbours act as one (collide/seams.hpp): who neighbours whom.
 
-/// Adds the seams of a part with a part of another body, or of its own.
+/// Adds the seams of a part with a part of another body.
 void find_seams_with(const RestBodies& bodies, int body, int part, int neighbour, int neighbours_part,
                      std::vector<Seam>& seams)
 {
     const auto& polygon = std::get<Polygon>(bodies.shapes[body].parts[part].shape);
     const double size = std::min(bodies.radius[body], bodies.radius[neighbour]);
-    // Parts of one body lie as they do wherever it is
-    const bool is_own = body == neighbour;
-    const double reach = is_own ? 0.0
-                                : bodies.poses[body].position.cwiseAbs().maxCoeff() +
-                                      bodies.poses[neighbour].position.cwiseAbs().maxCoeff();
+    const double reach =
+        bodies.poses[body].position.cwiseAbs().maxCoeff() + bodies.poses[neighbour].position.cwiseAbs().maxCoeff();
     SeamTolerance tolerance = seam_tolerance(size, reach);
     // Bricks that move lie as level as the solve leaves them
-    if (!is_own && (!bodies.list[body].is_static || !bodies.list[neighbour].is_static))
-        tolerance.step = tolerance.crack;
+    if (!bodies.list[body].is_static || !bodies.list[neighbour].is_static) tolerance.step = tolerance.crack;
     const bool is_wall = std::holds_alternative<HalfPlane>(bodies.shapes[neighbour].parts[neighbours_part].shape);
     const Pose there = is_wall ? Pose{} : bodies.poses[neighbour];
-    find_seams(polygon, is_own ? Pose{} : relative_pose(bodies.poses[body], there),
-               bodies.shapes[neighbour].parts[neighbours_part].shape, bodies.real_edges[neighbour][neighbours_part],
-               tolerance, seams);
-}
-
-/// Adds those at the bottoms of a body's notches, where cuts between its parts begin. A part that has one flank of a
-/// notch goes on up the other flank, whichever part has that one.
-void find_notches(const RestBodies& bodies, int body, std::vector<std::vector<Seam>>& seams)
-{
-    const auto* outline = std::get_if<Polygon>(&bodies.list[body].shape);
-    if (!outline) return;
-    const double crack = seam_tolerance(bodies.radius[body], 0.0).crack;
-    for (std::size_t p = 0; p < bodies.shapes[body].parts.size(); ++p) {
-        const auto& part = std::get<Polygon>(bodies.shapes[body].parts[p].shape);
-        const std::vector<char>& real = bodies.real_edges[body][p];
-        for (int bottom = 0; bottom < static_cast<int>(outline->vertices().size()); ++bottom) {
-            if (!outline->is_reflex(bottom)) continue;
-            for (int v = 0; v < static_cast<int>(part.vertices().size()); ++v) {
-                if ((part.vertices()[v] - outline->vertices()[bottom]).norm() > crack) continue;
-                const int before = part.previous(v);
-                Seam seam{v, before, v, Vec2::Zero(), Vec2::Zero(), crack, Seam::Bend::buried, false};
-                if (real[before] || real[v]) {
-                    seam.bend = Seam::Bend::hollow;
-                    if (real[before]) std::swap(seam.hidden, seam.open);
-                    const Edge& flank = outline->edges()[real[before] ? bottom : outline->previous(bottom)];
-                    seam.onwards = real[before] ? flank.tangent : Vec2(-flank.tangent);
-                    seam.outwards = flank.normal;
-                }
-                seams[p].push_back(seam);
-            }
-        }
-    }
+    find_seams(polygon, relative_pose(bodies.poses[body], there), bodies.shapes[neighbour].parts[neighbours_part].shape,
+               bodies.real_edges[neighbour][neighbours_part], tolerance, seams);
 }
 
 /// Adds those of one body of a pair with others that go with it, beside it, while the other body of the pair passes a
@@ -111,7 +112,7 @@ void find_moving_seams(const RestBodies& bodies, const PairList& list, const Res
 
 } // namespace
 
-/// Those that last: of parts of one body, and of what never moves.
+/// Those that last: of what never moves.
 NarrowPhase::NarrowPhase(const RestBodies& bodies)
 {
     seams_.resize(bodies.list.size());
@@ -121,16 +122,12 @@ NarrowPhase::NarrowPhase(const RestBodies& bodies)
         for (int p = 0; p < static_cast<int>(bodies.shapes[one].parts.size()); ++p) {
             if (!std::holds_alternative<Polygon>(bodies.shapes[one].parts[p].shape)) continue;
             for (int q = 0; q < static_cast<int>(bodies.shapes[two].parts.size()); ++q) {
-                if (one != two || p != q) find_seams_with(bodies, one, p, two, q, seams_[one][p]);
+                find_seams_with(bodies, one, p, two, q, seams_[one][p]);
             }
         }
     };
     for (int k = 0; k < static_cast<int>(bodies.list.size()); ++k) {
         seams_[k].resize(bodies.shapes[k].parts.size());
-        if (bodies.shapes[k].parts.size() > 1) {
-            find_notches(bodies, k, seams_[k]);
-            add(k, k);
-        }
         if (!bodies.list[k].is_static) continue;
         if (std::holds_alternative<HalfPlane>(bodies.list[k].shape)) {
             walls.push_back(k);
@@ -178,8 +175,9 @@ void NarrowPhase::mend(const RestBodies& bodies, const PairList& pairs, const Re
 Manifold NarrowPhase::look(const RestBodies& bodies, const PairList& pairs, const RestPair& pair, const Pose& pose_a,
                            const Pose& pose_b, double margin) const
 {
-    Manifold manifold =
-        near_points(side_of(bodies, pair.a, pair.part_a, pose_a), side_of(bodies, pair.b, pair.part_b, pose_b), margin);
+    Manifold manifold = any_has_cuts(bodies, pair) ? points_of_outlines(bodies, pair, pose_a, pose_b, margin)
+                                                   : near_points(bodies.shapes[pair.a].parts[0].shape, pose_a,
+                                                                 bodies.shapes[pair.b].parts[0].shape, pose_b, margin);
     if (manifold.count > 0) mend(bodies, pairs, pair, pose_a, pose_b, margin, manifold);
     return manifold;
 }
@@ -188,8 +186,12 @@ Manifold NarrowPhase::find_cached(const RestBodies& bodies, const PairList& pair
 {
     const Pose& pose_a = bodies.poses[pair.a];
     const Pose& pose_b = bodies.poses[pair.b];
-    Manifold manifold = near_points(side_of(bodies, pair.a, pair.part_a, pose_a),
-                                    side_of(bodies, pair.b, pair.part_b, pose_b), margin, pair.memory);
+    const Shape& part_a = bodies.shapes[pair.a].parts[pair.part_a].shape;
+    const Shape& part_b = bodies.shapes[pair.b].parts[pair.part_b].shape;
+    Manifold manifold;
+    if (!any_has_cuts(bodies, pair)) manifold = near_points(part_a, pose_a, part_b, pose_b, margin, pair.memory);
+    else if (find_separation(part_a, pose_a, part_b, pose_b, pair.memory) <= margin)
+        manifold = points_of_outlines(bodies, pair, pose_a, pose_b, margin);
     if (manifold.count > 0) mend(bodies, pairs, pair, pose_a, pose_b, margin, manifold);
     return manifold;
 }

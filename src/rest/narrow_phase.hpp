@@ -9,7 +9,7 @@
 
 namespace flying {
 
-/// Where pairs touch, as the surfaces of their bodies really are: without cuts (rest/near_points.hpp), and with
+/// Where pairs touch, as the surfaces of their bodies really are: without cuts (rest/outline_points.hpp), and with
 /// neighbours that lie flush taken as one surface (collide/seams.hpp).
 class NarrowPhase
 {
@@ -29,7 +29,7 @@ private:
     void mend(const RestBodies& bodies, const PairList& pairs, const RestPair& pair, const Pose& pose_a,
               const Pose& pose_b, double margin, Manifold& manifold) const;
 
-    std::vector<std::vector<std::vector<Seam>>> seams_; // of each body and part, with what never moves against it
+    std::vector<std::vector<std::vector<Seam>>> seams_; // of each body and part, with neighbours where neither moves
 };
 
 } // namespace flying

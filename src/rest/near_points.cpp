@@ -12,38 +12,25 @@
 namespace flying {
 namespace {
 
-/// A normal that leads out of a part through a cut.
-[[nodiscard]] bool leads_through_cut(const NearSide& side, const Vec2& outwards)
+/// One of the two.
+struct NearSide
 {
-    if (side.real.empty()) return false;
-    const auto& edges = std::get<Polygon>(side.shape).edges();
-    const Vec2 local = inverse(side.pose.rotation) * outwards;
-    for (std::size_t k = 0; k < edges.size(); ++k) {
-        if (!side.real[k] && (edges[k].normal - local).cwiseAbs().maxCoeff() < rest_tolerance::k_same_normal)
-            return true;
-    }
-    return false;
-}
+    const Polygon& polygon;
+    const Pose& pose;
+};
 
-/// The way out of `side` over one of its real sides that is the shortest for the other part; separation -infinity where
-/// the part has no real side. The normal leads from the side to the other.
+/// The way out of `side` over one of its edges that is the shortest for the other. The normal leads from the side to
+/// the other.
 [[nodiscard]] Contact shortest_way_out(const NearSide& side, const NearSide& other)
 {
     Contact best;
     best.separation = -std::numeric_limits<double>::infinity();
-    const auto* polygon = std::get_if<Polygon>(&side.shape);
-    if (!polygon || std::holds_alternative<HalfPlane>(other.shape)) return best;
     const Pose side_from_other = relative_pose(side.pose, other.pose);
-    for (int k = 0; k < static_cast<int>(polygon->edges().size()); ++k) {
-        if (!side.real.empty() && !side.real[k]) continue;
-        const Vec2& normal = polygon->edges()[k].normal;
-        Vec2 point = side_from_other.position; // the other's point furthest behind the edge
-        if (const auto* disc = std::get_if<Disc>(&other.shape)) point -= disc->radius * normal;
-        else {
-            const Polygon& there = std::get<Polygon>(other.shape);
-            point = side_from_other * there.vertices()[axis_of_edge(*polygon, k, there, side_from_other).vertex];
-        }
-        const double separation = normal.dot(point - polygon->vertices()[k]);
+    for (int k = 0; k < static_cast<int>(side.polygon.edges().size()); ++k) {
+        const Vec2& normal = side.polygon.edges()[k].normal;
+        const int deepest = axis_of_edge(side.polygon, k, other.polygon, side_from_other).vertex;
+        const Vec2 point = side_from_other * other.polygon.vertices()[deepest];
+        const double separation = normal.dot(point - side.polygon.vertices()[k]);
         if (separation <= best.separation) continue;
         best.separation = separation;
         best.normal = side.pose.rotation * normal;
@@ -63,19 +50,18 @@ namespace {
     return out_of_b.separation > out_of_a.separation ? out_of_b : out_of_a;
 }
 
-/// Where two parts that are apart are nearest to each other, if it is no cut.
+/// Where two that are apart are nearest to each other.
 struct Nearest
 {
     Contact contact;
     double square = std::numeric_limits<double>::infinity(); ///< of the distance [m^2]
-    bool on_cut = false;
 };
 
-/// Corners of one part over edges of the other, ends of the edges included, nearer than what was found.
+/// Corners of one over edges of the other, ends of the edges included, nearer than what was found.
 void look_at_corners(const NearSide& side, const NearSide& other, std::uint32_t owner, Nearest& nearest)
 {
-    const auto& polygon = std::get<Polygon>(side.shape);
-    const auto& there = std::get<Polygon>(other.shape);
+    const Polygon& polygon = side.polygon;
+    const Polygon& there = other.polygon;
     const Pose side_from_other = relative_pose(side.pose, other.pose);
     for (std::size_t v = 0; v < there.vertices().size(); ++v) {
         const Vec2 corner = side_from_other * there.vertices()[v];
@@ -90,7 +76,6 @@ void look_at_corners(const NearSide& side, const NearSide& other, std::uint32_t 
             const double square = is_over ? height * height : way.squaredNorm();
             if (square >= nearest.square || (is_over && height <= 0.0)) continue;
             nearest.square = square;
-            nearest.on_cut = is_over && !side.real.empty() && !side.real[k];
             nearest.contact.separation = std::sqrt(square);
             nearest.contact.normal = side.pose.rotation * Vec2(way / nearest.contact.separation);
             nearest.contact.point = side.pose * Vec2(corner - 0.5 * way);
@@ -111,68 +96,61 @@ void look_at_corners(const NearSide& side, const NearSide& other, std::uint32_t 
     return nearest;
 }
 
-/// Leaves of a manifold of two parts what doesn't stand on cuts, and adds what is near beside it.
-void keep_to_sides(const NearSide& a, const NearSide& b, double margin, Manifold& manifold)
+/// Where a manifold of two polygons is empty: what is nearest of them.
+[[nodiscard]] Manifold nearest_of(const NearSide& a, const NearSide& b, double margin)
 {
-    const bool are_polygons = std::holds_alternative<Polygon>(a.shape) && std::holds_alternative<Polygon>(b.shape);
-    const auto add_nearest = [&] {
-        const Nearest found = nearest_points(a, b);
-        const double reach = std::max(a.pose.position.cwiseAbs().maxCoeff(), b.pose.position.cwiseAbs().maxCoeff());
-        const double rounding = tolerance::coordinate_rounding(reach);
-        // A distance of rounding has no direction: the two touch, and a side tells which way
-        if (found.square <= rounding * rounding) {
-            const Contact apart = shortest_way_apart(a, b);
-            if (std::abs(apart.separation) <= rounding) manifold.contacts[manifold.count++] = apart;
-        } else if (!found.on_cut && found.contact.separation <= margin)
-            manifold.contacts[manifold.count++] = found.contact;
-    };
-    if (manifold.count == 0) {
-        if (are_polygons) add_nearest();
-        return;
-    }
-    if (a.real.empty() && b.real.empty()) return;
-    const Vec2 normal = manifold.contacts[0].normal;
-    if (!leads_through_cut(a, normal) && !leads_through_cut(b, -normal)) return;
-    double depth = 0.0;
-    for (int k = 0; k < manifold.count; ++k) depth = std::max(depth, -manifold.contacts[k].separation);
-    manifold.count = 0;
-    // Beyond the ends of a cut, as in a notch, something else is nearest
-    if (depth == 0.0) {
-        if (are_polygons) add_nearest();
-        return;
-    }
+    Manifold manifold;
+    const Nearest found = nearest_points(a, b);
+    const double reach = std::max(a.pose.position.cwiseAbs().maxCoeff(), b.pose.position.cwiseAbs().maxCoeff());
+    const double rounding = tolerance::coordinate_rounding(reach);
+    // A distance of rounding has no direction: the two touch, and an edge tells which way
+    if (found.square <= rounding * rounding) {
+        const Contact apart = shortest_way_apart(a, b);
+        if (std::abs(apart.separation) <= rounding) manifold.contacts[manifold.count++] = apart;
+    } else if (found.contact.separation <= margin) manifold.contacts[manifold.count++] = found.contact;
+    return manifold;
+}
 
-    // Out over a side, by the shortest way; a part between two cuts may have none that is near
-    const Contact best = shortest_way_apart(a, b);
-    if (depth >= -rest_tolerance::k_hardly_over_cut * best.separation) manifold.contacts[manifold.count++] = best;
+/// The axis of greatest separation, by the edges that are known to have it.
+[[nodiscard]] Axis find_axis(const Polygon& a, const Polygon& b, const Pose& a_from_b, NearMemory& memory)
+{
+    if (!memory.knows_edges) memory.edges = best_edges(a, b, a_from_b);
+    const Axis axis = greater_of(memory.edges, a, b, a_from_b);
+    memory.separation = axis.separation;
+    memory.knows_edges = memory.knows_separation = true;
+    return axis;
 }
 
 } // namespace
 
-Manifold near_points(const NearSide& a, const NearSide& b, double margin)
+Manifold near_points(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b, double margin)
 {
-    Manifold manifold = make_manifold(a.shape, a.pose, b.shape, b.pose, margin);
-    keep_to_sides(a, b, margin, manifold);
-    return manifold;
+    const Manifold manifold = make_manifold(a, pose_a, b, pose_b, margin);
+    const auto* polygon_a = std::get_if<Polygon>(&a);
+    const auto* polygon_b = std::get_if<Polygon>(&b);
+    if (manifold.count > 0 || !polygon_a || !polygon_b) return manifold;
+    return nearest_of({*polygon_a, pose_a}, {*polygon_b, pose_b}, margin);
 }
 
-Manifold near_points(const NearSide& a, const NearSide& b, double margin, NearMemory& memory)
+double find_separation(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b, NearMemory& memory)
 {
-    const auto* polygon_a = std::get_if<Polygon>(&a.shape);
-    const auto* polygon_b = std::get_if<Polygon>(&b.shape);
-    if (!polygon_a || !polygon_b) {
-        const bool has_cuts = !a.real.empty() || !b.real.empty();
-        return has_cuts ? near_points(a, b, margin) : make_manifold(a.shape, a.pose, b.shape, b.pose, margin);
-    }
-    const Pose a_from_b = relative_pose(a.pose, b.pose);
-    if (!memory.knows_edges) memory.edges = best_edges(*polygon_a, *polygon_b, a_from_b);
-    const Axis axis = greater_of(memory.edges, *polygon_a, *polygon_b, a_from_b);
-    memory.separation = axis.separation;
-    memory.knows_edges = memory.knows_separation = true;
+    const auto* polygon_a = std::get_if<Polygon>(&a);
+    const auto* polygon_b = std::get_if<Polygon>(&b);
+    if (!polygon_a || !polygon_b) return 0.0;
+    return find_axis(*polygon_a, *polygon_b, relative_pose(pose_a, pose_b), memory).separation;
+}
+
+Manifold near_points(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b, double margin,
+                     NearMemory& memory)
+{
+    const auto* polygon_a = std::get_if<Polygon>(&a);
+    const auto* polygon_b = std::get_if<Polygon>(&b);
+    if (!polygon_a || !polygon_b) return make_manifold(a, pose_a, b, pose_b, margin);
+    const Pose a_from_b = relative_pose(pose_a, pose_b);
+    const Axis axis = find_axis(*polygon_a, *polygon_b, a_from_b, memory);
     if (axis.separation > margin) return {}; // and no two points are nearer than that
-    Manifold manifold = make_manifold(*polygon_a, a.pose, *polygon_b, b.pose, a_from_b, axis, margin);
-    keep_to_sides(a, b, margin, manifold);
-    return manifold;
+    const Manifold manifold = make_manifold(*polygon_a, pose_a, *polygon_b, pose_b, a_from_b, axis, margin);
+    return manifold.count > 0 ? manifold : nearest_of({*polygon_a, pose_a}, {*polygon_b, pose_b}, margin);
 }
 
 } // namespace flying

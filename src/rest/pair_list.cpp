@@ -113,11 +113,15 @@ void PairList::search_all(std::span<const RestBody> bodies, std::span<const Coll
     homes_.resize(bodies.size());
     boxes_.resize(bodies.size());
     walls_.clear();
+    first_circle_.assign(1, 0);
+    for (const CollisionShape& shape : shapes)
+        first_circle_.push_back(first_circle_.back() + static_cast<int>(shape.parts.size()));
+    circles_.resize(first_circle_.back());
     std::vector<int> movers;
     for (int k = 0; k < count; ++k) {
         const RestBody& body = bodies[k];
         if (std::holds_alternative<HalfPlane>(body.shape)) walls_.push_back(k);
-        if (body.is_static) make_box(body, k, 0.0);
+        if (body.is_static) make_box(body, shapes[k], k, 0.0);
         else if (body.is_active) movers.push_back(k);
     }
     BodySet all(count);
@@ -141,19 +145,23 @@ void PairList::search(std::span<const RestBody> bodies, std::span<const Collisio
     searched_.assign(movers.list().begin(), movers.list().end());
 
     for (const int k : movers.list())
-        make_box(bodies[k], k, rest_tolerance::k_room_reaches * reach[k] + rest_tolerance::k_room_radii * radius[k]);
+        make_box(bodies[k], shapes[k], k,
+                 rest_tolerance::k_room_reaches * reach[k] + rest_tolerance::k_room_radii * radius[k]);
     find_partners(bodies, movers);
     awake_.clear_index(static_cast<int>(bodies.size()));
-    add_pairs(bodies, shapes);
+    add_pairs(bodies, radius);
     awake_.make_index();
     is_valid_ = true;
 }
 
 /// room  by which it is larger than the body [m]
-void PairList::make_box(const RestBody& body, int k, double room)
+void PairList::make_box(const RestBody& body, const CollisionShape& shape, int k, double room)
 {
+    const Pose pose = pose_of(body.state);
     homes_[k] = {body.state.position, body.state.angle, room};
-    const Aabb box = bounding_box(body.shape, pose_of(body.state));
+    int circle = first_circle_[k];
+    for (const ConvexPart& part : shape.parts) circles_[circle++] = {pose * part.centre, part.radius};
+    const Aabb box = bounding_box(body.shape, pose);
     boxes_[k] = {box.min - Vec2(room, room), box.max + Vec2(room, room)};
 }
 
@@ -194,7 +202,25 @@ void PairList::find_partners(std::span<const RestBody> bodies, const BodySet& mo
     found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
 }
 
-void PairList::add_pairs(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes)
+/// The circles of a body's parts that another body may reach.
+///
+/// radius  of the other body's bounding circle [m]
+/// room    gap that the two may close before one of them leaves its box, with what is watched beyond that [m]
+void PairList::find_parts_near(const RestBody& other, double radius, int body, double room,
+                               std::vector<int>& parts) const
+{
+    parts.clear();
+    const auto* wall = std::get_if<HalfPlane>(&other.shape);
+    for (int k = first_circle_[body]; k < first_circle_[body + 1]; ++k) {
+        const Vec2& centre = circles_[k].centre;
+        const double distance =
+            wall ? wall->normal.dot(centre) - wall->offset : (centre - other.state.position).norm() - radius;
+        const bool is_all = first_circle_[body + 1] - first_circle_[body] == 1;
+        if (is_all || distance <= circles_[k].radius + room) parts.push_back(k);
+    }
+}
+
+void PairList::add_pairs(std::span<const RestBody> bodies, std::span<const double> radius)
 {
     old_.swap(awake_.pairs);
     std::vector<RestPair>& pairs = awake_.pairs;
@@ -207,8 +233,16 @@ void PairList::add_pairs(std::span<const RestBody> bodies, std::span<const Colli
         const Material material = combine(bodies[a].material, bodies[b].material);
         pair.friction = material.friction;
         pair.restitution = material.restitution;
-        for (pair.part_a = 0; pair.part_a < static_cast<int>(shapes[a].parts.size()); ++pair.part_a) {
-            for (pair.part_b = 0; pair.part_b < static_cast<int>(shapes[b].parts.size()); ++pair.part_b) {
+        const double room = homes_[a].room + homes_[b].room + rest_tolerance::k_watch * std::min(radius[a], radius[b]);
+        find_parts_near(bodies[b], radius[b], a, room, near_a_);
+        find_parts_near(bodies[a], radius[a], b, room, near_b_);
+        for (const int one : near_a_) {
+            for (const int two : near_b_) {
+                const double clear = circles_[one].radius + circles_[two].radius + room;
+                const bool is_far = (circles_[two].centre - circles_[one].centre).squaredNorm() > clear * clear;
+                if (is_far) continue;
+                pair.part_a = one - first_circle_[a];
+                pair.part_b = two - first_circle_[b];
                 // [rest.pairs.known]
                 // Both lists are in order: what the pair bore is found by walking along
                 while (next < old_.size() && key(old_[next]) < key(pair)) ++next;

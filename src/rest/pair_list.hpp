@@ -46,9 +46,10 @@ struct RestPair : PairLoads
     double turn = 0.0;
 };
 
-/// Which pairs may touch soon, kept from step to step. Every body has a box with room to spare; as long as all stay
-/// within theirs, the list stays as it is. Pairs are in the order of (a, b, part of a, part of b), and those of which
-/// no body is awake lie apart: a step doesn't touch them.
+/// Which pairs may touch soon, kept from step to step. Every body has a box with room to spare, and with the same room
+/// the parts of one that is cut have circles; as long as all stay within their boxes, the list stays as it is. Pairs
+/// are in the order of (a, b, part of a, part of b), and those of which no body is awake lie apart: a step doesn't
+/// touch them.
 class PairList
 {
 public:
@@ -124,14 +125,23 @@ private:
                     std::span<const double> radius, std::span<const double> reach);
     void search(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes,
                 std::span<const double> radius, std::span<const double> reach, const BodySet& movers);
-    void make_box(const RestBody& body, int k, double room);
+    void make_box(const RestBody& body, const CollisionShape& shape, int k, double room);
     void sort_others(std::span<const RestBody> bodies, const BodySet& movers);
     void find_partners(std::span<const RestBody> bodies, const BodySet& movers);
-    void add_pairs(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes);
+    void find_parts_near(const RestBody& other, double radius, int body, double room, std::vector<int>& parts) const;
+    void add_pairs(std::span<const RestBody> bodies, std::span<const double> radius);
 
+    /// The circle of a part.
+    struct PartCircle
+    {
+        Vec2 centre = Vec2::Zero(); ///< where it was when its body's box was made
+        double radius = 0.0;        ///< [m]
+    };
     bool is_valid_ = false;
     bool is_new_ = true; // nothing was searched for yet, or what was is forgotten
     std::vector<Home> homes_;
+    std::vector<PartCircle> circles_; // of all parts, body after body
+    std::vector<int> first_circle_;   // of each body, and the number of all at the end
     std::vector<Aabb> boxes_;
     BoxCells cells_;            // of those that the last search was for
     BoxCells others_;           // of those that it wasn't for, as far as they take part; may hold some that it was for
@@ -141,7 +151,9 @@ private:
     Pairs awake_;
     Pairs asleep_;
     std::vector<RestPair> old_;
-    int boxes_sorted_ = 0; // in a search
+    std::vector<int> near_a_; // circles of the one body that the other may reach
+    std::vector<int> near_b_; // and the other way round
+    int boxes_sorted_ = 0;    // in a search
 };
 
 } // namespace flying

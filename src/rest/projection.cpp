@@ -147,13 +147,14 @@ double Projection::measure_overlap_swept(RestData& data, const Island& island)
     return worst > rest_tolerance::k_fair_overlap ? worst : 0.0;
 }
 
-/// The pairs that points belong to, and where the two come nearer to each other those of all their parts.
+/// The pairs that points belong to, in their order, and where the two come nearer to each other those of all their
+/// parts.
 void Projection::list_pairs_of(const RestData& data, std::span<const ContactPoint> points)
 {
     pairs_near_.clear();
     const std::span<const RestPair> pairs = data.pairs.pairs();
     for (const ContactPoint& c : points) {
-        if (!pairs_near_.empty() && pairs_near_.back() == c.pair) continue;
+        if (!pairs_near_.empty() && pairs_near_.back() >= c.pair) continue;
         const bool has_parts = data.bodies.shapes[c.a].parts.size() + data.bodies.shapes[c.b].parts.size() > 2;
         const bool all = has_parts && comes_nearer(data, c.a, c.b);
         // The pairs of all parts of the two stand together
@@ -164,8 +165,6 @@ void Projection::list_pairs_of(const RestData& data, std::span<const ContactPoin
         while (all && end < static_cast<int>(pairs.size()) && is_theirs(end)) ++end;
         for (int pair = first; pair < end; ++pair) pairs_near_.push_back(pair);
     }
-    std::sort(pairs_near_.begin(), pairs_near_.end());
-    pairs_near_.erase(std::unique(pairs_near_.begin(), pairs_near_.end()), pairs_near_.end());
 }
 
 /// The points of a pair as the step ends, and how much it overlaps.  [sizes]
@@ -173,8 +172,16 @@ double Projection::find_overlap_of_pair(RestData& data, int index)
 {
     const RestPair& pair = data.pairs.pairs()[index];
     const double size = std::min(data.bodies.radius[pair.a], data.bodies.radius[pair.b]);
-    const Manifold manifold =
-        look(data, pair, data.motion.end_poses[pair.a], data.motion.end_poses[pair.b], rest_tolerance::k_watch * size);
+    const double margin = rest_tolerance::k_watch * size;
+    const Pose& pose_a = data.motion.end_poses[pair.a];
+    const Pose& pose_b = data.motion.end_poses[pair.b];
+    const ConvexPart& part_a = data.bodies.shapes[pair.a].parts[pair.part_a];
+    const ConvexPart& part_b = data.bodies.shapes[pair.b].parts[pair.part_b];
+    const double clear = part_a.radius + part_b.radius + margin;
+    const Vec2 way =
+        (pose_b.position - pose_a.position) + (pose_b.rotation * part_b.centre - pose_a.rotation * part_a.centre);
+    if (way.squaredNorm() > clear * clear) return 0.0;
+    const Manifold manifold = look(data, pair, pose_a, pose_b, margin);
     ++data.counts.manifolds;
     double worst = 0.0;
     const auto add = [&](const Contact& contact) {
@@ -183,14 +190,14 @@ double Projection::find_overlap_of_pair(RestData& data, int index)
         c.b = pair.b;
         c.pair = index;
         c.feature = contact.feature;
-        data.motion.set_arms(c, contact.normal, contact.point - data.motion.end_poses[pair.a].position,
-                             contact.point - data.motion.end_poses[pair.b].position);
+        data.motion.set_arms(c, contact.normal, contact.point - pose_a.position, contact.point - pose_b.position);
         c.bound = -contact.separation;
         const double depth = -contact.separation - data.bodies.touch_gap(pair.a, pair.b);
         worst = std::max(worst, depth / size);
     };
     for (int k = 0; k < manifold.count; ++k) add(manifold.contacts[k]);
     if (worst > 0.0 || !comes_nearer(data, pair.a, pair.b)) return worst;
+    if (data.bodies.has_cuts(pair.a) || data.bodies.has_cuts(pair.b)) return worst; // its edge may be a cut
 
     // What sticks out beyond the ends of the edge that it lies deepest under is clipped there
     const Contact clipped = overlap_at_end(data, pair);

@@ -38,6 +38,7 @@ RestBodies::RestBodies(std::vector<RestBody> bodies, std::vector<int> numbers, d
     for (RestBody& body : list) {
         body.state.time = time;
         shapes.push_back(make_collision_shape(body.shape));
+        outlines.emplace_back(body.shape, shapes.back());
         real_edges.push_back(real_edges_of(body.shape, shapes.back()));
         radius.push_back(bounding_radius(body.shape));
         turning.push_back(body.is_static || std::holds_alternative<Disc>(body.shape) ? 0.0 : radius.back());

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "collide/separation.hpp"
+#include "rest/outline.hpp"
 #include "rest/rest_body.hpp"
 
 namespace flying {
@@ -17,6 +18,8 @@ struct RestBodies
     [[nodiscard]] int count() const { return static_cast<int>(list.size()); }
     /// Where a body is from now on.
     void set_pose(int body, const Pose& pose);
+    /// The body is cut into parts.
+    [[nodiscard]] bool has_cuts(int body) const { return shapes[body].parts.size() > 1; }
     /// Velocity of a body's point.  [m/s]
     [[nodiscard]] Vec2 velocity_of(int body, const Vec2& point) const;
     /// A gap below which two bodies touch, for all that rounding tells.  [m]
@@ -28,8 +31,10 @@ struct RestBodies
     std::vector<int> order; ///< of each of them, the number by which it is known outside
     std::vector<int> place; ///< of each such number, its place
     std::vector<CollisionShape> shapes;
-    std::vector<std::vector<std::vector<char>>> real_edges; ///< of each body and part, as NearSide has it
-    std::vector<double> radius;                             ///< bounding radii [m]
+    std::vector<Outline> outlines;
+    /// Of each body and part: for each edge, whether it is a side of the body and no cut; empty where all are.
+    std::vector<std::vector<std::vector<char>>> real_edges;
+    std::vector<double> radius;  ///< bounding radii [m]
     std::vector<double> turning; ///< how far a turn may bring any point of each: the radius, 0 for discs [m]
     std::vector<Pose> poses;     ///< as the step, or a part of one, begins
 

@@ -120,10 +120,9 @@ inline constexpr double k_interior_short = 0.1;
 /// Share of the products that is left at least for the next step.
 inline constexpr double k_interior_least_share = 0x1p-10;
 
-// ---- Points of parts (near_points)
-/// [way out over a side] What reaches over a cut by less than this share of the way out lies on the part beyond the
-/// cut, or beside it in a notch.
-inline constexpr double k_hardly_over_cut = 0.0625;
+// ---- Points of outlines (outline_points)
+/// [cosine] Normals that differ by more are those of different faces.
+inline constexpr double k_one_face = 0.75;
 
 // ---- Pairs (pair_list)
 /// [radii] and [reaches] Room that the box of a body gets: more room, fewer searches and more pairs.

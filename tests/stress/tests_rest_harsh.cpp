@@ -8,6 +8,7 @@
 #include "mass/polygon.hpp"
 #include "math/random.hpp"
 #include "rest/near_points.hpp"
+#include "rest/outline_points.hpp"
 #include "rest/rest_engine.hpp"
 #include "rest_trial.hpp"
 #include "support/effort.hpp"
@@ -87,7 +88,7 @@ TEST_CASE("a corner over the second of two edges on one line is as near as over 
     for (const double x : {-0.5, 0.5}) {
         const Pose pose_below{Vec2::Zero(), Rotation()};
         const Pose pose_above{Vec2(x, 0.1 * std::numbers::sqrt2 + 1e-3), Rotation::of(0.25 * std::numbers::pi)};
-        const Manifold manifold = near_points({below, pose_below, {}}, {above, pose_above, {}}, 0.01);
+        const Manifold manifold = near_points(below, pose_below, above, pose_above, 0.01);
         CAPTURE(x);
         REQUIRE(manifold.count > 0);
         CHECK(manifold.contacts[0].separation == doctest::Approx(1e-3).epsilon(1e-9));
@@ -95,25 +96,33 @@ TEST_CASE("a corner over the second of two edges on one line is as near as over 
     }
 }
 
-TEST_CASE("a corner in a notch that overlaps by a hair isn't led through the part behind the notch")
+TEST_CASE("a corner in a notch leaves it over the sides of the notch, whatever parts the body is cut into")
 {
-    // The middle of a plus sign: all its edges are cuts. In the notch at its upper left corner stands an inner part of
-    // another body, whose sides are far from the notch, too
-    const Shape middle = flying::testing::box(1.0, 1.0);
+    // A plus sign, whose middle part has cuts alone, and a box in the notch at its upper left corner
+    const Shape plus = Polygon({{Vec2(-0.5, -1.5), Vec2(0.5, -1.5), Vec2(0.5, -0.5), Vec2(1.5, -0.5), Vec2(1.5, 0.5),
+                                 Vec2(0.5, 0.5), Vec2(0.5, 1.5), Vec2(-0.5, 1.5), Vec2(-0.5, 0.5), Vec2(-1.5, 0.5),
+                                 Vec2(-1.5, -0.5), Vec2(-0.5, -0.5)}});
     const Shape box = flying::testing::box(0.4, 0.4);
-    const std::vector<char> cuts(4, 0);
-    const std::vector<char> far_sides = {0, 0, 1, 1}; // below and at the right there are cuts
-    const auto points = [&](double overlap) {
+    const CollisionShape parts = make_collision_shape(plus);
+    const Outline outline(plus, parts);
+    const Outline box_outline(box, make_collision_shape(box));
+    REQUIRE(parts.parts.size() == 5);
+    for (const double overlap : {1e-15, 1e-3, 0.2}) {
         const Pose pose{Vec2(-0.7 + overlap, 0.7 - overlap), Rotation()};
-        return near_points({middle, Pose(), cuts}, {box, pose, far_sides}, 0.01);
-    };
-    CHECK(points(1e-15).count == 0);
-    CHECK(points(1e-3).count == 0);
-
-    // Deep inside there is nobody else to see it
-    const Manifold deep = points(0.2);
-    REQUIRE(deep.count == 1);
-    CHECK(deep.contacts[0].separation <= -0.2);
+        bool leaves_upwards = false;
+        bool leaves_to_the_left = false;
+        for (int part = 0; part < 5; ++part) {
+            const Manifold manifold = outline_points({outline, part, Pose()}, {box_outline, 0, pose}, 0.01, 1e-12);
+            for (int k = 0; k < manifold.count; ++k) {
+                CHECK(manifold.contacts[k].separation == doctest::Approx(-overlap).epsilon(1e-9));
+                leaves_upwards = leaves_upwards || manifold.contacts[k].normal.y() == 1.0;
+                leaves_to_the_left = leaves_to_the_left || manifold.contacts[k].normal.x() == -1.0;
+            }
+        }
+        CAPTURE(overlap);
+        CHECK(leaves_upwards);
+        CHECK(leaves_to_the_left);
+    }
 }
 
 TEST_CASE("small bodies thrown into the notches of a concave one don't get into it")

@@ -1,0 +1,201 @@
+#include "rest/outline_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "collide/separating_axis.hpp"
+#include "rest/rest_tolerance.hpp"
+
+namespace flying {
+namespace {
+
+using Side = Outline::Side;
+using Corner = Outline::Corner;
+
+/// The corner of a body looks at a side of another: along one of its own sides, or with its tip.
+///
+/// corner, normal  in one frame
+[[nodiscard]] bool faces(const Corner& corner, const Vec2& normal)
+{
+    if (corner.radius > 0.0) return true;
+    const double before = corner.before.dot(normal);
+    const double after = corner.after.dot(normal);
+    return before + after < 0.0 || std::min(before, after) < -rest_tolerance::k_one_face;
+}
+
+[[nodiscard]] Corner seen_from(const Pose& here_from_there, const Corner& corner)
+{
+    return {corner.vertex, here_from_there * corner.place, corner.radius, here_from_there.rotation * corner.before,
+            here_from_there.rotation * corner.after};
+}
+
+[[nodiscard]] double distance_to(const Side& side, const Vec2& point)
+{
+    const double along = std::clamp(side.tangent.dot(point - side.start), 0.0, side.length);
+    return (point - (side.start + along * side.tangent)).norm();
+}
+
+/// The corner lies inside of the body, and leaves it by the shortest way over this side.
+[[nodiscard]] bool leaves_over(const Outline& outline, const Side& side, const Corner& corner, double touch)
+{
+    const double distance = distance_to(side, corner.place);
+    for (const Side& other : outline.sides()) {
+        // Beyond an end that sticks out there is no way over it
+        const double along = other.tangent.dot(corner.place - other.start);
+        if ((along < 0.0 && !other.rises_before) || (along > other.length && !other.rises_after)) continue;
+        if (faces(corner, other.normal) && distance_to(other, corner.place) < distance - touch) return false;
+    }
+    return outline.holds(corner.place);
+}
+
+/// Points of one pair of parts, in one frame; the best two of them.
+class BestPoints
+{
+public:
+    void add(const Contact& contact)
+    {
+        if (count_ < k_most) {
+            all_[count_++] = contact;
+            return;
+        }
+        Contact* highest = std::max_element(all_, all_ + count_, is_lower);
+        if (is_lower(contact, *highest)) *highest = contact;
+    }
+
+    /// The lowest, and the one beside it that is the next lowest along the same normal.
+    /// near  points this near to each other are one [m]
+    [[nodiscard]] Manifold fetch(double near, double margin) const
+    {
+        Manifold manifold;
+        if (count_ == 0) return manifold;
+        const Contact* lowest = std::min_element(all_, all_ + count_, is_lower);
+        manifold.contacts[manifold.count++] = *lowest;
+        Contact next;
+        next.separation = std::numeric_limits<double>::infinity();
+        for (const Contact* other = all_; other != all_ + count_; ++other) {
+            const double cosine = other->normal.dot(lowest->normal);
+            if (!(cosine > rest_tolerance::k_one_face)) continue;
+            const Vec2 way = other->point - lowest->point;
+            if (!(std::abs(cross(lowest->normal, way)) > near)) continue;
+            const double separation = other->separation / cosine;
+            if (!(separation < next.separation)) continue;
+            next = *other;
+            next.separation = separation;
+            next.normal = lowest->normal;
+        }
+        if (next.separation <= margin) manifold.contacts[manifold.count++] = next;
+        return manifold;
+    }
+
+private:
+    [[nodiscard]] static bool is_lower(const Contact& x, const Contact& y) { return x.separation < y.separation; }
+
+    static constexpr int k_most = 16;
+    Contact all_[k_most];
+    int count_ = 0;
+};
+
+/// Corners of one body over sides of the other.
+///
+/// sides_from_corners  where the body with the corners lies, as the one with the sides sees it
+/// owner               1 where the corners are B's, else 0
+/// add                 takes a contact in the frame of the sides, with the normal out of these
+template <class Add>
+void add_corners_over_sides(const OutlineSide& with_sides, const OutlineSide& with_corners,
+                            const Pose& sides_from_corners, std::uint32_t owner, double margin, double touch,
+                            const Add& add)
+{
+    for (const Corner& there : with_corners.outline.corners_of(with_corners.part)) {
+        const Corner corner = seen_from(sides_from_corners, there);
+        for (const Side& side : with_sides.outline.sides_of(with_sides.part)) {
+            const Vec2 from_start = corner.place - side.start;
+            const double height = side.normal.dot(from_start);
+            const double separation = height - corner.radius;
+            if (separation > margin || !faces(corner, side.normal)) continue;
+            const double along = side.tangent.dot(from_start);
+            const bool is_sunk = height < -touch;
+            // In a notch a corner stays in front of the lines of both flanks, whichever of them it is over
+            const double beyond = is_sunk ? std::numeric_limits<double>::infinity() : std::max(margin, touch);
+            if (along < -(side.rises_before ? beyond : touch)) continue;
+            if (along > side.length + (side.rises_after ? beyond : touch)) continue;
+            if (is_sunk && !leaves_over(with_sides.outline, side, corner, touch)) continue;
+            const std::uint32_t feature =
+                static_cast<std::uint32_t>(side.edge) << 16 | static_cast<std::uint32_t>(corner.vertex) << 1 | owner;
+            add(Contact{corner.place - (corner.radius + 0.5 * separation) * side.normal, side.normal, separation,
+                        feature});
+        }
+    }
+}
+
+/// A way out of a corner leads between the normals of its two sides, beyond the ends of both.
+[[nodiscard]] bool is_between(const Corner& corner, const Vec2& way, double touch)
+{
+    return corner.radius > 0.0 || (cross(way, corner.before) < -touch && cross(way, corner.after) > touch);
+}
+
+/// Corners over corners, along the line between them.
+void add_corners_over_corners(const OutlineSide& a, const OutlineSide& b, const Pose& a_from_b, double margin,
+                              double touch, BestPoints& points)
+{
+    for (const Corner& there : b.outline.corners_of(b.part)) {
+        const Corner corner_b = seen_from(a_from_b, there);
+        for (const Corner& corner_a : a.outline.corners_of(a.part)) {
+            const Vec2 way = corner_b.place - corner_a.place;
+            const double reach = margin + corner_a.radius + corner_b.radius;
+            const double square = way.squaredNorm();
+            if (square > reach * reach || !(square > 0.0)) continue;
+            if (!is_between(corner_a, way, touch) || !is_between(corner_b, -way, touch)) continue;
+            const double length = std::sqrt(square);
+            const Vec2 normal = way / length;
+            const double separation = length - corner_a.radius - corner_b.radius;
+            const std::uint32_t feature = 0x80000000u | static_cast<std::uint32_t>(corner_a.vertex) << 16 |
+                                          static_cast<std::uint32_t>(corner_b.vertex) << 1;
+            points.add({corner_a.place + (corner_a.radius + 0.5 * separation) * normal, normal, separation, feature});
+        }
+    }
+}
+
+[[nodiscard]] Manifold seen_in_world(Manifold manifold, const Pose& world_from_here)
+{
+    for (int k = 0; k < manifold.count; ++k) {
+        Contact& contact = manifold.contacts[k];
+        contact.point = world_from_here * contact.point;
+        contact.normal = world_from_here.rotation * contact.normal;
+    }
+    return manifold;
+}
+
+} // namespace
+
+Manifold outline_points(const OutlineSide& a, const OutlineSide& b, double margin, double touch)
+{
+    const Pose a_from_b = relative_pose(a.pose, b.pose);
+    const Pose b_from_a = relative_pose(b.pose, a.pose);
+    BestPoints points;
+    add_corners_over_sides(a, b, a_from_b, 1u, margin, touch, [&](const Contact& contact) { points.add(contact); });
+    add_corners_over_sides(b, a, b_from_a, 0u, margin, touch, [&](const Contact& contact) {
+        points.add(
+            {a_from_b * contact.point, -(a_from_b.rotation * contact.normal), contact.separation, contact.feature});
+    });
+    add_corners_over_corners(a, b, a_from_b, margin, touch, points);
+    const double size = std::min(a.outline.longest_side(a.part), b.outline.longest_side(b.part));
+    return seen_in_world(points.fetch(rest_tolerance::k_same_place * size, margin), a.pose);
+}
+
+Manifold outline_points(const HalfPlane& wall, const OutlineSide& b, double margin)
+{
+    BestPoints points;
+    const double offset = wall.offset - wall.normal.dot(b.pose.position);
+    for (const Corner& corner : b.outline.corners_of(b.part)) {
+        const Vec2 place = b.pose.rotation * corner.place;
+        const double separation = wall.normal.dot(place) - offset - corner.radius;
+        if (separation > margin) continue;
+        points.add({b.pose.position + (place - (corner.radius + 0.5 * separation) * wall.normal), wall.normal,
+                    separation, static_cast<std::uint32_t>(corner.vertex) << 1 | 1u});
+    }
+    return points.fetch(rest_tolerance::k_same_place * b.outline.longest_side(b.part), margin);
+}
+
+} // namespace flying
