@@ -111,21 +111,15 @@ struct OpenPart
 
 
 
-/// How long a point stays in front of the edge that it is farthest in front of.  [s]
-[[nodiscard]] double time_in_front(const Seen& seen, const Polygon& polygon,
-                                   const MarchBounds& bounds)
+/// A point in front of one of a polygon's edges stays there for so long. No root is asked for: what bends down and is above
+/// zero at both ends of a stretch is so between them.
+[[nodiscard]] bool stays_in_front(const Seen& seen, const Polygon& polygon, const MarchBounds& bounds, double time)
 {
-    double greatest = bounds.tolerance.touch;
-    const Edge* facing = nullptr;
-    for (const Edge& edge : polygon.edges()) {
-        const double gap = edge.normal.dot(seen.point - polygon.vertices()[edge.from]);
-        if (gap > greatest) {
-            greatest = gap;
-            facing = &edge;
-        }
-    }
-    if (!facing) return 0.0;
-    return safe_step(greatest - bounds.tolerance.touch, facing->normal.dot(seen.rate), bounds.bend);
+    const double fall = 0.5 * bounds.bend * time * time;
+    return std::any_of(polygon.edges().begin(), polygon.edges().end(), [&](const Edge& edge) {
+        const double gap = edge.normal.dot(seen.point - polygon.vertices()[edge.from]) - bounds.tolerance.touch;
+        return gap > 0.0 && gap + time * edge.normal.dot(seen.rate) > fall;
+    });
 }
 
 
@@ -252,60 +246,39 @@ void scan_vertices(const Facing<Relative>& facing, const Facing<Relative>& of_a,
     const Window& window = facing.window;
     const Vec2 offset = facing.sign * facing.relative.offset_at(window.from);
     const Vec2 rate = facing.sign * facing.relative.rate_at(window.from);
-    const double acceleration = acceleration_bound(facing.relative);
-    const double spin_p = p.turning.spin();
+    const double spin = p.turning.spin();
     const double length = window.until - window.from;
+    MarchBounds bounds = facing.bounds(p.shape.radius());
 
-
-    // No vertex comes nearer to Q in this window than by so much
-    const double travel = (window.speed + std::abs(spin_p) * p.shape.radius()) * length;
-    const double circle =
-        q.shape.radius() * (1.0 + tolerance::k_bounding_margin) + window.tolerance.touch;
-    const double near = (circle + travel) * (1.0 + tolerance::k_bounding_margin);
-
+    // Q's circle, and how much nearer than by its speed a vertex can come to it
+    const double circle = q.shape.radius() * (1.0 + tolerance::k_bounding_margin) + window.tolerance.touch;
+    const double bend = acceleration_bound(facing.relative) + spin * spin * p.shape.radius();
+    const double near = circle + 0.5 * bend * length * length;
 
     for (int k = 0; k < static_cast<int>(p.shape.vertices().size()); ++k) {
         if (p.shape.is_reflex(k) || (!p.seams.empty() && is_no_corner(k, p.seams))) continue;
-        const Vec2& vertex = p.shape.vertices()[k];
-        const Vec2 r = p.at_start * vertex;
+        const Vec2 r = p.at_start * p.shape.vertices()[k];
         const Vec2 point = offset + r;
-        if (window.skips_far_vertices && point.squaredNorm() > near * near) continue;
-        const double arm = vertex.norm();
-        const Vec2 point_rate = rate + cross(spin_p, r);
+        const Vec2 point_rate = rate + cross(spin, r);
 
-
-        // Leave a vertex alone that stays out of the circle about Q
-        const double bend_of_distance = acceleration + spin_p * spin_p * arm;
-        const double reach = point.norm();
-        const double outside = reach - circle;
-        if (window.skips_far_vertices && outside > 0.0) {
-            const double clear = safe_step(outside, point.dot(point_rate) / reach, bend_of_distance);
-            if (window.from + clear >= horizon(strike, window)) continue;
-        }
-
-
-
-        // Nor one that stays in front of an edge of a convex Q, which lies behind all of its edges
-        const Seen seen = seen_from(q.at_start, q.turning.spin(), point, point_rate);
-        MarchBounds bounds = facing.bounds(arm);
-        if (window.skips_far_vertices && q.shape.is_convex() &&
-            time_in_front(seen, q.shape, bounds) >= horizon(strike, window) - window.from)
+        // Leave a vertex alone that stays out of the circle, or in front of an edge of a convex Q, which lies behind them all
+        const bool is_outside = point.squaredNorm() > circle * circle;
+        if (window.skips_far_vertices && is_outside && point.dot(point + length * point_rate) > near * point.norm())
             continue;
-
-
+        const Seen seen = seen_from(q.at_start, q.turning.spin(), point, point_rate);
+        if (window.skips_far_vertices && q.shape.is_convex() && stays_in_front(seen, q.shape, bounds, length)) continue;
 
         // Keep the edges that the first look doesn't rule out
         for (const Edge& edge : q.shape.edges()) {
             const OpenPart part = open_part(edge, q.seams);
-            const Vec2 edge_start = q.shape.vertices()[edge.from] + part.from * edge.tangent;
             bounds.length = part.length;
-            const EdgeReading first = read_edge(seen, edge, edge_start);
+            const EdgeReading first = read_edge(seen, edge, q.shape.vertices()[edge.from] + part.from * edge.tangent);
+            if (is_clear_for(first, bounds, length)) continue;
             const double wait = strikes(first, bounds) ? 0.0 : certain_step(first, bounds);
-            if (wait > 0.0 && window.from + wait >= horizon(strike, window)) continue;
+            if (wait >= length) continue;
             if (approaches.count == Approaches::k_most) follow_all(approaches, of_a, of_b, strike);
             approaches.list[approaches.count++] = {window.from + wait, k, edge.from, facing.kind};
         }
-
     }
 }
 
