@@ -109,20 +109,17 @@ struct OpenPart
     });
 }
 
-
-
-/// A point in front of one of a polygon's edges stays there for so long. No root is asked for: what bends down and is above
-/// zero at both ends of a stretch is so between them.
+/// A point in front of one of a polygon's edges stays there for so long. No root is asked for: what bends down and is
+/// above zero at both ends of a stretch is so between them.
 [[nodiscard]] bool stays_in_front(const Seen& seen, const Polygon& polygon, const MarchBounds& bounds, double time)
 {
     const double fall = 0.5 * bounds.bend * time * time;
-    return std::any_of(polygon.edges().begin(), polygon.edges().end(), [&](const Edge& edge) {
+    for (const Edge& edge : polygon.edges()) {
         const double gap = edge.normal.dot(seen.point - polygon.vertices()[edge.from]) - bounds.tolerance.touch;
-        return gap > 0.0 && gap + time * edge.normal.dot(seen.rate) > fall;
-    });
+        if (gap > 0.0 && gap + time * edge.normal.dot(seen.rate) > fall) return true;
+    }
+    return false;
 }
-
-
 
 /// The vertices of P and the edges of Q within a window, and what all of their readings share.
 template <typename Relative>
@@ -136,7 +133,8 @@ struct Facing
     const Window& window;
     double distance = 0.0; ///< bound on that of the two positions [m]
 
-    [[nodiscard]] Seen see(const Vec2& vertex, double time, const Rotation& world_from_p, const Rotation& world_from_q) const
+    [[nodiscard]] Seen see(const Vec2& vertex, double time, const Rotation& world_from_p,
+                           const Rotation& world_from_q) const
     {
         const Vec2 r = world_from_p * vertex;
         const Vec2 point = sign * relative.offset_at(time) + r;
@@ -157,8 +155,6 @@ struct Facing
     }
 };
 
-
-
 /// A vertex that may strike an edge. Without values of its own: most of a list is never written.
 struct Approach
 {
@@ -168,8 +164,6 @@ struct Approach
     FeatureKind kind; ///< whose vertex
 };
 
-
-
 /// Approaches of one window, in the order in which they were found.
 struct Approaches
 {
@@ -177,8 +171,6 @@ struct Approaches
     std::array<Approach, k_most> list;
     int count = 0;
 };
-
-
 
 /// First strike of one vertex on one edge.
 template <typename Relative>
@@ -194,7 +186,8 @@ template <typename Relative>
     bounds.length = part.length;
 
     const auto read = [&](double time) {
-        return read_edge(facing.see(corner, time, p.turning.at(time), q.turning.at(time)), edge, edge_start);
+        const auto [world_from_p, world_from_q] = both_at(p.turning, q.turning, time);
+        return read_edge(facing.see(corner, time, world_from_p, world_from_q), edge, edge_start);
     };
     const auto counts = [&](double time) {
         if (p.seams.empty()) return true;
@@ -206,10 +199,8 @@ template <typename Relative>
     return march(first, read, bounds, from, until, counts);
 }
 
-
-
-/// Follow what approaches, that which may strike first before the others: most of them can't be earlier than its strike, and
-/// needn't be followed. Of two at one time, the one that was found first stays.
+/// Follow what approaches, that which may strike first before the others: most of them can't be earlier than its
+/// strike, and needn't be followed. Of two at one time, the one that was found first stays.
 template <typename Relative>
 void follow_all(Approaches& approaches, const Facing<Relative>& of_a, const Facing<Relative>& of_b, Strike& strike)
 {
@@ -225,16 +216,13 @@ void follow_all(Approaches& approaches, const Facing<Relative>& of_a, const Faci
         approach.earliest = k_never;
 
         const Facing<Relative>& facing = approach.kind == FeatureKind::vertex_of_a ? of_a : of_b;
-        const MarchEnd end =
-            follow(facing, approach.vertex, approach.edge, std::min(limit, facing.window.until));
+        const MarchEnd end = follow(facing, approach.vertex, approach.edge, std::min(limit, facing.window.until));
         if (end.kind == MarchEnd::Kind::none || end.time >= limit) continue;
         strike = {end.kind, end.time, {approach.kind, approach.vertex, approach.edge}};
         struck = next;
     }
     approaches.count = 0;
 }
-
-
 
 /// Find the vertices of P that may strike an edge of Q.
 template <typename Relative>
@@ -261,7 +249,8 @@ void scan_vertices(const Facing<Relative>& facing, const Facing<Relative>& of_a,
         const Vec2 point = offset + r;
         const Vec2 point_rate = rate + cross(spin, r);
 
-        // Leave a vertex alone that stays out of the circle, or in front of an edge of a convex Q, which lies behind them all
+        // Leave a vertex alone that stays out of the circle, or in front of an edge of a convex Q, which lies behind
+        // them all
         const bool is_outside = point.squaredNorm() > circle * circle;
         if (window.skips_far_vertices && is_outside && point.dot(point + length * point_rate) > near * point.norm())
             continue;
@@ -281,8 +270,6 @@ void scan_vertices(const Facing<Relative>& facing, const Facing<Relative>& of_a,
         }
     }
 }
-
-
 
 /// March of the distance between a point and a centre, less a radius. Distance bends
 /// upwards by itself, so that the acceleration alone bounds how fast it can fall.
@@ -310,8 +297,9 @@ template <typename Relative>
 Strike first_strike(const Polygon& a, const Turning& turning_a, const Polygon& b, const Turning& turning_b,
                     const Relative& relative, const Window& window)
 {
-    const Side side_a{a, turning_a, turning_a.at(window.from), window.seams_a};
-    const Side side_b{b, turning_b, turning_b.at(window.from), window.seams_b};
+    const auto [world_from_a, world_from_b] = both_at(turning_a, turning_b, window.from);
+    const Side side_a{a, turning_a, world_from_a, window.seams_a};
+    const Side side_b{b, turning_b, world_from_b, window.seams_b};
     const double distance = relative.offset_at(window.from).norm() + window.speed * (window.until - window.from);
     const Facing<Relative> of_a{side_a, side_b, relative, 1.0, FeatureKind::vertex_of_a, window, distance};
     const Facing<Relative> of_b{side_b, side_a, relative, -1.0, FeatureKind::vertex_of_b, window, distance};
