@@ -164,10 +164,11 @@ struct Approach
     FeatureKind kind; ///< whose vertex
 };
 
-/// Approaches of one window, in the order in which they were found.
+/// Approaches of one window, in the order in which they were found. Few polygons have more; where there is no room,
+/// those found so far are followed, and what they strike shortens the window for the rest.
 struct Approaches
 {
-    static constexpr int k_most = 16;
+    static constexpr int k_most = 4;
     std::array<Approach, k_most> list;
     int count = 0;
 };
@@ -235,25 +236,30 @@ void scan_vertices(const Facing<Relative>& facing, const Facing<Relative>& of_a,
     const Vec2 offset = facing.sign * facing.relative.offset_at(window.from);
     const Vec2 rate = facing.sign * facing.relative.rate_at(window.from);
     const double spin = p.turning.spin();
-    const double length = window.until - window.from;
     MarchBounds bounds = facing.bounds(p.shape.radius());
 
-    // Q's circle, and how much nearer than by its speed a vertex can come to it
+    // Q's circle, and how far from it a vertex must be to stay out of it in all of the window
     const double circle = q.shape.radius() * (1.0 + tolerance::k_bounding_margin) + window.tolerance.touch;
+    const double travel = (window.speed + std::abs(spin) * p.shape.radius()) * (window.until - window.from);
+    const double far = (circle + travel) * (1.0 + tolerance::k_bounding_margin);
     const double bend = acceleration_bound(facing.relative) + spin * spin * p.shape.radius();
-    const double near = circle + 0.5 * bend * length * length;
 
     for (int k = 0; k < static_cast<int>(p.shape.vertices().size()); ++k) {
         if (p.shape.is_reflex(k) || (!p.seams.empty() && is_no_corner(k, p.seams))) continue;
         const Vec2 r = p.at_start * p.shape.vertices()[k];
         const Vec2 point = offset + r;
-        const Vec2 point_rate = rate + cross(spin, r);
+        const double distance2 = point.squaredNorm();
+        if (window.skips_far_vertices && distance2 > far * far) continue;
 
         // Leave a vertex alone that stays out of the circle, or in front of an edge of a convex Q, which lies behind
         // them all
-        const bool is_outside = point.squaredNorm() > circle * circle;
-        if (window.skips_far_vertices && is_outside && point.dot(point + length * point_rate) > near * point.norm())
+        const Vec2 point_rate = rate + cross(spin, r);
+        const double length = horizon(strike, window) - window.from;
+        const double near = circle + 0.5 * bend * length * length;
+        if (window.skips_far_vertices && distance2 > circle * circle &&
+            point.dot(point + length * point_rate) > near * std::sqrt(distance2)) {
             continue;
+        }
         const Seen seen = seen_from(q.at_start, q.turning.spin(), point, point_rate);
         if (window.skips_far_vertices && q.shape.is_convex() && stays_in_front(seen, q.shape, bounds, length)) continue;
 
@@ -264,7 +270,7 @@ void scan_vertices(const Facing<Relative>& facing, const Facing<Relative>& of_a,
             const EdgeReading first = read_edge(seen, edge, q.shape.vertices()[edge.from] + part.from * edge.tangent);
             if (is_clear_for(first, bounds, length)) continue;
             const double wait = strikes(first, bounds) ? 0.0 : certain_step(first, bounds);
-            if (wait >= length) continue;
+            if (window.from + wait >= horizon(strike, window)) continue;
             if (approaches.count == Approaches::k_most) follow_all(approaches, of_a, of_b, strike);
             approaches.list[approaches.count++] = {window.from + wait, k, edge.from, facing.kind};
         }
