@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "math/tolerance.hpp"
 #include "toi/bend.hpp"
