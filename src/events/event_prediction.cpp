@@ -208,7 +208,9 @@ inline void EventEngine::predict_movers(int a, int b)
         time = start + time_to_meet(offset, rate, reach);
     } else if (options_.skips_far_features) {
         // [events.predict_movers.circles]
-        const Passage passage = passage_through_circle(offset, rate, bounding_reach(reach));
+        const double radius = bounding_reach(reach);
+        const bool parts = offset.dot(rate) >= 0.0 && offset.squaredNorm() > radius * radius; // seen without a root
+        const Passage passage = parts ? Passage{} : passage_through_circle(offset, rate, radius);
         if (!(passage.leave > 0.0)) {
             ++counts_.far_features_skipped;
             return;

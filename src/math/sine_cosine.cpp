@@ -1,5 +1,6 @@
 #include "math/sine_cosine.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -21,8 +22,10 @@ struct ReducedAngle
     std::uint64_t quarters = 0; ///< only its last two bits count
 };
 
-
-
+constexpr double k_eighth_turn = 0x1.921fb54442d18p-1;         // pi/4
+constexpr double k_near = 0x1p20;                              // [rad] up to which the short reduction serves
+constexpr double k_far = 0x1p53;                               // [rad] up to which the long one does
+constexpr double k_digits_run_out = 0x1p-12;                   // [rad] rests below it want the long one, too
 constexpr double k_quarters_per_radian = 0x1.45f306dc9c883p-1; // 2/pi
 
 /// Added to a number below 2^51, it pushes the fraction out of the last place and leaves the nearest whole number
@@ -103,38 +106,52 @@ constexpr std::array<double, 7> k_cosine = {
     1.0 / 24.0,        -1.0 / 720.0,         1.0 / 40320.0,         -1.0 / 3628800.0,
     1.0 / 479001600.0, -1.0 / 87178291200.0, 1.0 / 20922789888000.0};
 
-/// Sine and cosine of x + tail, |x| <= pi/4. The first term left out is below 2^-63 of the result.
-SineCosine series(double x, double tail)
+/// Two numbers side by side, for what is done to two angles alike: the bits are those of one. (A vector of the
+/// compilers' own: g++, clang.)
+using Two [[gnu::vector_size(16)]] = double;
+
+/// Sine and cosine of one angle or two.
+template <typename Number>
+struct Sums
 {
-    const double x2 = x * x;
-    const double x4 = x2 * x2;
-    const double x8 = x4 * x4;
+    Number sine;
+    Number cosine;
+};
+
+/// Sine and cosine of x + tail, |x| <= pi/4. The first term left out is below 2^-63 of the result.
+/// Number  double or Two
+template <typename Number>
+Sums<Number> series(Number x, Number tail)
+{
+    const Number x2 = x * x;
+    const Number x4 = x2 * x2;
+    const Number x8 = x4 * x4;
 
     // Sum by pairs: the processor works on several at once
-    const double s01 = k_sine[0] + k_sine[1] * x2;
-    const double s23 = k_sine[2] + k_sine[3] * x2;
-    const double s45 = k_sine[4] + k_sine[5] * x2;
-    const double s67 = k_sine[6] + k_sine[7] * x2;
-    const double s = (s01 + s23 * x4) + (s45 + s67 * x4) * x8;
-    const double c01 = k_cosine[0] + k_cosine[1] * x2;
-    const double c23 = k_cosine[2] + k_cosine[3] * x2;
-    const double c45 = k_cosine[4] + k_cosine[5] * x2;
-    const double c = (c01 + c23 * x4) + (c45 + k_cosine[6] * x4) * x8;
+    const Number s01 = k_sine[0] + k_sine[1] * x2;
+    const Number s23 = k_sine[2] + k_sine[3] * x2;
+    const Number s45 = k_sine[4] + k_sine[5] * x2;
+    const Number s67 = k_sine[6] + k_sine[7] * x2;
+    const Number s = (s01 + s23 * x4) + (s45 + s67 * x4) * x8;
+    const Number c01 = k_cosine[0] + k_cosine[1] * x2;
+    const Number c23 = k_cosine[2] + k_cosine[3] * x2;
+    const Number c45 = k_cosine[4] + k_cosine[5] * x2;
+    const Number c = (c01 + c23 * x4) + (c45 + k_cosine[6] * x4) * x8;
 
     // Add the small to the large last, with what 1 - x^2/2 loses. The tail moves the sine by cos x times itself, the
     // cosine by -sin x times itself
-    const double half = 0.5 * x2;
-    const double most = 1.0 - half;
-    const double lost = (1.0 - most) - half;
-    const double sine = x + (x * (x2 * s) + tail * most);
-    const double cosine = most + (lost + (x4 * c - x * tail));
+    const Number half = 0.5 * x2;
+    const Number most = 1.0 - half;
+    const Number lost = (1.0 - most) - half;
+    const Number sine = x + (x * (x2 * s) + tail * most);
+    const Number cosine = most + (lost + (x4 * c - x * tail));
     return {sine, cosine};
 }
 
 
 
 /// Turns (cosine, sine) by a number of quarters.
-SineCosine turned(const SineCosine& sc, std::uint64_t quarters)
+SineCosine turned(const Sums<double>& sc, std::uint64_t quarters)
 {
     const bool odd = (quarters & 1) != 0;
     const double sine = odd ? sc.cosine : sc.sine;
@@ -163,14 +180,10 @@ SineCosine sine_cosine_far(double angle)
 
 SineCosine sine_cosine(double angle)
 {
-    constexpr double k_eighth_turn = 0x1.921fb54442d18p-1; // pi/4
-    constexpr double k_near = 0x1p20;
-    constexpr double k_far = 0x1p53;
-    constexpr double k_digits_run_out = 0x1p-12;
     const double size = std::abs(angle);
 
     if (size == 0.0) return {angle, 1.0};
-    if (size <= k_eighth_turn) return series(angle, 0.0);
+    if (size <= k_eighth_turn) return turned(series(angle, 0.0), 0);
     if (size <= k_near) {
         const ReducedAngle reduced = reduce_near(angle);
         if (std::abs(reduced.rest) < k_digits_run_out) return sine_cosine_far(angle);
@@ -182,5 +195,17 @@ SineCosine sine_cosine(double angle)
     return {k_unknown, k_unknown};
 }
 
+std::array<SineCosine, 2> sine_cosine(double first, double second)
+{
+    const auto is_near = [](double angle) { return std::abs(angle) > k_eighth_turn && std::abs(angle) <= k_near; };
+    if (!is_near(first) || !is_near(second)) return {sine_cosine(first), sine_cosine(second)};
+    const ReducedAngle one = reduce_near(first);
+    const ReducedAngle two = reduce_near(second);
+    if (std::min(std::abs(one.rest), std::abs(two.rest)) < k_digits_run_out) {
+        return {sine_cosine(first), sine_cosine(second)};
+    }
+    const Sums<Two> sums = series(Two{one.rest, two.rest}, Two{one.rest_tail, two.rest_tail});
+    return {turned({sums.sine[0], sums.cosine[0]}, one.quarters), turned({sums.sine[1], sums.cosine[1]}, two.quarters)};
+}
 
 } // namespace flying

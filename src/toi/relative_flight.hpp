@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 
 #include "motion/flight.hpp"
@@ -56,13 +57,20 @@ public:
     {
     }
 
-    [[nodiscard]] Rotation at(double time) const
-    {
-        return spin_ == 0.0 ? still_ : Rotation::of(angle_ + spin_ * (time - time_));
-    }
+    [[nodiscard]] Rotation at(double time) const { return spin_ == 0.0 ? still_ : Rotation::of(angle_at(time)); }
     [[nodiscard]] double spin() const { return spin_; }
 
+    /// Two at a time.
+    friend std::array<Rotation, 2> both_at(const Turning& p, const Turning& q, double time)
+    {
+        if (p.spin_ == 0.0 || q.spin_ == 0.0) return {p.at(time), q.at(time)};
+        const auto [of_p, of_q] = sine_cosine(p.angle_at(time), q.angle_at(time));
+        return {Rotation{of_p.cosine, of_p.sine}, Rotation{of_q.cosine, of_q.sine}};
+    }
+
 private:
+    [[nodiscard]] double angle_at(double time) const { return angle_ + spin_ * (time - time_); }
+
     double angle_;
     double spin_;
     double time_;

@@ -1,6 +1,8 @@
 #include "toi/turning_features.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "math/tolerance.hpp"
 #include "toi/bend.hpp"
@@ -108,111 +110,173 @@ struct OpenPart
     });
 }
 
-
-
-/// How long a point stays in front of the edge that it is farthest in front of.  [s]
-[[nodiscard]] double time_in_front(const Seen& seen, const Polygon& polygon,
-                                   const MarchBounds& bounds)
+/// A point in front of one of a polygon's edges stays there for so long. No root is asked for: what bends down and is
+/// above zero at both ends of a stretch is so between them.
+[[nodiscard]] bool stays_in_front(const Seen& seen, const Polygon& polygon, const MarchBounds& bounds, double time)
 {
-    double greatest = bounds.tolerance.touch;
-    const Edge* facing = nullptr;
+    const double fall = 0.5 * bounds.bend * time * time;
     for (const Edge& edge : polygon.edges()) {
-        const double gap = edge.normal.dot(seen.point - polygon.vertices()[edge.from]);
-        if (gap > greatest) {
-            greatest = gap;
-            facing = &edge;
-        }
+        const double gap = edge.normal.dot(seen.point - polygon.vertices()[edge.from]) - bounds.tolerance.touch;
+        if (gap > 0.0 && gap + time * edge.normal.dot(seen.rate) > fall) return true;
     }
-    if (!facing) return 0.0;
-    return safe_step(greatest - bounds.tolerance.touch, facing->normal.dot(seen.rate), bounds.bend);
+    return false;
 }
 
-
-
-/// Vertices of P on edges of Q. `sign` is +1 where the relative flight leads from Q to P, -1
-/// where it leads back.
+/// The vertices of P and the edges of Q within a window, and what all of their readings share.
 template <typename Relative>
-void scan_vertices(const Side& p, const Side& q, const Relative& relative, double sign, FeatureKind kind,
-                   const Window& window, Strike& strike)
+struct Facing
 {
-    const Vec2 offset = sign * relative.offset_at(window.from);
-    const Vec2 rate = sign * relative.rate_at(window.from);
-    const double acceleration = acceleration_bound(relative);
-    const double spin_p = p.turning.spin();
-    const double spin_q = q.turning.spin();
-    const double length = window.until - window.from;
-    const double distance = offset.norm() + window.speed * length;
+    const Side& p;
+    const Side& q;
+    const Relative& relative;
+    double sign = 1.0; ///< +1 where the relative flight leads from Q to P, -1 where it leads back
+    FeatureKind kind = FeatureKind::vertex_of_a;
+    const Window& window;
+    double distance = 0.0; ///< bound on that of the two positions [m]
 
+    [[nodiscard]] Seen see(const Vec2& vertex, double time, const Rotation& world_from_p,
+                           const Rotation& world_from_q) const
+    {
+        const Vec2 r = world_from_p * vertex;
+        const Vec2 point = sign * relative.offset_at(time) + r;
+        const Vec2 rate = sign * relative.rate_at(time) + cross(p.turning.spin(), r);
+        return seen_from(world_from_q, q.turning.spin(), point, rate);
+    }
 
-    // No vertex comes nearer to Q in this window than by so much
-    const double travel = (window.speed + std::abs(spin_p) * p.shape.radius()) * length;
-    const double circle =
-        q.shape.radius() * (1.0 + tolerance::k_bounding_margin) + window.tolerance.touch;
-    const double near = (circle + travel) * (1.0 + tolerance::k_bounding_margin);
-
-
-    for (int k = 0; k < static_cast<int>(p.shape.vertices().size()); ++k) {
-        if (p.shape.is_reflex(k) || is_no_corner(k, p.seams)) continue;
-        const Vec2& vertex = p.shape.vertices()[k];
-        const Vec2 r = p.at_start * vertex;
-        const Vec2 point = offset + r;
-        if (window.skips_far_vertices && point.squaredNorm() > near * near) continue;
-        const double arm = vertex.norm();
-        const Vec2 point_rate = rate + cross(spin_p, r);
-
-
-        // Leave a vertex alone that stays out of the circle about Q
-        const double bend_of_distance = acceleration + spin_p * spin_p * arm;
-        const double reach = point.norm();
-        const double outside = reach - circle;
-        if (window.skips_far_vertices && outside > 0.0) {
-            const double clear = safe_step(outside, point.dot(point_rate) / reach, bend_of_distance);
-            if (window.from + clear >= horizon(strike, window)) continue;
-        }
-
-
-
-        // Nor one that stays in front of an edge of a convex Q, which lies behind all of its edges
-        const Seen seen = seen_from(q.at_start, spin_q, point, point_rate);
+    /// All but the edge's length.
+    [[nodiscard]] MarchBounds bounds(double arm) const
+    {
         MarchBounds bounds;
-        bounds.bend = bend_of_point(acceleration, window.speed, distance, arm, spin_p, spin_q);
+        bounds.bend = bend_of_point(acceleration_bound(relative), window.speed, distance, arm, p.turning.spin(),
+                                    q.turning.spin());
         bounds.depth = k_depth * window.tolerance.touch;
         bounds.tolerance = window.tolerance;
         bounds.ends = tolerance::coordinate_rounding(q.shape.radius() + arm);
-        if (window.skips_far_vertices && q.shape.is_convex() &&
-            time_in_front(seen, q.shape, bounds) >= horizon(strike, window) - window.from)
-            continue;
-
-
-
-        // March on every edge that the first look doesn't rule out
-        for (const Edge& edge : q.shape.edges()) {
-            const OpenPart part = open_part(edge, q.seams);
-            const Vec2 edge_start = q.shape.vertices()[edge.from] + part.from * edge.tangent;
-            bounds.length = part.length;
-            const EdgeReading first = read_edge(seen, edge, edge_start);
-            if (!strikes(first, bounds) && window.from + certain_step(first, bounds) >= horizon(strike, window)) continue;
-
-
-            const auto read = [&](double time) {
-                const Vec2 r_then = p.turning.at(time) * vertex;
-                const Vec2 point_then = sign * relative.offset_at(time) + r_then;
-                const Vec2 rate_then = sign * relative.rate_at(time) + cross(spin_p, r_then);
-                return read_edge(seen_from(q.turning.at(time), spin_q, point_then, rate_then), edge, edge_start);
-            };
-
-            const auto counts = [&](double time) {
-                const Vec2 normal = inverse(p.turning.at(time)) * Vec2(q.turning.at(time) * edge.normal);
-                return is_open(p.shape, k, p.seams, -normal);
-            };
-            keep_earlier(strike, march(first, read, bounds, window.from, horizon(strike, window), counts),
-                         {kind, k, edge.from});
-        }
-
+        return bounds;
     }
+};
+
+/// A vertex that may strike an edge. Without values of its own: most of a list is never written.
+struct Approach
+{
+    double earliest; ///< nothing happens before [s]
+    int vertex;
+    int edge;
+    FeatureKind kind; ///< whose vertex
+};
+
+/// Approaches of one window, in the order in which they were found. Few polygons have more; where there is no room,
+/// those found so far are followed, and what they strike shortens the window for the rest.
+struct Approaches
+{
+    static constexpr int k_most = 4;
+    std::array<Approach, k_most> list;
+    int count = 0;
+};
+
+/// First strike of one vertex on one edge.
+template <typename Relative>
+[[nodiscard]] MarchEnd follow(const Facing<Relative>& facing, int vertex, int edge_index, double until)
+{
+    const Side& p = facing.p;
+    const Side& q = facing.q;
+    const Vec2& corner = p.shape.vertices()[vertex];
+    const Edge& edge = q.shape.edges()[edge_index];
+    const OpenPart part = open_part(edge, q.seams);
+    const Vec2 edge_start = q.shape.vertices()[edge.from] + part.from * edge.tangent;
+    MarchBounds bounds = facing.bounds(corner.norm());
+    bounds.length = part.length;
+
+    const auto read = [&](double time) {
+        const auto [world_from_p, world_from_q] = both_at(p.turning, q.turning, time);
+        return read_edge(facing.see(corner, time, world_from_p, world_from_q), edge, edge_start);
+    };
+    const auto counts = [&](double time) {
+        if (p.seams.empty()) return true;
+        const Vec2 normal = inverse(p.turning.at(time)) * Vec2(q.turning.at(time) * edge.normal);
+        return is_open(p.shape, vertex, p.seams, -normal);
+    };
+    const double from = facing.window.from;
+    const EdgeReading first = read_edge(facing.see(corner, from, p.at_start, q.at_start), edge, edge_start);
+    return march(first, read, bounds, from, until, counts);
 }
 
+/// Follow what approaches, that which may strike first before the others: most of them can't be earlier than its
+/// strike, and needn't be followed. Of two at one time, the one that was found first stays.
+template <typename Relative>
+void follow_all(Approaches& approaches, const Facing<Relative>& of_a, const Facing<Relative>& of_b, Strike& strike)
+{
+    int struck = -1; // what an earlier list has found comes before all of these
+    for (int left = approaches.count; left > 0; --left) {
+        int next = 0;
+        for (int k = 1; k < approaches.count; ++k) {
+            if (approaches.list[k].earliest < approaches.list[next].earliest) next = k;
+        }
+        Approach& approach = approaches.list[next];
+        const double limit = next < struck ? next_after(strike.time) : strike.time;
+        if (approach.earliest >= limit) break;
+        approach.earliest = k_never;
 
+        const Facing<Relative>& facing = approach.kind == FeatureKind::vertex_of_a ? of_a : of_b;
+        const MarchEnd end = follow(facing, approach.vertex, approach.edge, std::min(limit, facing.window.until));
+        if (end.kind == MarchEnd::Kind::none || end.time >= limit) continue;
+        strike = {end.kind, end.time, {approach.kind, approach.vertex, approach.edge}};
+        struck = next;
+    }
+    approaches.count = 0;
+}
+
+/// Find the vertices of P that may strike an edge of Q.
+template <typename Relative>
+void scan_vertices(const Facing<Relative>& facing, const Facing<Relative>& of_a, const Facing<Relative>& of_b,
+                   Approaches& approaches, Strike& strike)
+{
+    const Side& p = facing.p;
+    const Side& q = facing.q;
+    const Window& window = facing.window;
+    const Vec2 offset = facing.sign * facing.relative.offset_at(window.from);
+    const Vec2 rate = facing.sign * facing.relative.rate_at(window.from);
+    const double spin = p.turning.spin();
+    MarchBounds bounds = facing.bounds(p.shape.radius());
+
+    // Q's circle, and how far from it a vertex must be to stay out of it in all of the window
+    const double circle = q.shape.radius() * (1.0 + tolerance::k_bounding_margin) + window.tolerance.touch;
+    const double travel = (window.speed + std::abs(spin) * p.shape.radius()) * (window.until - window.from);
+    const double far = (circle + travel) * (1.0 + tolerance::k_bounding_margin);
+    const double bend = acceleration_bound(facing.relative) + spin * spin * p.shape.radius();
+
+    for (int k = 0; k < static_cast<int>(p.shape.vertices().size()); ++k) {
+        if (p.shape.is_reflex(k) || (!p.seams.empty() && is_no_corner(k, p.seams))) continue;
+        const Vec2 r = p.at_start * p.shape.vertices()[k];
+        const Vec2 point = offset + r;
+        const double distance2 = point.squaredNorm();
+        if (window.skips_far_vertices && distance2 > far * far) continue;
+
+        // Leave a vertex alone that stays out of the circle, or in front of an edge of a convex Q, which lies behind
+        // them all
+        const Vec2 point_rate = rate + cross(spin, r);
+        const double length = horizon(strike, window) - window.from;
+        const double near = circle + 0.5 * bend * length * length;
+        if (window.skips_far_vertices && distance2 > circle * circle &&
+            point.dot(point + length * point_rate) > near * std::sqrt(distance2)) {
+            continue;
+        }
+        const Seen seen = seen_from(q.at_start, q.turning.spin(), point, point_rate);
+        if (window.skips_far_vertices && q.shape.is_convex() && stays_in_front(seen, q.shape, bounds, length)) continue;
+
+        // Keep the edges that the first look doesn't rule out
+        for (const Edge& edge : q.shape.edges()) {
+            const OpenPart part = open_part(edge, q.seams);
+            bounds.length = part.length;
+            const EdgeReading first = read_edge(seen, edge, q.shape.vertices()[edge.from] + part.from * edge.tangent);
+            if (is_clear_for(first, bounds, length)) continue;
+            const double wait = strikes(first, bounds) ? 0.0 : certain_step(first, bounds);
+            if (window.from + wait >= horizon(strike, window)) continue;
+            if (approaches.count == Approaches::k_most) follow_all(approaches, of_a, of_b, strike);
+            approaches.list[approaches.count++] = {window.from + wait, k, edge.from, facing.kind};
+        }
+    }
+}
 
 /// March of the distance between a point and a centre, less a radius. Distance bends
 /// upwards by itself, so that the acceleration alone bounds how fast it can fall.
@@ -240,11 +304,17 @@ template <typename Relative>
 Strike first_strike(const Polygon& a, const Turning& turning_a, const Polygon& b, const Turning& turning_b,
                     const Relative& relative, const Window& window)
 {
+    const auto [world_from_a, world_from_b] = both_at(turning_a, turning_b, window.from);
+    const Side side_a{a, turning_a, world_from_a, window.seams_a};
+    const Side side_b{b, turning_b, world_from_b, window.seams_b};
+    const double distance = relative.offset_at(window.from).norm() + window.speed * (window.until - window.from);
+    const Facing<Relative> of_a{side_a, side_b, relative, 1.0, FeatureKind::vertex_of_a, window, distance};
+    const Facing<Relative> of_b{side_b, side_a, relative, -1.0, FeatureKind::vertex_of_b, window, distance};
     Strike strike;
-    const Side side_a{a, turning_a, turning_a.at(window.from), window.seams_a};
-    const Side side_b{b, turning_b, turning_b.at(window.from), window.seams_b};
-    scan_vertices(side_a, side_b, relative, 1.0, FeatureKind::vertex_of_a, window, strike);
-    scan_vertices(side_b, side_a, relative, -1.0, FeatureKind::vertex_of_b, window, strike);
+    Approaches approaches;
+    scan_vertices(of_a, of_a, of_b, approaches, strike);
+    scan_vertices(of_b, of_a, of_b, approaches, strike);
+    follow_all(approaches, of_a, of_b, strike);
     return strike;
 }
 

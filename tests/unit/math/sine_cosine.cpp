@@ -46,6 +46,29 @@ std::uint64_t bits(double x)
 
 } // namespace
 
+TEST_CASE("two angles at once have the bits of one after the other")
+{
+    // Sizes on all sides of the bounds between the ways of reduction, and zeros, and multiples of pi/2
+    Random random(12);
+    const auto draw = [&] {
+        const double size = std::ldexp(random.uniform(0.5, 1.0), static_cast<int>(random.uniform(-30.0, 55.0)));
+        const double angle = random.uniform(0.0, 1.0) < 0.3 ? random.uniform(-20.0, 20.0) : size;
+        const double quarters = std::floor(random.uniform(-9.0, 9.0)) * (0.5 * std::numbers::pi);
+        const double choice = random.uniform(0.0, 1.0);
+        return choice < 0.05 ? -0.0 : choice < 0.2 ? quarters : choice < 0.6 ? -angle : angle;
+    };
+    for (int k = 0; k < 100'000; ++k) {
+        const double first = draw();
+        const double second = draw();
+        const std::array<SineCosine, 2> both = sine_cosine(first, second);
+        const std::array<SineCosine, 2> each = {sine_cosine(first), sine_cosine(second)};
+        for (std::size_t n = 0; n < 2; ++n) {
+            REQUIRE(bits(both[n].sine) == bits(each[n].sine));
+            REQUIRE(bits(both[n].cosine) == bits(each[n].cosine));
+        }
+    }
+}
+
 TEST_CASE("sine and cosine are within one unit in the last place at any size of the angle")
 {
     // Half an ulp is the last rounding; the rest is that of the terms before
