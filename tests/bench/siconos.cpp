@@ -290,6 +290,9 @@ void Siconos::advance(double time)
         try {
             parts_->simulation->computeOneStep();
             parts_->simulation->nextStep();
+            for (const auto& system : parts_->systems) {
+                if (system && !std::isfinite(system->q()->normInf())) parts_->failure = "its numbers grew without end";
+            }
         } catch (const std::exception& error) {
             parts_->failure = error.what();
         } catch (...) {
