@@ -68,12 +68,7 @@ int main()
                     time_ratio(curve(records, scene, "Siconos, sweeps"), curve(records, scene, "flying")));
     }
     std::printf("incline by pivots = %.1e m\n", least_error(curve(records, "incline", "Siconos, Lemke")));
-    std::printf("mass ratio by sweeps = %.1g m\n", least_error(curve(records, "mass-ratio", "Siconos, sweeps")));
     std::printf("mass ratio by pivots = %.1e m\n", least_error(curve(records, "mass-ratio", "Siconos, Lemke")));
-    std::printf("stack forces by sweeps = %.1e\n", least_error(curve(records, "stack-10", "Siconos, sweeps", 1)));
-    std::printf("stack shift by sweeps = %.1e m\n", least_error(curve(records, "stack-10", "Siconos, sweeps")));
-    std::printf("stack over ours = %.2g\n", time_ratio(curve(records, "stack-10", "Siconos, sweeps"),
-                                                       curve(records, "stack-10", "flying, kept awake")));
     std::printf("rocking by sweeps = %.1e m\n", least_error(curve(records, "rocking-block", "Siconos, sweeps")));
     for (const char* kernel : {"orbit", "gas", "stack"}) {
         const std::string scene = std::string("numbers-") + kernel;
