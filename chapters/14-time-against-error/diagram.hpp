@@ -30,6 +30,10 @@ struct Look
     if (engine.starts_with("Chipmunk")) return {k_ochre, 2.0, true};
     if (engine == "Box2D") return {k_rust, 2.2, false};
     if (engine.starts_with("Box2D")) return {k_rust, 2.0, true};
+    if (engine == "Siconos, sweeps") return {k_blue, 2.2, false};
+    if (engine.starts_with("Siconos")) return {k_blue, 2.0, true};
+    if (engine == "doubles") return {k_teal, 2.2, false};
+    if (engine == "floats") return {k_rust, 2.2, true};
     if (engine == "Verlet") return {k_blue, 2.0, false};
     if (engine == "symplectic Euler") return {k_blue, 2.0, true};
     return {k_soft, 2.0, false};
@@ -211,7 +215,7 @@ inline void draw_growth(const std::string& path, const GrowthRecord& growth)
 {
     std::vector<Point> all;
     for (const CurveRecord& curve : diagram.curves) {
-        if (!curve.engine.starts_with("Box2D") && !curve.engine.starts_with("Chipmunk")) continue;
+        if (!is_peer(curve.engine)) continue;
         for (const Point& point : points_of(diagram, curve.engine)) all.push_back(point);
     }
     return all;
@@ -225,7 +229,8 @@ inline void draw_ratios(const std::string& path, const Records& records)
     constexpr double k_right = 546.0;
     constexpr double k_low = -5.0;
     constexpr double k_high = 2.0;
-    const double height = 62.0 + k_row * static_cast<double>(records.diagrams.size());
+    const auto rows = std::count_if(records.diagrams.begin(), records.diagrams.end(), is_race);
+    const double height = 62.0 + k_row * static_cast<double>(rows);
     Sketch sketch(path, 560.0, height);
     const auto x = [&](double ratio) {
         const double log = std::clamp(std::log10(ratio), k_low, k_high);
@@ -244,6 +249,7 @@ inline void draw_ratios(const std::string& path, const Records& records)
     sketch.words(Vec2(k_right, height - 4.0), "our time over the best peer's", Anchor::right, k_soft, 14.0);
     double y = 24.0;
     for (const DiagramRecord& diagram : records.diagrams) {
+        if (!is_race(diagram)) continue;
         sketch.words(Vec2(k_left - 12.0, y + 5.0), diagram.name, Anchor::right, k_ink, 14.0);
         sketch.line(Vec2(k_left, y), Vec2(k_right, y), pale(k_soft, 0.25), 1.0);
         const std::vector<Point> ours = our_points(diagram);

@@ -134,6 +134,11 @@ int main(int argc, char** argv)
         std::fprintf(stderr, "%s: found no records; expected the file of a run of ./course bench\n", FLYING_MEASURED);
         return 1;
     }
+    const auto second = read_record_file(FLYING_SECOND);
+    if (!second) {
+        std::fprintf(stderr, "%s: found no records; expected the file of a run of ./course bench\n", FLYING_SECOND);
+        return 1;
+    }
     draw_orders(folder);
     trace_race(folder);
     draw_late(folder);
@@ -143,6 +148,12 @@ int main(int argc, char** argv)
         for (std::size_t k = 0; k < diagram.measures.size(); ++k) {
             const std::string suffix = k == 0 ? "" : "-" + std::to_string(k + 1);
             draw_diagram(folder + "/work-" + diagram.name + suffix + ".svg", diagram, k);
+        }
+    }
+    for (const DiagramRecord& diagram : second->diagrams) {
+        for (std::size_t k = 0; k < diagram.measures.size(); ++k) {
+            const std::string suffix = k == 0 ? "" : "-" + std::to_string(k + 1);
+            draw_diagram(folder + "/second-" + diagram.name + suffix + ".svg", diagram, k);
         }
     }
     for (const GrowthRecord& growth : records->growths) draw_growth(folder + "/growth-" + growth.name + ".svg", growth);

@@ -14,7 +14,7 @@ std::vector<Point> of_peers(const DiagramRecord& diagram)
 {
     std::vector<Point> all;
     for (const CurveRecord& curve : diagram.curves) {
-        if (!curve.engine.starts_with("Box2D") && !curve.engine.starts_with("Chipmunk")) continue;
+        if (!is_peer(curve.engine)) continue;
         for (const Point& point : points_of(diagram, curve.engine)) all.push_back(point);
     }
     return all;
@@ -96,6 +96,7 @@ int main()
     int won = 0;
     int reached = 0;
     for (const DiagramRecord& diagram : records.diagrams) {
+        if (!is_race(diagram)) continue;
         const Row row = row_of(diagram);
         std::printf("%-17s %9.1e %7.1e s %12.1e %11s %11s\n", row.name.c_str(), row.best_of_ours.error,
                     row.best_of_ours.seconds, row.their_error, ratio_text(row.at_their_worst).c_str(),
@@ -121,7 +122,7 @@ int main()
         const auto& [size, seconds] = growth.curves.at("flying").back();
         std::printf("most discs = %.0f\nseconds for the most discs = %.2g s\n", size, seconds);
     }
-    std::printf("scenes = %zu\n", records.diagrams.size());
+    std::printf("scenes = %td\n", std::count_if(records.diagrams.begin(), records.diagrams.end(), is_race));
     std::printf("scenes reached = %d\n", reached);
     std::printf("scenes never slower = %d\n", won);
     std::printf("ratio discs = %.2g\n", row_named(records, "discs-0.1").at_their_best.value_or(0.0));

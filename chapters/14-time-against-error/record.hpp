@@ -15,7 +15,6 @@
 /// last.
 namespace flying::work {
 
-
 /// Where and with what everything in a file was measured: its first line.
 struct RunRecord
 {
@@ -27,8 +26,6 @@ struct RunRecord
     int repeats = 0;                ///< rounds of each diagram
     double most = 0.0;              ///< settings whose run takes longer are left out [s]
 };
-
-
 
 /// One setting of one engine: a point of its curve.
 struct PointRecord
@@ -57,7 +54,6 @@ struct DiagramRecord
     std::vector<std::string> measures; ///< with their units; the first is the diagram's error
     std::vector<CurveRecord> curves;
 };
-
 
 /// Time against size.
 struct GrowthRecord
@@ -116,7 +112,6 @@ template <typename Record>
     return nlohmann::json{{kind, record}}.dump();
 }
 
-
 /// The records in a text of lines. What follows the last end of a line was cut off and is left out.
 /// whole  is told how many characters hold whole lines; may be null
 /// Nothing where a whole line is no record, or the first is not that of a run.
@@ -137,7 +132,6 @@ template <typename Record>
     return begin == 0 ? std::nullopt : std::optional(records);
 }
 
-
 /// The same from a file; nothing where it can't be read.
 [[nodiscard]] inline std::optional<Records> read_record_file(const std::string& path)
 {
@@ -145,7 +139,6 @@ template <typename Record>
     if (!file) return std::nullopt;
     return read_records(std::string(std::istreambuf_iterator<char>(file), {}));
 }
-
 
 /// The points of one engine's curve by the measure of this number; none where it has no curve.
 [[nodiscard]] inline std::vector<Point> points_of(const DiagramRecord& diagram, const std::string& engine,
@@ -166,6 +159,18 @@ template <typename Record>
 {
     const std::vector<Point> whole = points_of(diagram, "flying");
     return whole.empty() ? points_of(diagram, "flying, steps only") : whole;
+}
+
+/// An engine that isn't ours, among those that are compared with it.
+[[nodiscard]] inline bool is_peer(const std::string& engine)
+{
+    return engine.starts_with("Box2D") || engine.starts_with("Chipmunk") || engine.starts_with("Siconos");
+}
+
+/// A diagram of whole engines, not one of small kernels.
+[[nodiscard]] inline bool is_race(const DiagramRecord& diagram)
+{
+    return !our_points(diagram).empty();
 }
 
 } // namespace flying::work

@@ -28,6 +28,11 @@ Machine this_machine()
     machine.flags = FLYING_FLAGS;
     machine.box2d = std::string("Box2D ") + FLYING_BOX2D_VERSION + " of the distribution, assertions on, floats";
     machine.chipmunk = std::string("Chipmunk ") + cpVersionString + " of the distribution, assertions on, doubles";
+#ifdef FLYING_SICONOS
+    machine.siconos = "Siconos 4 of the distribution, doubles";
+#else
+    machine.siconos = "Siconos not built in";
+#endif
     std::ifstream file("/proc/cpuinfo");
     for (std::string line; std::getline(file, line);) {
         if (!line.starts_with("model name")) continue;

@@ -14,6 +14,7 @@ struct Machine
     std::string flags;
     std::string box2d;
     std::string chipmunk;
+    std::string siconos;
 };
 
 [[nodiscard]] Machine this_machine();

@@ -13,6 +13,7 @@
 #include "engine.hpp"
 #include "growth_sweep.hpp"
 #include "machine.hpp"
+#include "numbers.hpp"
 #include "sweep.hpp"
 
 namespace {
@@ -86,6 +87,7 @@ int main(int argc, char** argv)
     std::set<std::string> only;
     std::set<std::string> known;
     for (const TrialMaker& maker : trial_makers()) known.insert(maker.name);
+    for (const TrialMaker& maker : number_trials()) known.insert(maker.name);
     for (const std::string& name : growth_names()) known.insert("growth-" + name);
     known.insert("skips");
     CLI::App app("Time against error");
@@ -103,7 +105,7 @@ int main(int argc, char** argv)
                         today(),
                         machine.cpu + ", " + std::to_string(machine.cores) + " cores",
                         machine.compiler + ", " + machine.flags,
-                        {machine.chipmunk, machine.box2d},
+                        {machine.chipmunk, machine.box2d, machine.siconos},
                         repeats.value_or(quick ? 5 : 30),
                         most.value_or(quick ? 0.1 : 0.2)};
     std::filesystem::create_directories(out);
@@ -132,6 +134,15 @@ int main(int argc, char** argv)
         file.add(sweep(maker.make(coarseness), engines, options, tell));
         tell("");
         print(file.records().diagrams.back());
+    }
+    // Two small kernels reach what floats can do only at many more steps
+    SweepOptions finer = options;
+    for (double hertz = 61440.0; hertz <= 245760.0; hertz *= quick ? 4.0 : 2.0) finer.hertz.push_back(hertz);
+    for (const TrialMaker& maker : number_trials()) {
+        if (!is_wanted(maker.name) || file.has_diagram(maker.name)) continue;
+        file.add(sweep(maker.make(coarseness), number_engines(), finer, tell));
+        tell("");
+        std::printf("%s: done\n", maker.name.c_str());
     }
     for (const std::string& name : growth_names()) {
         if (!is_wanted("growth-" + name) || file.has_growth(name)) continue;

@@ -48,7 +48,8 @@ struct Engine
 [[nodiscard]] std::vector<Engine> steppers();
 
 /// Box2D and Chipmunk as Debian builds them, with assertions: with the iterations that they come with and, where bodies
-/// lean on each other, with four times as many.
+/// lean on each other, with four times as many. There, Siconos as well, with each of its two solvers; where it was not
+/// installed it says so.
 [[nodiscard]] std::vector<Engine> peers();
 
 } // namespace flying::bench

@@ -1,6 +1,7 @@
 #include <memory>
 
 #include "engine.hpp"
+#include "siconos.hpp"
 #include "simulators.hpp"
 
 namespace flying::bench {
@@ -23,12 +24,44 @@ Engine peer(const std::string& name, int effort)
     return {name, applies, [](const Trial&) { return std::string(); }, [](const Trial&) { return true; }, start};
 }
 
+#ifdef FLYING_SICONOS
+Run start_siconos(const Scene& scene, const Setting& setting, Siconos::Solver solver)
+{
+    const auto engine = std::make_shared<Siconos>(scene, setting.hertz, solver);
+    Run run;
+    run.advance = [=](double time) { engine->advance(time); };
+    run.states = [=] { return engine->states(); };
+    run.loads = [=] { return engine->loads(); };
+    run.failure = [=] { return engine->failure(); };
+    return run;
+}
+constexpr const char* k_no_siconos = "";
+#else
+Run start_siconos(const Scene&, const Setting&, Siconos::Solver)
+{
+    return {};
+}
+constexpr const char* k_no_siconos = "not built in: libsiconos-kernel-dev is not installed";
+#endif
+
+/// A peer for contacts that last, where it is installed.
+Engine siconos(const std::string& name, Siconos::Solver solver)
+{
+    return {name, [](const Trial& trial) { return trial.rests; },
+            [](const Trial&) { return std::string(k_no_siconos); }, [](const Trial&) { return true; },
+            [solver](const Scene& scene, const Setting& setting) { return start_siconos(scene, setting, solver); }};
+}
+
 } // namespace
 
 std::vector<Engine> peers()
 {
-    return {peer<Chipmunk>("Chipmunk", 1), peer<Chipmunk>("Chipmunk, 40 iterations", 4), peer<Box2d>("Box2D", 1),
-            peer<Box2d>("Box2D, 32/12 iterations", 4)};
+    return {peer<Chipmunk>("Chipmunk", 1),
+            peer<Chipmunk>("Chipmunk, 40 iterations", 4),
+            peer<Box2d>("Box2D", 1),
+            peer<Box2d>("Box2D, 32/12 iterations", 4),
+            siconos("Siconos, sweeps", Siconos::Solver::sweeps),
+            siconos("Siconos, Lemke", Siconos::Solver::lemke)};
 }
 
 } // namespace flying::bench
