@@ -80,9 +80,8 @@ function(flying_chapter)
     if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/figures.cpp)
         set(drawn ${FLYING_BOOK_FOLDER}/figures/${chapter}.stamp)
         flying_page_program(figures_${number} figures.cpp ${arg_LINK})
-        if(NOT FLYING_ONCE)
-            set_property(TARGET figures_${number} PROPERTY EXCLUDE_FROM_ALL ON)
-        endif()
+        # The book alone needs them
+        set_property(TARGET figures_${number} PROPERTY EXCLUDE_FROM_ALL ON)
         add_custom_command(OUTPUT ${drawn}
             COMMAND ${CMAKE_COMMAND} -E make_directory ${FLYING_BOOK_FOLDER}/figures/${chapter}
             COMMAND figures_${number} ${FLYING_BOOK_FOLDER}/figures/${chapter}

@@ -11,7 +11,7 @@ namespace flying {
 
 namespace {
 
-constexpr const char* k_examples = R"(
+constexpr const char* k_generate_examples = R"(
 Same kind, options and seed: same scene, on every machine. An option that a kind doesn't know is an error.
 
 Examples:
@@ -60,7 +60,7 @@ std::optional<Bounds> bounds(const std::vector<double>& numbers)
 void add_generate(CLI::App& app, GenerateCommand& command)
 {
     CLI::App* generate = app.add_subcommand("generate", "Print a scene of some kind, by chance or by rule");
-    generate->footer("\n" + kinds_text() + k_examples);
+    generate->footer("\n" + kinds_text() + k_generate_examples);
     std::vector<std::string> kinds;
     for (const GeneratorKind& kind : generator_kinds()) kinds.push_back(kind.name);
     generate->add_option("KIND", command.kind, "What to make; see below")->required()->check(CLI::IsMember(kinds));

@@ -75,7 +75,7 @@ void check_receipt_kind(const Block& equation, const EquationReceipt& receipt, P
 namespace {
 
 /// Numbers from thirteen on, as words; and halves of things that clocks and rulers measure.
-constexpr const char* k_number =
+constexpr const char* k_number_word =
     R"((((thir|four|fif|six|seven|eigh|nine)teen|(twen|thir|for|fif|six|seven|eigh|nine)ty|hundred|thousand|million|billion|dozen)s?\b|half an? (second|minute|hour|metre)\b))";
 
 std::optional<std::string> found_by(const std::regex& pattern, const std::string& text)
@@ -89,7 +89,7 @@ std::optional<std::string> found_by(const std::regex& pattern, const std::string
 
 std::optional<std::string> number_word(const std::string& text)
 {
-    static const std::regex k_word(std::string("\\b") + k_number, std::regex::icase);
+    static const std::regex k_word(std::string("\\b") + k_number_word, std::regex::icase);
     return found_by(k_word, text);
 }
 
@@ -97,7 +97,7 @@ std::optional<std::string> rough_number_word(const std::string& text)
 {
     static const std::regex k_rough(
         std::string(R"(\b(about|some|around|roughly|nearly|almost|more than|less than|fewer than) (an? )?([a-z]+ )?)") +
-            k_number,
+            k_number_word,
         std::regex::icase);
     return found_by(k_rough, text);
 }

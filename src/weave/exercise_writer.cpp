@@ -9,11 +9,6 @@ namespace flying::weave {
 
 namespace {
 
-std::string block_token(const std::string& token)
-{
-    return "\n" + token + "\n\n";
-}
-
 std::string exercise_title(const Chapter& chapter, const Exercise& exercise)
 {
     return fmt::format("{}.{} \u00b7 {}", chapter.entry.label(), exercise.name.substr(1), exercise.text.title);

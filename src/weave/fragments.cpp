@@ -14,6 +14,11 @@ constexpr std::size_t k_start_length = 4;
 
 } // namespace
 
+std::string block_token(const std::string& token)
+{
+    return "\n" + token + "\n\n";
+}
+
 std::string Fragments::add(Fragment fragment)
 {
     list_.push_back(std::move(fragment));

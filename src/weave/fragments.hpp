@@ -28,6 +28,9 @@ struct Fragment
     std::map<int, std::string> instead; ///< before which line stands what HTML
 };
 
+/// A token as a block of its own in Markdown.
+[[nodiscard]] std::string block_token(const std::string& token);
+
 /// HTML that Doxygen must not touch. While Doxygen works, a token, a word like any other, stands in its place.
 class Fragments
 {

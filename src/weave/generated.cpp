@@ -20,7 +20,7 @@ namespace {
 
 constexpr int k_box_width = 216;
 constexpr int k_box_height = 58;
-constexpr int k_column = 264;
+constexpr int k_column_width = 264;
 constexpr int k_row = 92;
 constexpr int k_margin = 76;
 
@@ -43,7 +43,7 @@ struct Spot
 {
     int column = 0;
     int row = 0;
-    [[nodiscard]] int x() const { return k_margin + column * k_column; }
+    [[nodiscard]] int x() const { return k_margin + column * k_column_width; }
     [[nodiscard]] int y() const { return 8 + row * k_row; }
 };
 
@@ -57,7 +57,7 @@ std::string arrow(const Spot& from, const Spot& to)
     }
     if (from.column > to.column) {
         // Down the gap between the columns
-        const int gap = from.x() - (k_column - k_box_width) / 2;
+        const int gap = from.x() - (k_column_width - k_box_width) / 2;
         const int y0 = from.y() + k_box_height / 2;
         const int y1 = to.y() + k_box_height / 2;
         return fmt::format("<path d=\"M{0},{1} C{2},{1} {2},{1} {2},{3} L{2},{4} C{2},{5} {2},{5} {6},{5}\"/>",
@@ -102,7 +102,7 @@ std::string chapter_map(const Book& book)
             spot.y() + 45, entry.written ? escape_html(entry.part) : "not written yet");
         boxes += entry.written ? fmt::format("<a href=\"{}.html\">{}</a>", entry.page(), box) : box;
     }
-    const int width = 2 * k_margin + (columns - 1) * k_column + k_box_width;
+    const int width = 2 * k_margin + (columns - 1) * k_column_width + k_box_width;
     return fmt::format(
         "<figure class=\"map\"><svg viewBox=\"0 0 {0} {1}\" role=\"group\" aria-label=\"Which chapter builds on which; "
         "the list "

@@ -43,7 +43,7 @@ std::string escape_prose(const std::string& prose)
 }
 
 /// Characters of code that the column of the text holds in one line.
-constexpr std::size_t k_column = 78;
+constexpr std::size_t k_line_width = 78;
 
 /// Characters of a program's output that it holds.
 constexpr std::size_t k_output_column = 72;
@@ -57,11 +57,6 @@ std::size_t longest_line(std::string_view text)
         at = end + 1;
     }
     return longest;
-}
-
-std::string block_token(const std::string& token)
-{
-    return "\n" + token + "\n\n";
 }
 
 } // namespace
@@ -304,7 +299,7 @@ std::string TextWriter::listing(const Block& block)
     }
     return block_token(fragments_.add_html(fmt::format(
         "<figure class=\"listing{}{}\"{}><figcaption>{}{}</figcaption><div class=\"fragment\">{}</div></figure>",
-        listing.is_again ? " again" : "", longest > k_column ? " wide" : "",
+        listing.is_again ? " again" : "", longest > k_line_width ? " wide" : "",
         listing.is_again ? "" : fmt::format(" id=\"listing-{}\"", slug(block.name)), captions,
         listing.is_again ? "<span>once more</span>" : "", body)));
 }
@@ -328,7 +323,7 @@ std::string TextWriter::region_lines(const Region& region, const Place& place, s
         lines.lines.erase(lines.lines.begin());
     while (!lines.lines.empty() && trim(file.lines[lines.lines.back() - 1]).empty()) lines.lines.pop_back();
     std::size_t most = 0;
-    std::size_t indent = k_column;
+    std::size_t indent = k_line_width;
     for (const int line : lines.lines) {
         const std::string& words = file.lines[line - 1];
         if (trim(words).empty()) continue;
