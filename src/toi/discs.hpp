@@ -1,9 +1,10 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
-#include "geometry/disc.hpp"
-#include "toi/relative_flight.hpp"
+#include "math/roots.hpp"
+#include "math/vec2.hpp"
 
 namespace flying {
 
