@@ -8,6 +8,7 @@
 #include "../support/sketch.hpp"
 #include "bar.hpp"
 #include "figures_central.hpp"
+#include "math/safe_step.hpp"
 #include "response/impact.hpp"
 #include "wrong_steps.hpp"
 

@@ -19,7 +19,7 @@ void look_around_only()
     Few wrong = right;
     const auto all = [](Few& few, int a, double) { few.foresee(a); };
     print("all pairs", right, run_looking(right, 100.0, all));
-    print("nine cells", wrong, run_looking(wrong, 100.0, LookAround{2.0}));
+    print("nine cells", wrong, run_looking(wrong, 100.0, LookAround{1.25}));
 }
 
 } // namespace

@@ -30,11 +30,6 @@ bool advance_one_impact(EventEngine& engine, double until)
     return engine.counts().impacts > before;
 }
 
-double place(const EventEngine& engine, int body)
-{
-    return state_at(engine.flyer(body), engine.time()).position.x();
-}
-
 /// A disc in its cell, the nine where it may meet others, and those it has yet to look at
 /// when it leaves.
 void draw_cells(const std::string& folder)
