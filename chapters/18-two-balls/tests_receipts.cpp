@@ -164,11 +164,11 @@ TEST_CASE("equal discs part at a right angle if one of them was at rest")
         pair.b.m = pair.a.m;
         if (speed_along(pair.a, pair.b, pair.n) > -0.5) continue;
         discs::strike(pair.a, pair.b, 1.0);
-        const double product = pair.a.vx * pair.b.vx + pair.a.vy * pair.b.vy;
-        CHECK_EQUATION_SCALED("discs.right_angle", product, 0.0, 10.0, 4e-15,
-                              {"v_{ax}'", pair.a.vx}, {"v_{bx}'", pair.b.vx},
-                              {"v_{ay}'", pair.a.vy}, {"v_{by}'", pair.b.vy});
-        CHECK_TWIN_SCALED("discs.right_angle", product, 0.1, 10.0, 4e-15);
+        const double along_y = pair.a.vy * pair.b.vy;
+        CHECK_EQUATION_SCALED("discs.right_angle", pair.a.vx * pair.b.vx, -along_y, 10.0,
+                              4e-15, {"v_{ay}'", pair.a.vy}, {"v_{by}'", pair.b.vy});
+        CHECK_TWIN_SCALED("discs.right_angle", pair.a.vx * pair.b.vx, 0.1 - along_y, 10.0,
+                          4e-15);
     }
 }
 
