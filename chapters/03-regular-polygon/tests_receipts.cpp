@@ -73,7 +73,7 @@ TEST_CASE("three, four and six sides are what they were by hand")
                        {"l", l});
         CHECK_TWIN("regular.three", three, m_three * l * l / 36, 2e-15);
 
-        // The square of chapter 2 comes out of a formula that never met it
+        // The square of chapter 3 comes out of a formula that never met it
         const auto [m_four, four] = of_side(4);
         const double square = rectangle_mass(l, l, 1.0).moment_of_inertia;
         CHECK_EQUATION("regular.four", four, square, 3e-15, {"m", m_four}, {"l", l});

@@ -9,7 +9,7 @@
 
 #include "math/vec2.hpp"
 
-/// The oracle of chapter 4: moments of rings in exact rational numbers.
+/// The oracle of chapter 5: moments of rings in exact rational numbers.
 namespace flying::oracle {
 
 using Rational = boost::multiprecision::cpp_rational;

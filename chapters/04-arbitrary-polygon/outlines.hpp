@@ -5,7 +5,7 @@
 
 #include "math/vec2.hpp"
 
-/// The shapes of chapter 4, counter-clockwise, in whole centimetres.
+/// The shapes of chapter 5, counter-clockwise, in whole centimetres.
 namespace flying::outlines {
 
 using Ring = std::vector<Vec2>;

@@ -2,14 +2,13 @@
 #include <cstdio>
 #include <initializer_list>
 
-#include "toi/discs.hpp"
-#include "wrong_quadratic.hpp"
+#include "math/safe_step.hpp"
+#include "wrong_step.hpp"
 #include "wrong_steps.hpp"
 
 using namespace flying;
 
 namespace {
-
 
 /// A disc of 10 cm and a wall of 2 cm: when they meet, by sixty looks a second and by the engine.
 void throw_discs()
@@ -27,26 +26,6 @@ void throw_discs()
     }
 }
 
-
-
-/// Two discs of 1 m on paths half a metre apart, from farther and farther away.
-void meet_from_afar()
-{
-    std::printf("\n   distance   school's form off by   engine off by\n");
-    for (const double distance : {1e1, 1e3, 1e5, 1e7, 1e9}) {
-        const FarPair far = far_pair(distance, 0.5);
-        const double expected = exactly(far, 2.0);
-        const double school = school_meet(far.x, far.v, 2.0);
-        const double engine = time_to_meet(far.x, far.v, 2.0);
-        std::printf("%9.0e m", distance);
-        if (school == k_never) std::printf(" %22s", "never meet");
-        else std::printf(" %20.1e s", std::abs(school - expected));
-        std::printf(" %13.1e s\n", std::abs(engine - expected));
-    }
-}
-
-
-
 /// A point comes down at 1 m/s with next to no bend: the root is one second away for each metre.
 void step_to_roots()
 {
@@ -57,14 +36,10 @@ void step_to_roots()
     }
 }
 
-
 } // namespace
-
 
 int main()
 {
     throw_discs();
-    meet_from_afar();
     step_to_roots();
 }
-

@@ -8,9 +8,8 @@
 #include "../support/sketch.hpp"
 #include "bar.hpp"
 #include "figures_central.hpp"
+#include "math/safe_step.hpp"
 #include "response/impact.hpp"
-#include "toi/discs.hpp"
-#include "wrong_quadratic.hpp"
 #include "wrong_steps.hpp"
 
 using namespace flying;
@@ -38,37 +37,6 @@ void draw_between(const std::string& folder)
     s.arrow(at(x) + Vec2(-34, 94), at(x) + Vec2(-12, 52), k_rust, 2.0);
     s.words(at(x) + Vec2(-42, 110), "between two looks", Anchor::middle, k_rust);
     s.arrow(at(0.155) + Vec2(0, -80), at(0.155) + Vec2(76, -80), k_soft, 2.0);
-}
-
-/// The path of one disc as seen from another, and the circle on which they touch.
-void draw_passage(const std::string& folder)
-{
-    Sketch s(folder + "/passage.svg", 560, 300);
-    const double scale = 52.0;
-    const Vec2 b(330, 170);
-    const auto at = [&](double x, double y) { return Vec2(b.x() + scale * x, b.y() - scale * y); };
-    const double reach = 2.0;
-    const double miss = 1.2;
-    const Vec2 x(-5.2, miss);
-    const Vec2 v(1.0, 0.0);
-    const double meet = time_to_meet(x, v, reach);
-    const double leave = passage_through_circle(x, v, reach).leave;
-    s.disc(b, reach * scale, pale(k_teal, 0.16), k_teal, 2.2);
-    s.dashed(at(x.x(), miss), at(4.2, miss), k_ink, 1.8);
-    s.arrow(at(x.x(), miss), at(x.x() + 1.5, miss), k_blue, 3.0);
-    s.arrow(b, at(x.x(), x.y()), k_soft, 1.8);
-    s.measure(at(0.0, 0.06), at(0.0, miss - 0.06));
-    s.line(b, at(1.1, -1.67), k_teal, 1.6);
-    for (const double t : {meet, leave}) s.disc(at(x.x() + t, miss), 6.0, t == meet ? k_rust : k_none, k_rust, 2.4);
-    s.disc(b, 5.0, k_ink, k_none);
-    s.formula(at(-3.1, 0.28), "x", Anchor::middle, k_ink);
-    s.formula(at(-4.4, miss) + Vec2(0, -14), "v", Anchor::middle, k_blue);
-    s.formula(at(0.78, -0.72), "s", Anchor::middle, k_teal);
-    s.formula(at(0.0, 0.5) + Vec2(10, 4), "k / V", Anchor::left, k_ink, 17.0);
-    s.words(at(x.x() + meet, miss) + Vec2(-8, -14), "enters", Anchor::right, k_rust);
-    s.words(at(x.x() + leave, miss) + Vec2(8, -14), "leaves", Anchor::left, k_rust);
-    s.formula(b + Vec2(-14, 22), "B", Anchor::middle, k_ink);
-    s.formula(at(x.x(), miss) + Vec2(-12, 24), "A", Anchor::middle, k_ink);
 }
 
 /// Heights of the four corners of a square that falls and turns.
@@ -234,26 +202,6 @@ void draw_graze(const std::string& folder)
     s.formula(at(6.45, 0) + Vec2(0, 26), "t", Anchor::middle, k_soft);
 }
 
-/// How far off the time of two discs is, over their distance, in two forms.
-void draw_cancel(const std::string& folder)
-{
-    Sketch s(folder + "/cancel.svg", 560, 360);
-    const LogPlot plot(s, Vec2(76, 300), Vec2(536, 24), Vec2(1, -18), Vec2(9, 2));
-    plot.axes(2, 4);
-    for (double power = 1.0; power <= 9.0; power += 0.1) {
-        const FarPair far = far_pair(std::pow(10.0, power), 0.5);
-        const double expected = exactly(far, 1.0);
-        const double engine = std::abs(time_to_meet(far.x, far.v, 1.0) - expected);
-        const double school = std::abs(school_meet(far.x, far.v, 1.0) - expected);
-        if (std::isfinite(school) && school > 0.0) plot.dot(std::pow(10.0, power), school, k_rust);
-        if (engine > 0.0) plot.dot(std::pow(10.0, power), engine, k_blue);
-    }
-    s.words(plot.at(40.0, 3e-8), "as school has it", Anchor::left, k_rust);
-    s.words(plot.at(5e5, 6e-15), "as the engine has it", Anchor::left, k_blue);
-    s.words(Vec2(306, 346), "distance, m");
-    s.words(Vec2(84, 18), "off by, s", Anchor::left);
-}
-
 /// A bar that turns above the floor and bounces: the engine's time, with a ghost by the closed forms.
 void record_bar(const std::string& folder)
 {
@@ -291,29 +239,6 @@ void record_bar(const std::string& folder)
     }
 }
 
-/// Two equal discs, one at rest, that meet off their centres.
-void record_discs(const std::string& folder)
-{
-    std::ofstream trace(folder + "/discs.ndjson");
-    trace << "{\"view\": [-3.6, -1.9, 3.6, 1.9], \"shapes\": [{\"radius\": 0.5}, {\"radius\": 0.5}]}\n";
-    const Vec2 start(-3.0, 0.45);
-    const Vec2 velocity(2.0, 0.0);
-    const double meet = time_to_meet(start, velocity, 1.0);
-    const Vec2 there = start + meet * velocity;
-    const Vec2 n = -there.normalized();
-    const ImpactPoint point{0.5 * n, -0.5 * n, n};
-    const Inertia inertia{1.0, 8.0};
-    const ImpactResult after =
-        resolve_impact({velocity, 0.0, inertia}, {Vec2::Zero(), 0.0, inertia}, {&point, 1}, {1.0, 0.0});
-    for (int k = 0; k <= 180; ++k) {
-        const double late = std::max(0.0, k / 60.0 - meet);
-        const Vec2 a = k / 60.0 < meet ? Vec2(start + k / 60.0 * velocity) : Vec2(there + late * after.velocity_a);
-        const Vec2 b = late * after.velocity_b;
-        trace << "{\"time\": " << k / 60.0 << ", \"bodies\": [[" << a.x() << ", " << a.y() << ", 0], [" << b.x() << ", "
-              << b.y() << ", 0]]}\n";
-    }
-}
-
 } // namespace
 
 int main(int argc, char** argv)
@@ -321,14 +246,11 @@ int main(int argc, char** argv)
     if (argc != 2) return 2;
     const std::string folder = argv[1];
     draw_between(folder);
-    draw_passage(folder);
     draw_heights(folder);
     draw_parabola(folder);
     draw_march(folder);
     draw_noise(folder);
     draw_graze(folder);
-    draw_cancel(folder);
     draw_outlook(folder);
     record_bar(folder);
-    record_discs(folder);
 }

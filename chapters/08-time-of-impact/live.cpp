@@ -4,7 +4,6 @@
 #include "bar.hpp"
 #include "live/pieces.hpp"
 #include "response/impact.hpp"
-#include "toi/discs.hpp"
 
 // What this chapter's page computes.
 
@@ -12,15 +11,8 @@ namespace flying::live {
 
 namespace {
 
-/// Reach of the two discs together, distance along x, offset across, speed -> when they meet (-1 where they don't).
-Answer meeting(std::span<const double> of)
-{
-    const double time = time_to_meet(Vec2(-of[1], of[2]), Vec2(of[3], 0.0), of[0]);
-    return {{time == k_never ? -1.0 : time}, {}};
-}
-
-/// height of the bar's middle, spin, looseness of the bound -> the bound; of each look of the march: time, gap, rate. On paper: when
-/// the bar strikes, by the arc sine.
+/// height of the bar's middle, spin, looseness of the bound -> the bound; of each look of the march: time, gap, rate.
+/// On paper: when the bar strikes, by the arc sine.
 Answer march(std::span<const double> of)
 {
     const double y = of[0];
@@ -54,10 +46,13 @@ Answer bounce(std::span<const double> of)
     return {{found, state.angle, after.velocity_b.y(), after.spin_b}, {}};
 }
 
-constexpr std::array k_pieces{Piece{"meeting", 4, meeting}, Piece{"march", 3, march}, Piece{"bounce", 3, bounce}};
+constexpr std::array k_pieces{Piece{"march", 3, march}, Piece{"bounce", 3, bounce}};
 
 } // namespace
 
-std::span<const Piece> pieces_of_meetings() { return k_pieces; }
+std::span<const Piece> pieces_of_bars()
+{
+    return k_pieces;
+}
 
 } // namespace flying::live

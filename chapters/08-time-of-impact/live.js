@@ -1,42 +1,8 @@
-// The live figures of this chapter: two discs that meet or miss, and the safe steps towards a turning bar's impact.
+// The live figure of this chapter: the safe steps towards a turning bar's impact.
 'use strict';
 
 (function () {
     const { short } = FlyingStage;
-
-    flyingLive('08-time-of-impact/discs', {
-        controls: {
-            b: { label: 'offset', min: -1.2, max: 1.2, step: 0.05, value: 0.45, unit: 'm' },
-            speed: { label: 'speed', min: 0.5, max: 4, step: 0.1, value: 2, unit: 'm/s' },
-            mass: { label: 'mass of the orange disc', min: 0.1, max: 10, step: 0.1, value: 1, unit: 'kg' },
-            e: { label: 'restitution', min: 0, max: 1, step: 0.05, value: 1 }
-        },
-        view: [-3.6, -1.9, 3.6, 1.9],
-        until: 4,
-        scene: (p) => flyingScene({ restitution: p.e,
-            bodies: [{ disc: 0.5, at: [-3, p.b], velocity: [p.speed, 0], mass: 1 }, { disc: 0.5, at: [0, 0], mass: p.mass }] }),
-        setup: (p, ask) => ({ meet: ask('meeting', [1, 3, p.b, p.speed]).engine[0] }),
-        draw: (stage, t, s, p, run) => {
-            stage.line([[-3, p.b], [3.6, p.b]], stage.soft, { width: 1, dash: [4, 4] });
-            stage.line([[-3.6, 0], [3.6, 0]], stage.soft, { width: 1, alpha: 0.5 });
-            const [a, b] = run.states();
-            if (s.meet >= 0) stage.ghost({ radius: 0.5 }, [-3 + p.speed * s.meet, p.b]);
-            stage.body({ radius: 0.5 }, b, { colour: stage.colour(1), spoke: false });
-            stage.body({ radius: 0.5 }, a, { colour: stage.colour(0), spoke: false });
-            for (const [x, y, , vx, vy] of [a, b]) stage.arrow([x, y], [x + 0.5 * vx, y + 0.5 * vy], stage.ink);
-        },
-        trails: (t, s, p, run) => run.states(),
-        readout: (t, s, p, run) => {
-            const [a, b] = run.states();
-            const across = Math.abs(Math.atan2(a[4], a[3]) - Math.atan2(b[4], b[3]));
-            const apart = run.collisions && Math.hypot(b[3], b[4]) > 0 && Math.hypot(a[3], a[4]) > 1e-9
-                ? short((Math.min(across, 2 * Math.PI - across) * 180) / Math.PI) + '°' : '\u2013';
-            return [['they meet at', s.meet < 0 ? 'never' : s.meet.toFixed(4) + ' s'], ['angle between their ways', apart],
-                ['speeds', `${short(Math.hypot(a[3], a[4]))} and ${short(Math.hypot(b[3], b[4]))} m/s`]];
-        },
-        legend: [['body', 0, '1 kg'], ['body', 1, 'at rest at first'], ['ghost', 'ink', 'where the quadratic has them meet']],
-        strip: { label: 'energy, in joules', value: (t, s, p, run) => run.energy }
-    });
 
     const LEFT = -1.3;
     const PLOT = { left: 0.55, right: 3.3, bottom: 0, top: 1.5 };

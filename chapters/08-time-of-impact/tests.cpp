@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/safe_step.hpp"
 #include "support/flying_pairs.hpp"
 #include "support/receipts.hpp"
 

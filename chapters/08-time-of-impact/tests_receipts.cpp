@@ -8,46 +8,12 @@
 #include "math/random.hpp"
 #include "support/receipts.hpp"
 #include "toi/central_flight.hpp"
-#include "toi/discs.hpp"
 #include "toi/relative_flight.hpp"
 #include "two_flyers.hpp"
-#include "wrong_quadratic.hpp"
+#include "wrong_step.hpp"
 #include "wrong_steps.hpp"
 
 using namespace flying;
-
-
-TEST_CASE("two discs meet at the smaller root of their quadratic")
-{
-    Random random(801);
-    for (int i = 0; i < 1000; ++i) {
-        const double s = random.uniform(0.5, 2.0);
-        const double distance = random.uniform(3.0, 30.0);
-        const FarPair pair = far_pair(distance, random.uniform(0.0, 0.9) * s);
-        const double b = -pair.x.dot(pair.v);
-        const double c = pair.x.squaredNorm() - s * s;
-        const double D = b * b - pair.v.squaredNorm() * c;
-        const double t = time_to_meet(pair.x, pair.v, s);
-        CHECK_EQUATION("toi.discs", t, exactly(pair, s), 4e-15, {"c", c}, {"b", b}, {"D", D});
-        CHECK_TWIN("toi.discs", t, c / (b - std::sqrt(D)), 4e-15);
-    }
-}
-
-
-
-TEST_CASE("a disc falls on a wall when its parabola does")
-{
-    Random random(802);
-    for (int i = 0; i < 1000; ++i) {
-        const double h = random.uniform(0.0, 9.0);
-        const double u = random.uniform(-9.0, 0.0);
-        const double a = random.uniform(-9.0, 0.0);
-        const double t = time_to_fall(h, u, a);
-        CHECK_EQUATION("toi.fall", t, 2 * h / (std::sqrt(u * u - 2 * a * h) - u), 2e-15, {"h", h}, {"u", u}, {"a", a});
-        CHECK_TWIN("toi.fall", t, 2 * h / (std::sqrt(u * u - a * h) - u), 2e-15);
-    }
-}
-
 
 // [toi.tests.bar]
 TEST_CASE("a turning bar strikes the floor at the arc sine of its height")
@@ -72,7 +38,6 @@ TEST_CASE("a turning bar strikes the floor at the arc sine of its height")
 }
 // [toi.tests.bar]
 
-
 TEST_CASE("a gap changes as fast as the vertex moves along the normal, seen from the edge")
 {
     Random random(804);
@@ -90,8 +55,6 @@ TEST_CASE("a gap changes as fast as the vertex moves along the normal, seen from
         if (std::abs(twin - closed) > 1e-6) CHECK_TWIN_SCALED("toi.rate", rate, twin, 10.0, 1e-9);
     }
 }
-
-
 
 TEST_CASE("no gap bends more than its bound, and the worst of all flights bends just as much")
 {
@@ -128,8 +91,6 @@ TEST_CASE("no gap bends more than its bound, and the worst of all flights bends 
     }
 }
 
-
-
 TEST_CASE("a safe step is the first root of the parabola below")
 {
     Random random(806);
@@ -147,8 +108,6 @@ TEST_CASE("a safe step is the first root of the parabola below")
         CHECK_TWIN("toi.step", step, static_cast<double>(2.0L * f / (std::sqrt(wide * wide + M * f) - wide)), 1e-14);
     }
 }
-
-
 
 TEST_CASE("the noise of a gap counts the roundings of its coordinates and of its time")
 {
@@ -200,8 +159,6 @@ TEST_CASE("no gap of a turning vertex over a wall is farther off than the bound 
     RECORD_VALUE("toi.noise.cases", k_cases);
 }
 
-
-
 TEST_CASE("where a vertex touches without approach, the march goes on by a step in which the gap hardly changes")
 {
     Random random(807);
@@ -234,8 +191,6 @@ TEST_CASE("a wave that dips below zero strikes and one that stays above does not
         if (depth == 0.0) CHECK(std::abs(wave(end.time).gap_rate) <= std::sqrt(2.0 * noise) * 1.01);
     }
 }
-
-
 
 TEST_CASE("round a centre, the pull of the near future is that of half the distance, or of the nearest point")
 {
@@ -278,8 +233,6 @@ TEST_CASE("round a centre, the pull of the near future is that of half the dista
     CHECK(by_orbit > 100);
 }
 
-
-
 TEST_CASE("the same meeting a million seconds later is found a million seconds later")
 {
     Random random(812);
@@ -319,8 +272,6 @@ TEST_CASE("the same meeting a million seconds later is found a million seconds l
     RECORD_VALUE("toi.late.off", worst);
 }
 
-
-
 TEST_CASE("a disc that falls straight in strikes the disc at the centre at the time of the closed form")
 {
     // sqrt(r^3 / 2 mu) (acos sqrt q + sqrt(q (1 - q))), where q = 1/4 is the share of the way that is left
@@ -335,7 +286,6 @@ TEST_CASE("a disc that falls straight in strikes the disc at the centre at the t
     const double expected = 4.0 * (std::numbers::pi / 3 + std::sqrt(3.0) / 4);
     CHECK(std::abs(answer.time - expected) <= 1e-14 * expected);
 }
-
 
 // [toi.tests.wrong_steps]
 TEST_CASE("a disc that is looked at step by step passes a thin wall "
@@ -363,24 +313,6 @@ TEST_CASE("a disc that is looked at step by step passes a thin wall "
     }
 }
 // [toi.tests.wrong_steps]
-
-
-TEST_CASE("the quadratic of school loses digits with the distance, and far away it loses the meeting")
-{
-    Random random(809);
-    int missed = 0;
-    for (int i = 0; i < 1000; ++i) {
-        const FarPair far = far_pair(random.uniform(1e5, 1e6), random.uniform(0.0, 0.9));
-        const double t = exactly(far, 1.0);
-        CHECK(std::abs(time_to_meet(far.x, far.v, 1.0) - t) <= 6e-16 * t);
-        const FarPair farther = far_pair(random.uniform(1e9, 1e10), random.uniform(0.0, 0.9));
-        CHECK(time_to_meet(farther.x, farther.v, 1.0) < k_never);
-        missed += school_meet(farther.x, farther.v, 1.0) == k_never ? 1 : 0;
-    }
-    CHECK(missed > 100);
-    RECORD_VALUE("toi.wrong.missed", 0.1 * missed);
-}
-
 
 // [toi.tests.wrong_step]
 TEST_CASE("the safe step as school has it passes roots, or does not move at all")

@@ -4,7 +4,6 @@
 
 namespace flying {
 
-
 /// A disc that flies, without friction.
 /// radius [m]; mass [kg]; x, v  where it starts, and how fast [m], [m/s]; e
 /// restitution
@@ -30,6 +29,5 @@ inline EventBody wall(const Vec2& normal, double offset, double e = 1.0)
     body.is_static = true;
     return body;
 }
-
 
 } // namespace flying

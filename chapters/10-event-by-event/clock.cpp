@@ -1,30 +1,19 @@
+#include <array>
 #include <cstdio>
+#include <cstdlib>
 #include <initializer_list>
 #include <numbers>
+#include <span>
 
 #include "three.hpp"
 #include "world/world.hpp"
-#include "wrong_few.hpp"
 
 using namespace flying;
 
 namespace {
 
-
-/// A ball at e = 1/2, whose first hop lasts a second.
-void hop_for_ever()
-{
-    std::printf("     hops     time   last rebound\n");
-    for (const long patience : {10L, 100L, 1000L, 10'000L, 1'000'000L}) {
-        const Hops hops = hop_until(10.0, 4.9, 0.5, 9.8, patience);
-        std::printf("%9ld %6.3f s %10.0e m/s\n", hops.count, hops.time, hops.speed);
-    }
-}
-
-
-
-/// The same ball in the simulator, let fall for a second first: with the events
-/// alone, and left to itself.
+/// A ball at e = 1/2, let fall for a second, whose first hop lasts a second too: with the
+/// events alone, and left to itself.
 void fall_and_hop()
 {
     Scene scene;
@@ -36,9 +25,7 @@ void fall_and_hop()
     ball.shape = DiscDef{0.1};
     ball.position = {0.0, 5.0};
     scene.bodies = {ball};
-    std::printf("\n");
-    for (const EngineChoice engine :
-         {EngineChoice::events, EngineChoice::automatic}) {
+    for (const EngineChoice engine : {EngineChoice::events, EngineChoice::automatic}) {
         WorldOptions options;
         options.engine = engine;
         Expected<World> world = World::make(scene, options);
@@ -49,21 +36,19 @@ void fall_and_hop()
         }
         const Report report = world.value().report();
         for (const Handover& handover : report.handovers) {
-            std::printf("handed over after %.3f s, at a price of %.0f J\n",
-                        handover.time, handover.energy_change);
+            std::printf("handed over after %.3f s, at a price of %.0f J\n", handover.time,
+                        handover.energy_change);
         }
         std::printf("after %.0f s the ball lies at %.3f m\n", report.time,
                     world.value().state(0).position.y());
     }
 }
 
-
-
 /// Three balls in a row: how often they meet, and what the angle says.
-void meet_in_a_row()
+void meet_in_a_row(std::span<const double> restitutions)
 {
     std::printf("\n     e   pi / phi   impacts   gaps in the end\n");
-    for (const double e : {1.0, 0.5, 0.2, 0.1, 0.08, 0.076, 0.074, 0.07, 0.05}) {
+    for (const double e : restitutions) {
         EventEngine engine = three_in_a_row(e);
         if (engine.advance(100.0, -1)) continue;
         const auto gap = [&](int k) {
@@ -74,17 +59,21 @@ void meet_in_a_row()
         std::printf("%6.3f", e);
         if (phi > 0.0) std::printf("%11.2f", std::numbers::pi / phi);
         else std::printf("%11s", "-");
-        std::printf(" %9ld %10.0e m, %.0e m\n", engine.counts().impacts, gap(0),
-                    gap(1));
+        std::printf(" %9ld %10.0e m, %.0e m\n", engine.counts().impacts, gap(0), gap(1));
     }
 }
 
-
 } // namespace
 
-int main()
+/// e  restitution of three balls in a row; a table if none is given
+int main(int argc, char** argv)
 {
-    hop_for_ever();
+    constexpr std::array k_table{1.0, 0.5, 0.2, 0.1, 0.08, 0.076, 0.074, 0.07, 0.05};
     fall_and_hop();
-    meet_in_a_row();
+    if (argc > 1) {
+        const double e = std::atof(argv[1]);
+        meet_in_a_row({&e, 1});
+    } else {
+        meet_in_a_row(k_table);
+    }
 }

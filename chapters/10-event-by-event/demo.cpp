@@ -1,8 +1,5 @@
 #include <cstdio>
-#include <cstdlib>
-#include <numbers>
 
-#include "billiard.hpp"
 #include "gas.hpp"
 #include "room.hpp"
 
@@ -10,34 +7,14 @@ using namespace flying;
 
 namespace {
 
-
-/// Two balls and a wall, each time with a hundred times the mass.
-void count_digits(int digits)
-{
-    std::printf(
-        "masses         impacts     pi / theta   light ball after   by the circle\n");
-    double ratio = 1.0;
-    for (int k = 0; k < digits; ++k, ratio *= 100.0) {
-        EventEngine engine = billiard(ratio);
-        if (engine.advance(1e3, -1)) return;
-        std::printf("1 : 100^%d %12ld %14.2f %14.6f m/s %11.6f m/s\n", k,
-                    engine.counts().impacts, std::numbers::pi / billiard_angle(ratio),
-                    engine.flyer(0).state.velocity.x(),
-                    billiard_speeds_after(ratio).light);
-    }
-}
-
-
-
 /// A ball in a rectangular room, compared with the straight way of the unfolded one.
 void bounce_about()
 {
     const Room room;
     EventEngine engine = room_of(room);
-    std::printf("\nbounces          time   off the unfolded way\n");
+    std::printf("bounces          time   off the unfolded way\n");
     for (double bounces = 100.0; bounces <= 1e6; bounces *= 10.0) {
-        const double time =
-            bounces / (room.v.x() / room.width + room.v.y() / room.height);
+        const double time = bounces / (room.v.x() / room.width + room.v.y() / room.height);
         if (engine.advance(time, -1)) return;
         const BodyState ball = state_at(engine.flyer(0), time);
         const Vec2 straight = room.x + time * room.v;
@@ -47,8 +24,6 @@ void bounce_about()
         std::printf("%7ld %11.0f s %16.0e m\n", engine.counts().impacts, time, off);
     }
 }
-
-
 
 /// The same gas with cells and without.
 void look_around()
@@ -64,13 +39,11 @@ void look_around()
             return static_cast<double>(counts.predictions) /
                    static_cast<double>(counts.impacts);
         };
-        std::printf("%5d %9ld %28.0f %10.0f %17s\n", side * side,
-                    near.counts().impacts, looks(all), looks(near),
+        std::printf("%5d %9ld %28.0f %10.0f %17s\n", side * side, near.counts().impacts,
+                    looks(all), looks(near),
                     all.log_hash() == near.log_hash() ? "yes" : "no");
     }
 }
-
-
 
 /// Four hundred discs, and what is known of the whole of them.
 void fill_a_room()
@@ -82,27 +55,19 @@ void fill_a_room()
     const double z = compressibility(m.packing.mean);
     std::printf("\ngas of 400 discs: %ld impacts in %.0f s\n", gas.counts().impacts,
                 gas.time());
-    std::printf("packing in the middle = %.4f +- %.4f\n", m.packing.mean,
-                m.packing.error);
+    std::printf("packing in the middle = %.4f +- %.4f\n", m.packing.mean, m.packing.error);
     std::printf("impacts of a disc = %.3f +- %.3f 1/s\n", m.rate.mean, m.rate.error);
     std::printf("  by the theory = %.3f 1/s\n", gas_rate(z, 0.5, 1.0, 1.0));
-    std::printf("Z from the impacts = %.3f +- %.3f\n", m.from_rate.mean,
-                m.from_rate.error);
-    std::printf("Z from the walls = %.3f +- %.3f\n", m.from_walls.mean,
-                m.from_walls.error);
+    std::printf("Z from the impacts = %.3f +- %.3f\n", m.from_rate.mean, m.from_rate.error);
+    std::printf("Z from the walls = %.3f +- %.3f\n", m.from_walls.mean, m.from_walls.error);
     std::printf("  by the series = %.3f\n", z);
 }
 
-
 } // namespace
 
-
-/// digits  how many of pi to count: 6 if none are given; 8 take some seconds
-int main(int argc, char** argv)
+int main()
 {
-    count_digits(argc > 1 ? std::atoi(argv[1]) : 6);
     bounce_about();
     look_around();
     fill_a_room();
 }
-

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "../support/sketch.hpp"
-#include "billiard.hpp"
 #include "broadphase/grid.hpp"
 #include "events/cell_exit.hpp"
 #include "gas.hpp"
@@ -31,101 +30,27 @@ bool advance_one_impact(EventEngine& engine, double until)
     return engine.counts().impacts > before;
 }
 
-double place(const EventEngine& engine, int body)
-{
-    return state_at(engine.flyer(body), engine.time()).position.x();
-}
-
-/// The billiard of 1 : 100 as ways over time, each ball shrunk to a point.
-void draw_billiard(const std::string& folder)
-{
-    Sketch s(folder + "/billiard.svg", 560, 330);
-    const auto at = [](double t, double x) { return Vec2(30.0 + 185.0 * (t - 0.35), 290.0 - 178.0 * x); };
-    EventEngine engine = billiard(100.0);
-    std::vector<Vec2> light;
-    std::vector<Vec2> heavy;
-    std::vector<Vec2> clicks;
-    const auto note = [&] {
-        light.push_back(at(engine.time(), place(engine, 0) - 0.25));
-        heavy.push_back(at(engine.time(), place(engine, 1) - 1.0));
-    };
-    (void)engine.advance(0.5, -1);
-    note();
-    while (advance_one_impact(engine, 2.95)) {
-        note();
-        clicks.push_back(light.back());
-    }
-    note();
-    s.polygon({at(0.4, 0.0), at(3.1, 0.0), at(3.1, -0.07), at(0.4, -0.07)}, pale(k_soft, 0.6), k_none);
-    s.path(light, k_rust, 1.6);
-    s.path(heavy, k_blue, 3.0);
-    for (const Vec2& click : clicks) s.disc(click, 2.6, k_ink, k_none);
-    s.words(at(0.66, 0.97), "heavy ball", Anchor::left, k_blue);
-    s.words(at(0.4, 0.5), "light ball", Anchor::left, k_rust);
-    s.words(at(1.5, -0.18), "wall", Anchor::middle, k_soft);
-    s.words(at(3.1, -0.18), "time", Anchor::right, k_soft);
-    s.words(at(1.5, 1.3), std::to_string(clicks.size()) + " impacts", Anchor::middle);
-}
-
-/// Ways of three balls over time: two impacts, and one that was foreseen and never came.
-void draw_clocks(const std::string& folder)
-{
-    Sketch s(folder + "/clocks.svg", 560, 330);
-    const auto at = [](double t, double x) { return Vec2(52.0 + 108.0 * t, 278.0 - 54.0 * x); };
-    std::vector<EventBody> bodies;
-    bodies.push_back(ball(0.5, 1.0, {0.0, 0.0}, {1.0, 0.0}));
-    bodies.push_back(ball(0.5, 1.0, {3.0, 0.0}, {0.0, 0.0}));
-    bodies.push_back(ball(0.5, 3.0, {6.0, 0.0}, {-0.5, 0.0}));
-    EventEngine engine(std::move(bodies), {PairFinder::all_pairs});
-    const double foreseen = 4.0;
-    s.dashed(at(2.0, 2.0), at(foreseen, 2.0), k_soft, 2.0);
-    s.dashed(at(8.0 / 3.0, 8.0 / 3.0), at(foreseen, 2.0), k_soft, 2.0);
-    const Tone tones[] = {k_blue, k_rust, k_teal};
-    std::vector<std::vector<Vec2>> ways(3);
-    std::vector<std::vector<Vec2>> dots(3);
-    const auto here = [&](int k) { return at(engine.time(), place(engine, k) - k); };
-    for (int k = 0; k < 3; ++k) ways[k].push_back(here(k));
-    std::vector<double> clocks(3, 0.0);
-    while (advance_one_impact(engine, 4.4)) {
-        for (int k = 0; k < 3; ++k) {
-            if (engine.flyer(k).state.time == clocks[k]) continue;
-            clocks[k] = engine.flyer(k).state.time;
-            ways[k].push_back(here(k));
-            dots[k].push_back(here(k));
-        }
-    }
-    for (int k = 0; k < 3; ++k) ways[k].push_back(here(k));
-    s.arrow(at(0.0, -0.35), at(4.7, -0.35), k_soft, 1.6);
-    for (int t = 1; t <= 4; ++t) {
-        s.line(at(t, -0.35), at(t, -0.27), k_soft, 1.4);
-        s.words(at(t, -0.35) + Vec2(0, 22), std::to_string(t) + " s", Anchor::middle, k_ink, 15.0);
-    }
-    for (int k = 0; k < 3; ++k) {
-        s.path(ways[k], tones[k], 2.8);
-        for (const Vec2& dot : dots[k]) s.disc(dot, 6.0, k_ink, k_none);
-        const char* names[] = {"A", "B", "C"};
-        s.formula(ways[k].front() + Vec2(-20, 6), names[k], Anchor::middle, tones[k]);
-    }
-    s.disc(at(foreseen, 2.0), 7.0, {0xffffff, 1.0}, k_soft, 2.2);
-    s.words(at(foreseen, 2.0) + Vec2(2, -16), "overtaken", Anchor::middle, k_soft);
-}
-
-/// A disc in its cell, the nine where it may meet others, and those it has yet to look at when it leaves.
+/// A disc in its cell, the nine where it may meet others, and those it has yet to look at
+/// when it leaves.
 void draw_cells(const std::string& folder)
 {
     Sketch s(folder + "/cells.svg", 520, 400);
     const double size = 72.0;
-    const auto corner = [&](double column, double row) { return Vec2(80.0 + size * column, 380.0 - size * row); };
+    const auto corner = [&](double column, double row) {
+        return Vec2(80.0 + size * column, 380.0 - size * row);
+    };
     const Flyer flyer{{{2.35, 2.6}, {0.9, 0.35}, 0.0, 0.0, 0.0}};
     const Cell home{2, 2};
     const CellExit exit = next_cell_exit(flyer, home, 1.0, 0.0);
     const auto fill = [&](std::int64_t column, std::int64_t row, Tone tone) {
         const Vec2 low = corner(static_cast<double>(column), static_cast<double>(row));
-        s.polygon({low, low + Vec2(size, 0), low + Vec2(size, -size), low + Vec2(0, -size)}, tone, k_none);
+        s.polygon({low, low + Vec2(size, 0), low + Vec2(size, -size), low + Vec2(0, -size)},
+                  tone, k_none);
     };
     for (int row = 1; row <= 3; ++row)
         for (int column = 1; column <= 3; ++column) fill(column, row, pale(k_blue, 0.22));
-    for (const Cell& cell : cells_ahead(home, step_over(exit.side))) fill(cell.column, cell.row, pale(k_rust, 0.28));
+    for (const Cell& cell : cells_ahead(home, step_over(exit.side)))
+        fill(cell.column, cell.row, pale(k_rust, 0.28));
     for (int k = 0; k <= 5; ++k) {
         s.line(corner(k, 0), corner(k, 5), k_soft, 1.2);
         s.line(corner(0, k), corner(5, k), k_soft, 1.2);
@@ -145,59 +70,28 @@ void draw_cells(const std::string& folder)
     s.disc(to, 5.0, k_ink, k_none);
 }
 
-/// The circle of energy for 1 : 16, its points as the engine leaves them.
-void draw_circle(const std::string& folder)
-{
-    Sketch s(folder + "/circle.svg", 520, 420);
-    const Vec2 o(262, 212);
-    const double radius = 172.0;
-    const double ratio = 16.0;
-    const double theta = billiard_angle(ratio);
-    const auto at = [&](double x, double y) { return Vec2(o.x() + radius * x, o.y() - radius * y); };
-    std::vector<Vec2> wedge{o};
-    for (int k = 0; k <= 20; ++k) wedge.push_back(at(std::cos(theta * k / 20.0), std::sin(theta * k / 20.0)));
-    s.polygon(wedge, pale(k_teal, 0.4), k_none);
-    s.disc(o, radius, k_none, k_soft, 1.6);
-    s.arrow(at(-1.2, 0), at(1.22, 0), k_soft, 1.6);
-    s.arrow(at(0, -1.16), at(0, 1.18), k_soft, 1.6);
-
-    EventEngine engine = billiard(ratio);
-    const auto here = [&] {
-        const double light = engine.flyer(0).state.velocity.x();
-        const double heavy = engine.flyer(1).state.velocity.x();
-        return at(heavy, light / std::sqrt(ratio));
-    };
-    std::vector<Vec2> points{here()};
-    while (advance_one_impact(engine, 100.0)) points.push_back(here());
-    for (std::size_t k = 1; k < points.size(); ++k) {
-        s.line(points[k - 1], points[k], k % 2 == 1 ? k_blue : k_rust, 2.0);
-    }
-    for (const Vec2& p : points) s.disc(p, 4.6, k_ink, k_none);
-    s.words(points.front() + Vec2(-8, -14), "start", Anchor::right, k_ink);
-    s.words(points.back() + Vec2(12, -4), "end", Anchor::left, k_ink);
-    s.words(Vec2(16, 36), "blow", Anchor::left, k_blue);
-    s.words(Vec2(16, 60), "wall", Anchor::left, k_rust);
-    s.formula(at(1.13, -0.14), "√M V", Anchor::middle, k_ink, 17.0);
-    s.formula(at(0.06, 1.1), "√m v", Anchor::left, k_ink, 17.0);
-    s.formula(at(0.5, 0.05), "θ", Anchor::middle, k_teal);
-}
-
 /// A room and its mirror images: the way with bounces, and the straight one.
 void draw_unfold(const std::string& folder)
 {
     Sketch s(folder + "/unfold.svg", 560, 330);
     const Room room;
     const double scale = 58.0;
-    const auto at = [&](double x, double y) { return Vec2(36.0 + scale * x, 286.0 - scale * y); };
-    for (int k = 0; k <= 3; ++k) s.line(at(k * room.width, 0), at(k * room.width, 2.6 * room.height), k_soft, 1.2);
-    for (int k = 0; k <= 2; ++k) s.line(at(0, k * room.height), at(3 * room.width, k * room.height), k_soft, 1.2);
-    s.polygon({at(0, 0), at(room.width, 0), at(room.width, room.height), at(0, room.height)}, pale(k_teal, 0.16), k_ink,
-              2.2);
+    const auto at = [&](double x, double y) {
+        return Vec2(36.0 + scale * x, 286.0 - scale * y);
+    };
+    for (int k = 0; k <= 3; ++k)
+        s.line(at(k * room.width, 0), at(k * room.width, 2.6 * room.height), k_soft, 1.2);
+    for (int k = 0; k <= 2; ++k)
+        s.line(at(0, k * room.height), at(3 * room.width, k * room.height), k_soft, 1.2);
+    s.polygon(
+        {at(0, 0), at(room.width, 0), at(room.width, room.height), at(0, room.height)},
+        pale(k_teal, 0.16), k_ink, 2.2);
     EventEngine engine = room_of(room);
     const double until = 5.9;
     std::vector<Vec2> way;
     const auto here = [&] {
-        const Vec2 p = state_at(engine.flyer(0), engine.time()).position - Vec2(0.125, 0.125);
+        const Vec2 p =
+            state_at(engine.flyer(0), engine.time()).position - Vec2(0.125, 0.125);
         return at(p.x(), p.y());
     };
     way.push_back(here());
@@ -231,14 +125,17 @@ void draw_drift(const std::string& folder)
     const double rate = room.v.x() / room.width + room.v.y() / room.height;
     const double speed = room.v.norm();
     const double epsilon = 0x1p-52;
-    plot.curve(10.0, 1e6, [&](double n) { return epsilon * speed * (n / rate) * n; }, k_soft);
-    plot.curve(10.0, 1e6, [&](double n) { return epsilon * speed * (n / rate); }, k_teal);
+    plot.curve(
+        10.0, 1e6, [&](double n) { return epsilon * speed * (n / rate) * n; }, k_soft);
+    plot.curve(
+        10.0, 1e6, [&](double n) { return epsilon * speed * (n / rate); }, k_teal);
     EventEngine engine = room_of(room);
     for (double n = 10.0; n <= 1e6; n *= 1.3) {
         const double time = n / rate;
         (void)engine.advance(time, -1);
         const Vec2 straight = room.x + time * room.v;
-        const Vec2 folded_place(folded(straight.x(), room.width), folded(straight.y(), room.height));
+        const Vec2 folded_place(folded(straight.x(), room.width),
+                                folded(straight.y(), room.height));
         const Vec2 place = state_at(engine.flyer(0), time).position - Vec2(0.125, 0.125);
         plot.dot(n, std::max((place - folded_place).norm(), 1e-16), k_rust);
     }
@@ -256,12 +153,15 @@ void draw_speeds(const std::string& folder)
     GasWatch watch(gas, 400);
     watch.follow(12.0);
     const GasMeasure m = watch.measure(20.0, 20);
-    const auto at = [](double v, double share) { return Vec2(60.0 + 180.0 * v, 276.0 - 260.0 * share); };
+    const auto at = [](double v, double share) {
+        return Vec2(60.0 + 180.0 * v, 276.0 - 260.0 * share);
+    };
     for (std::size_t k = 0; k < 25; ++k) {
         const double v = 0.1 * static_cast<double>(k);
-        const double density = 10.0 * static_cast<double>(m.speeds[k]) / static_cast<double>(m.samples);
-        s.polygon({at(v, 0), at(v + 0.1, 0), at(v + 0.1, density), at(v, density)}, pale(k_blue, 0.3), pale(k_blue, 0.8),
-                  1.2);
+        const double density =
+            10.0 * static_cast<double>(m.speeds[k]) / static_cast<double>(m.samples);
+        s.polygon({at(v, 0), at(v + 0.1, 0), at(v + 0.1, density), at(v, density)},
+                  pale(k_blue, 0.3), pale(k_blue, 0.8), 1.2);
     }
     std::vector<Vec2> curve;
     for (int k = 0; k <= 125; ++k) {
@@ -278,7 +178,8 @@ void draw_speeds(const std::string& folder)
     s.words(at(1.3, 0) + Vec2(0, 46), "speed, m/s");
 }
 
-/// How far a gas misses its start after it was turned round, over the impacts on the way there.
+/// How far a gas misses its start after it was turned round, over the impacts on the way
+/// there.
 void draw_reversal(const std::string& folder)
 {
     Sketch s(folder + "/reversal.svg", 540, 360);
@@ -286,11 +187,14 @@ void draw_reversal(const std::string& folder)
         return Vec2(84.0 + 26.0 * impacts, 296.0 - 16.0 * (std::log10(off) + 16.0));
     };
     for (int k = -16; k <= 0; k += 4) {
-        s.line(at(0, std::pow(10.0, k)), at(16.5, std::pow(10.0, k)), pale(k_soft, 0.3), 1.0);
+        s.line(at(0, std::pow(10.0, k)), at(16.5, std::pow(10.0, k)), pale(k_soft, 0.3),
+               1.0);
         const std::string text = k == 0 ? "1" : "10^{\u2212" + std::to_string(-k) + "}";
-        s.formula(at(0, std::pow(10.0, k)) + Vec2(-10, 6), text, Anchor::right, k_ink, 16.0);
+        s.formula(at(0, std::pow(10.0, k)) + Vec2(-10, 6), text, Anchor::right, k_ink,
+                  16.0);
     }
-    for (int k = 0; k <= 16; k += 4) s.words(at(k, 1e-16) + Vec2(0, 24), std::to_string(k), Anchor::middle, k_ink, 15.0);
+    for (int k = 0; k <= 16; k += 4)
+        s.words(at(k, 1e-16) + Vec2(0, 24), std::to_string(k), Anchor::middle, k_ink, 15.0);
     s.line(at(0, 1e-16), at(16.5, 1e-16), k_soft, 1.4);
     const EventEngine start = gas_of(10, 0.1, 7);
     EventEngine there = gas_of(10, 0.1, 7);
@@ -317,7 +221,9 @@ void draw_row(const std::string& folder)
     const double threshold = 7.0 - 4.0 * std::sqrt(3.0);
     const LogPlot plot(s, Vec2(70, 288), Vec2(520, 26), Vec2(-5, 0), Vec2(0, 3));
     plot.axes(1, 1);
-    plot.curve(1e-5, 0.928, [&](double over) { return k_pi / row_angle(threshold + over); }, k_teal);
+    plot.curve(
+        1e-5, 0.928, [&](double over) { return k_pi / row_angle(threshold + over); },
+        k_teal);
     for (double over = 1.3e-5; over < 0.93; over *= 1.35) {
         EventEngine engine = three_in_a_row(threshold + over);
         (void)engine.advance(1e5, -1);
@@ -328,36 +234,6 @@ void draw_row(const std::string& folder)
     s.formula(Vec2(240, 92), "π / φ", Anchor::middle, k_teal);
 }
 
-/// The billiard as motion: the engine's balls, the closed form's ghosts, and a bead for each impact.
-void record_billiard(const std::string& folder)
-{
-    std::ofstream trace(folder + "/billiard.ndjson");
-    const double ratio = 100.0;
-    EventEngine engine = billiard(ratio);
-    const long most = whole_steps_below_pi(billiard_angle(ratio));
-    trace << R"({"view": [-0.4, -0.75, 4.0, 1.15], "shapes": [{"radius": 0.25}, {"radius": 0.5}, )"
-          << R"({"rings": [[[-0.4, -0.75], [0, -0.75], [0, 0.75], [-0.4, 0.75]]]})";
-    for (long k = 0; k < most; ++k) trace << R"(, {"radius": 0.05})";
-    trace << R"(], "fixed": [false, false, true]})" << "\n";
-    const auto frame = [&](double time) {
-        // Beads in tens; those not yet counted wait outside the picture
-        const BilliardPlaces exact = billiard_places(ratio, time);
-        trace << "{\"time\": " << time << ", \"bodies\": [[" << place(engine, 0) << ", 0, 0], [" << place(engine, 1)
-              << ", 0, 0], [0, 0, 0]";
-        for (long k = 0; k < most; ++k) {
-            const double x = 0.15 + 0.115 * static_cast<double>(k) + 0.08 * static_cast<double>(k / 10);
-            trace << ", [" << x << ", " << (k < engine.counts().impacts ? 0.95 : 2.0) << ", 0]";
-        }
-        trace << "], \"ghosts\": [[" << exact.light << ", 0, 0], [" << exact.heavy << ", 0, 0]]}\n";
-    };
-    trace.precision(7);
-    for (int k = 0; k <= 180; ++k) {
-        const double time = k / 60.0;
-        while (advance_one_impact(engine, time)) frame(engine.time());
-        frame(time);
-    }
-}
-
 /// A gas of sixty-four discs, from its lattice on.
 void record_gas(const std::string& folder)
 {
@@ -366,9 +242,10 @@ void record_gas(const std::string& folder)
     const double length = -std::get<HalfPlane>(gas.shape(65)).offset;
     trace << "{\"view\": [0, 0, " << length << ", " << length << "], \"shapes\": [";
     for (int k = 0; k < 64; ++k) trace << (k > 0 ? ", " : "") << R"({"radius": 0.5})";
-    trace << ", {\"rings\": [[[0, 0], [" << length << ", 0], [" << length << ", " << length << "], [0, " << length
-          << "]], [[0.04, 0.04], [" << length - 0.04 << ", 0.04], [" << length - 0.04 << ", " << length - 0.04
-          << "], [0.04, " << length - 0.04 << "]]]}], \"fixed\": [";
+    trace << ", {\"rings\": [[[0, 0], [" << length << ", 0], [" << length << ", " << length
+          << "], [0, " << length << "]], [[0.04, 0.04], [" << length - 0.04 << ", 0.04], ["
+          << length - 0.04 << ", " << length - 0.04 << "], [0.04, " << length - 0.04
+          << "]]]}], \"fixed\": [";
     for (int k = 0; k < 64; ++k) trace << "false, ";
     trace << "true]}\n";
     trace.precision(5);
@@ -390,15 +267,11 @@ int main(int argc, char** argv)
 {
     if (argc != 2) return 2;
     const std::string folder = argv[1];
-    draw_billiard(folder);
-    draw_clocks(folder);
     draw_cells(folder);
-    draw_circle(folder);
     draw_unfold(folder);
     draw_drift(folder);
     draw_speeds(folder);
     draw_reversal(folder);
     draw_row(folder);
-    record_billiard(folder);
     record_gas(folder);
 }

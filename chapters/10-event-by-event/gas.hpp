@@ -12,7 +12,6 @@
 
 namespace flying {
 
-
 /// A gas of discs of diameter 1 and mass 1 in a square room, set out on a lattice;
 /// all at 1 m/s, in any direction. side  discs in a row; packing  share of the room
 /// that they cover
@@ -26,10 +25,8 @@ inline EventEngine gas_of(int side, double packing, std::uint64_t seed,
     std::vector<EventBody> bodies;
     for (int row = 0; row < side; ++row) {
         for (int column = 0; column < side; ++column) {
-            const SineCosine way =
-                sine_cosine(random.uniform(0.0, 2.0 * std::numbers::pi));
-            bodies.push_back(ball(0.5, 1.0,
-                                  {(column + 0.5) * pitch, (row + 0.5) * pitch},
+            const SineCosine way = sine_cosine(random.uniform(0.0, 2.0 * std::numbers::pi));
+            bodies.push_back(ball(0.5, 1.0, {(column + 0.5) * pitch, (row + 0.5) * pitch},
                                   {way.cosine, way.sine}));
         }
     }
@@ -41,8 +38,6 @@ inline EventEngine gas_of(int side, double packing, std::uint64_t seed,
     options.pair_finder = finder;
     return EventEngine(std::move(bodies), options);
 }
-
-
 
 /// The same bodies at the same places, all velocities turned round.  discs  those
 /// that move
@@ -61,16 +56,12 @@ inline EventEngine turned_round(const EventEngine& engine, int discs)
     return EventEngine(std::move(bodies), {});
 }
 
-
-
 /// How often a disc of a gas meets others.  [1/s]
 /// z  compressibility; kT  temperature as energy [J]; mass [kg]; sigma  diameter [m]
 inline double gas_rate(double z, double kT, double mass, double sigma)
 {
     return 4.0 * (z - 1.0) * std::sqrt(kT / (std::numbers::pi * mass)) / sigma;
 }
-
-
 
 /// Compressibility of hard discs by its virial series, coefficients in units of the
 /// second (Clisby and McCoy 2006).  packing  up to 0.4 or so
@@ -87,7 +78,6 @@ inline double compressibility(double packing)
     }
     return z;
 }
-
 
 /// A mean and what it may be off by: the standard error of the blocks' means.
 struct Estimate
@@ -111,10 +101,9 @@ inline Estimate estimate(const std::vector<double>& blocks)
 struct GasMeasure
 {
     Estimate packing;
-    Estimate rate;      ///< impacts of one disc with others [1/s]
-    Estimate from_rate; ///< compressibility, from the rate of impacts
-    Estimate
-        from_walls; ///< compressibility, from the push on the middle of the walls
+    Estimate rate;       ///< impacts of one disc with others [1/s]
+    Estimate from_rate;  ///< compressibility, from the rate of impacts
+    Estimate from_walls; ///< compressibility, from the push on the middle of the walls
     std::array<long, 30> speeds{}; ///< how many in each tenth of a m/s
     long samples = 0;
 };
@@ -127,10 +116,8 @@ public:
     GasWatch(EventEngine& gas, int discs) : gas_(gas), discs_(discs)
     {
         length_ = -std::get<HalfPlane>(gas.shape(discs + 1)).offset;
-        for (int k = 0; k < discs; ++k)
-            velocities_.push_back(gas.flyer(k).state.velocity);
+        for (int k = 0; k < discs; ++k) velocities_.push_back(gas.flyer(k).state.velocity);
     }
-
 
     /// Blocks of equal time; each gives one value of everything.
     /// block  [s]; count  how many
@@ -167,8 +154,6 @@ public:
         return measured_;
     }
 
-
-
     /// Event by event to a time; each impact is noted.  [s]
     void follow(double until)
     {
@@ -178,7 +163,6 @@ public:
             if (gas_.counts().impacts != before) note_impact();
         }
     }
-
 
 private:
     void note_impact()
@@ -193,11 +177,9 @@ private:
         } else {
             // Along a wall, leave out what lies near its ends
             const Vec2 push = a.velocity - velocities_[impact.a];
-            const double along = std::abs(push.x()) > std::abs(push.y())
-                                     ? a.position.y()
-                                     : a.position.x();
-            if (along > k_margin && along < length_ - k_margin)
-                pushes_ += push.norm();
+            const double along =
+                std::abs(push.x()) > std::abs(push.y()) ? a.position.y() : a.position.x();
+            if (along > k_margin && along < length_ - k_margin) pushes_ += push.norm();
         }
         velocities_[impact.a] = a.velocity;
     }

@@ -1,33 +1,7 @@
-// The live figures of this chapter: the billiard that counts pi, and a gas whose speeds find their law.
+// The live figure of this chapter: a gas whose speeds find their law.
 'use strict';
 
 (function () {
-    const { short } = FlyingStage;
-
-    flyingLive('10-event-by-event/billiard', {
-        controls: { digits: { label: 'digits after the 3', min: 0, max: 4, step: 1, value: 1, show: (n) => String(n) } },
-        view: [-0.45, -0.9, 4.6, 1],
-        until: 4,
-        speed: 0.5,
-        scene: (p) => ({ engine: 'events', text: flyingScene({ bodies: [
-            { rectangle: [0.5, 2], at: [-0.25, 0], fixed: true },
-            { disc: 0.25, at: [1, 0], mass: 1 }, { disc: 0.5, at: [2.5, 0], velocity: [-1, 0], mass: 100 ** p.digits }] }) }),
-        setup: (p, ask) => ({ ask, most: ask('unfolded', [100 ** p.digits, 0]).paper[0] }),
-        next: (t, s, p, run) => { while (run.time < 4 && !run.advance(4, 1) && run.time <= t); return Math.max(run.time, t + 1e-6); },
-        draw: (stage, t, s, p, run) => {
-            stage.body(run.shapes[0], [-0.25, 0, 0], { isFixed: true });
-            const [, light, heavy] = run.states();
-            stage.body({ radius: 0.5 }, heavy, { colour: stage.colour(1), spoke: false });
-            stage.body({ radius: 0.25 }, light, { colour: stage.colour(0), spoke: false });
-            const [, x, X] = s.ask('unfolded', [100 ** p.digits, t]).paper;
-            stage.ghost({ radius: 0.25 }, [x, 0]);
-            stage.ghost({ radius: 0.5 }, [X, 0]);
-            stage.words([2.3, 0.78], String(run.collisions), { size: 30, align: 'center' });
-        },
-        readout: (t, s, p, run) => [['impacts', `${run.collisions} of ${s.most}`], ['energy', short(run.energy) + ' J']],
-        legend: [['body', 0, '1 kg'], ['body', 1, 'heavier by a power of 100'], ['ghost', 'ink', 'the folded straight line']]
-    });
-
     // Directions of equal speeds, the same each time
     function directions(count) {
         let seed = 1021;

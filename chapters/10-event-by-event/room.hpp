@@ -17,7 +17,6 @@ struct Room
     Vec2 v = Vec2(1.0, 0.61803398874989485); ///< no bounce ever meets a corner [m/s]
 };
 
-
 /// The ball and its four walls.
 inline EventEngine room_of(const Room& room)
 {
@@ -31,8 +30,6 @@ inline EventEngine room_of(const Room& room)
     return EventEngine(std::move(bodies), {PairFinder::all_pairs});
 }
 
-
-
 /// A place on an endless straight way, folded into [0, w] like a strip of paper.  [m]
 inline double folded(double x, double w)
 {
@@ -40,6 +37,5 @@ inline double folded(double x, double w)
     const double rest = x - turns * w;
     return std::fmod(std::abs(turns), 2.0) == 0.0 ? rest : w - rest;
 }
-
 
 } // namespace flying

@@ -7,7 +7,6 @@
 
 namespace flying {
 
-
 /// Three equal balls in a row, the first comes in at 1 m/s.  e  restitution
 inline EventEngine three_in_a_row(double e)
 {
@@ -17,7 +16,6 @@ inline EventEngine three_in_a_row(double e)
     bodies.push_back(ball(0.5, 1.0, {2.0, 0.0}, {0.0, 0.0}, e));
     return EventEngine(std::move(bodies), {PairFinder::all_pairs});
 }
-
 
 /// Angle by which one impact turns the three balls' motion.  [rad]
 inline double row_angle(double e)

@@ -1,4 +1,4 @@
-// The figures of chapter 14. Those of seconds are drawn from the run that is kept in measured.jsonl; the others from
+// The figures of chapter 16. Those of seconds are drawn from the run that is kept in measured.jsonl; the others from
 // what is computed here.
 
 #include <cstdio>

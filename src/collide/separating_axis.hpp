@@ -49,7 +49,7 @@ struct Axis
 
 /// The axis of greatest separation among all edges of two convex polygons. Where it is positive, a line parts the
 /// polygons and their distance is at least that; where it is negative, the normal times it is the shortest push that
-/// parts them (chapter 5). Axes of A win ties. Time linear in the number of edges.
+/// parts them (chapter 6). Axes of A win ties. Time linear in the number of edges.
 [[nodiscard]] Axis greatest_separation(const Polygon& a, const Polygon& b, const Pose& a_from_b);
 
 

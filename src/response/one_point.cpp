@@ -30,16 +30,6 @@ PointResponse response_at(const PointFrame& frame, const PairInertia& inertia)
 
 
 
-double newton_impulse(double v_n, double w_n, double e)
-{
-    // Leave separating points alone: contact pushes, it never pulls. Nor do two immovable
-    // bodies have an answer
-    if (!(v_n < 0.0) || !(w_n > 0.0)) return 0.0;
-
-    return -(1.0 + e) * v_n / w_n;
-}
-
-
 namespace {
 
 

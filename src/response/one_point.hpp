@@ -1,5 +1,6 @@
 #pragma once
 
+#include "response/newton.hpp"
 #include "response/push_line.hpp"
 
 namespace flying {
@@ -30,15 +31,6 @@ struct PointImpulse
 
 /// The response of two bodies at a point.
 [[nodiscard]] PointResponse response_at(const PointFrame& frame, const PairInertia& inertia);
-
-
-
-/// Normal impulse that ends an approach without friction, by Newton's law.  [N s]
-///
-/// v_n  normal speed of B relative to A, negative when approaching          [m/s]
-/// w_n  inverse of the effective mass along the normal, > 0                 [1/kg]
-/// e    restitution, 0 ... 1                                                [-]
-[[nodiscard]] double newton_impulse(double v_n, double w_n, double e);
 
 
 

@@ -1,9 +1,10 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
-#include "geometry/disc.hpp"
-#include "toi/relative_flight.hpp"
+#include "math/roots.hpp"
+#include "math/vec2.hpp"
 
 namespace flying {
 
@@ -15,20 +16,16 @@ namespace flying {
 /// reach   sum of the radii [m]
 [[nodiscard]] inline double time_to_meet(const Vec2& offset, const Vec2& rate, double reach)
 {
-    // [toi.two-discs.approach]
     // Leave discs alone that part: a gap of zero after an impact is no new one
     const double approach = -offset.dot(rate);
     if (approach <= 0.0) return k_never;
-    // [toi.two-discs.approach]
 
-    // [toi.two-discs.discriminant]
     // The discriminant as a product: b^2 - v^2 c loses every digit of a glancing path
     const double speed2 = rate.dot(rate);
     const double miss = std::abs(cross(offset, rate));
     const double span = std::sqrt(speed2) * reach;
     const double discriminant = (span - miss) * (span + miss);
     if (!(discriminant >= 0.0)) return k_never;
-    // [toi.two-discs.discriminant]
 
     const double outside = offset.dot(offset) - reach * reach;
     return std::max(outside / (std::sqrt(discriminant) + approach), 0.0);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "math/roots.hpp"
+#include "math/safe_step.hpp"
 #include "toi/gap_tolerance.hpp"
 
 namespace flying {

@@ -32,7 +32,7 @@ expect 2 'numbers over 0; found: --count fast' stress window --count fast
 expect 2 'knows --seed N and --count SECONDS; found: --until' stress window --until 5
 expect 2 'book knows --open or --pdf; found: fast' book fast
 expect 2 'found: --pdf --open' book --pdf --open
-expect 2 "chapter 02 has no program 'figures'; expected one of: breaks demo" chapter 02 figures
+expect 2 "chapter 03 has no program 'figures'; expected one of: breaks demo" chapter 03 figures
 expect 2 'progress takes no arguments; found: now' progress now
 for name in chapter start check; do
     expect 2 'expected the number of a chapter, such as 02; found: nothing' "$name"

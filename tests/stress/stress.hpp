@@ -51,7 +51,7 @@ void run_tests(const Job& job, Tally& tally);
 /// The tests of the part, a line each.
 void print_tried();
 void run_rest(const Job& job, Tally& tally);
-/// The rows of chapter 16's table. What was reached goes to out/stress/table.jsonl, row by row.
+/// The rows of chapter 17's table. What was reached goes to out/stress/table.jsonl, row by row.
 void run_table(const Job& job, Tally& tally);
 
 } // namespace flying::stress

@@ -12,6 +12,8 @@ jobs=${FLYING_JOBS:-$(nproc 2>/dev/null || echo 2)}
 breaks=(
     'src/motion/flight.hpp|(0.5 * t) * g|(0.5005 * t) * g|01|flight.position'
     'src/motion/kepler.cpp|Twofold(2.0 * mu)|Twofold(2.002 * mu)|16|kepler'
+    'src/toi/discs.hpp|std::max(outside /|std::max(1.001 * outside /|18|toi.discs'
+    'chapters/18-two-balls/discs.hpp|const double j = -(1.0 + e)|const double j = -(1.001 + e)|18|impulse.newton'
     'chapters/02-rectangle/rectangle.hpp|(width * width + height * height) / 12.0|(width * width + height * height) / 12.012|02|rectangle.inertia'
     'src/mass/disc.cpp|0.5 * m * (radius * radius)|0.5005 * m * (radius * radius)|02|rectangle.disc'
     'chapters/02-rectangle/rectangle.hpp|0.5 * m * (inner * inner|0.5005 * m * (inner * inner|02|rectangle.annulus'
@@ -20,10 +22,10 @@ breaks=(
     'src/geometry/moments.cpp|sums.second / Twofold(12.0)|sums.second / Twofold(12.012)|04|polygon.inertia'
     'src/collide/manifold.cpp|const double part = (along|const double part = 1.001 * (along|05|axis.cut'
     'chapters/06-vertex-collision/vertex_edge.hpp|along = 0.5 * (low + high)|along = 0.5005 * (low + high)|06|corner.middle'
-    'src/response/one_point.cpp|return -(1.0 + e) * v_n|return -(1.001 + e) * v_n|07|impulse.normal'
+    'src/response/newton.hpp|return -(1.0 + e) * v_n|return -(1.001 + e) * v_n|07|impulse.normal'
     'src/response/one_point.cpp|const double newton = (1.0 + e)|const double newton = (1.001 + e)|07|impulse'
     'src/toi/bend.hpp|turn * turn * arm) *|1.001 * turn * turn * arm) *|08|toi.bend'
-    'src/math/roots.hpp|? 2.0 * f / denominator|? 2.002 * f / denominator|08|toi.step'
+    'src/math/safe_step.hpp|? 2.0 * f / denominator|? 2.002 * f / denominator|08|toi.step'
 )
 
 # Copies what the project keeps; what has not changed keeps its time, so that little is compiled again
@@ -39,7 +41,7 @@ make_page() { # chapter: builds its programs and runs what its page quotes
 refresh
 cmake -S "$folder/sources" -B "$folder/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DFLYING_OPTIMISE=-O1 \
     >"$folder/configure.log"
-for page in 01 02 03 04 05 06 07 08 16; do
+for page in 01 18 02 03 04 05 06 07 08 16; do
     make_page "$page" || {
         tail -n 40 "$folder/page.log"
         echo "page $page can't be made even with every constant right"

@@ -106,13 +106,13 @@ function inspect() {
 
 // What students type, and where it must lead: one of the first three places
 const WORDS = [
-    ['restitution', /chapter_07|Material/], ['inertia', /chapter_0[234]/], ['moment of inertia', /chapter_0[234]/], ['parallel axes', /chapter_02/],
+    ['restitution', /chapter_18|Material/], ['inertia', /chapter_0[234]/], ['moment of inertia', /chapter_0[234]/], ['parallel axes', /chapter_02/],
     ['impulse', /chapter_07/], ['friction', /chapter_(07|11)/], ['heap', /chapter_17/], ['coulomb', /chapter_(07|11)/], ['momentum', /chapter_/], ['energy', /chapter_/],
     ['separating axis', /chapter_05/], ['overlap', /chapter_/], ['corner', /chapter_06/], ['convex', /chapter_0[456]/], ['normal', /chapter_0[5-7]/],
-    ['time of impact', /chapter_08/], ['quadratic', /chapter_08/], ['newton', /chapter_/], ['grid', /chapter_09/], ['sweep', /chapter_(09|11|17)/],
+    ['time of impact', /chapter_08/], ['quadratic', /chapter_18/], ['newton', /chapter_/], ['grid', /chapter_09/], ['sweep', /chapter_(09|11|17)/],
     ['zeno', /chapter_1[01]/], ['event queue', /chapter_10|EventQueue/], ['pi', /chapter_/], ['stack', /chapter_11/], ['complementarity', /chapter_11/],
     ['sleep', /chapter_1[127]/], ['kepler', /chapter_16/], ['euler', /chapter_01/], ['verlet', /chapter_01/], ['centre of mass', /chapter_0[24]/],
-    ['rounding', /chapter_/], ['Polygon', /./], ['(7.4)', /chapter_07.html#eq/], ['exercise 4.1', /chapter_04/], ['playground', /playground/],
+    ['rounding', /chapter_/], ['Polygon', /./], ['(8.4)', /chapter_07.html#eq/], ['exercise 5.1', /chapter_04/], ['playground', /playground/],
 ];
 
 async function checkSearch(browser) {

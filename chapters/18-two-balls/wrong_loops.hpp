@@ -4,24 +4,22 @@
 
 namespace flying {
 
-
 /// WRONG, and it looks right: what was foreseen happens, unless the two part already.
 inline void run_all_foreseen(Few& few, double until)
 {
     for (int k = 0; k < static_cast<int>(few.discs.size()); ++k) few.foresee(k);
-    while (!few.queue.empty() && few.queue.next().time <= until) {
-        const Event event = few.queue.next();
+    while (!few.queue.empty() && few.queue.top().time <= until) {
+        const Foreseen next = few.queue.top();
         few.queue.pop();
-        const FewDisc& p = few.discs[event.a];
-        const FewDisc& q = few.discs[event.b];
-        const Vec2 offset = p.place(event.time) - q.place(event.time);
-        if (offset.dot(p.v - q.v) >= 0.0) continue;
-        few.strike(event);
-        few.foresee(event.a);
-        few.foresee(event.b);
+        const discs::Disc p = at_time(few.discs[next.a], next.time);
+        const discs::Disc q = at_time(few.discs[next.b], next.time);
+        const double along = (q.x - p.x) * (q.vx - p.vx) + (q.y - p.y) * (q.vy - p.vy);
+        if (along >= 0.0) continue;
+        few.strike(next);
+        few.foresee(next.a);
+        few.foresee(next.b);
     }
 }
-
 
 /// How far a ball came that falls again and again.
 struct Hops
@@ -30,7 +28,6 @@ struct Hops
     double time = 0.0;  ///< [s]
     double speed = 0.0; ///< of the last rebound [m/s]
 };
-
 
 /// WRONG, and it looks right: fly to the next impact, bounce, until the time is up.
 /// speed  of the first rebound; patience  hops until we give up
@@ -44,6 +41,5 @@ inline Hops hop_until(double until, double speed, double e, double g, long patie
     }
     return hops;
 }
-
 
 } // namespace flying

@@ -9,7 +9,6 @@
 
 namespace flying {
 
-
 /// WRONG, and it looks right: the quadratic as school has it.
 inline double school_meet(const Vec2& x, const Vec2& v, double s)
 {
@@ -19,7 +18,6 @@ inline double school_meet(const Vec2& x, const Vec2& v, double s)
     if (b <= 0.0 || D < 0.0) return k_never;
     return (b - std::sqrt(D)) / v.dot(v);
 }
-
 
 /// Two discs far apart, on paths that lie aslant.
 struct FarPair
@@ -48,13 +46,5 @@ inline double exactly(const FarPair& pair, double s)
     const Wide D = b * b - (v1 * v1 + v2 * v2) * c;
     return static_cast<double>(c / (b + sqrt(D)));
 }
-
-
-/// WRONG, and it looks right: the safe step as school has it.
-inline double school_step(double f, double f_rate, double bend)
-{
-    return (f_rate + std::sqrt(f_rate * f_rate + 2.0 * bend * f)) / bend;
-}
-
 
 } // namespace flying
