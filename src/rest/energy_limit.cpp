@@ -181,14 +181,18 @@ void rise_less(RestData& data, const Island& island, const RigidMotion& rigid, d
 
 void limit_energy(RestData& data, const Island& island)
 {
-    const EnergyGain gain = gain_of(data, island);
+    EnergyGain gain = gain_of(data, island);
     const double rounding = rest_tolerance::k_rounding * gain.scale;
     if (gain.gained <= rounding) return;
     ++data.counts.limited;
     data.counts.energy_limited += gain.gained;
     const RigidMotion rigid = free_motion(data, island);
-    const double left = slow_down(data, island, rigid, gain.gained);
-    if (left > rounding) rise_less(data, island, rigid, left);
+    // Round a centre the field's work isn't in proportion to the way, so that it takes more than one round
+    for (int round = 0; round < rest_tolerance::k_quick_rounds && gain.gained > rounding; ++round) {
+        const double left = slow_down(data, island, rigid, gain.gained);
+        if (left > rounding) rise_less(data, island, rigid, left);
+        gain = gain_of(data, island);
+    }
 }
 
 } // namespace flying
