@@ -280,7 +280,12 @@ void Projection::find_pushes(RestData& data, const Island& island, double tolera
     if (is_heap(island)) sweeps.sweep_heap(data, island, pushes_, points_, tolerance);
     else data.solver.solve(pushes_, members, points_, tolerance);
 
-    // The common centre of mass stays, as far as nothing static holds it
+    // The common centre of mass of bodies that touch nothing static stays
+    const auto is_static = [&](const ContactPoint& c) {
+        return !data.motion.is_moved(c.a) || !data.motion.is_moved(c.b);
+    };
+    if (std::any_of(points_.begin(), points_.end(), is_static)) return;
+    if (std::any_of(island.points.begin(), island.points.end(), is_static)) return;
     Vec2 moved = Vec2::Zero();
     double mass = 0.0;
     for (const int member : members) {
@@ -288,7 +293,7 @@ void Projection::find_pushes(RestData& data, const Island& island, double tolera
         moved += m * Vec2(pushes_[member].v_x, pushes_[member].v_y);
         mass += m;
     }
-    const Vec2 back = static_hold(data, island.points).leaves(static_hold(data, points_).leaves(Vec2(moved / mass)));
+    const Vec2 back = moved / mass;
     for (const int member : members) {
         pushes_[member].v_x -= back.x();
         pushes_[member].v_y -= back.y();
