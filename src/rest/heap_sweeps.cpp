@@ -53,7 +53,11 @@ void HeapSweeps::sweep_large(RestData& data, Island& island)
         }
         if (approaches_left(data, points) > most) {
             set_free(data, island, data.motion.before, data.motion.span);
-            data.solver.end_approaches(data.motion.now, members, points);
+            const double tolerance = rest_tolerance::k_residual * top_speed(data, island);
+            if (!data.solver.solve(data.motion.now, members, points, tolerance)) {
+                set_free(data, island, data.motion.before, data.motion.span);
+                data.solver.end_approaches(data.motion.now, members, points);
+            }
         }
     }
 

@@ -261,43 +261,31 @@ double Projection::share_that_is_paid(const RestData& data, const Island& island
     return lift > 0.0 ? std::clamp(-gain_of(data, island).gained / lift, 0.0, 1.0) : 1.0;
 }
 
-/// Pushes that take off overlap, as if all bodies had the same mass: what is heavy and has sunk onto light bodies would
-/// hardly be moved otherwise.
+/// Pushes that take off overlap. Where something static bears, they are those of bodies of the same mass: what is heavy
+/// and has sunk onto light bodies would hardly be moved otherwise. Bodies that touch nothing static keep their common
+/// centre of mass.
 void Projection::find_pushes(RestData& data, const Island& island, double tolerance, HeapSweeps& sweeps)
 {
     const std::span<const int> members = island.members;
-    for (const int member : members) {
-        pushes_[member].inv_moment /= pushes_[member].inv_mass;
-        pushes_[member].inv_mass = 1.0;
-    }
-    for (ContactPoint& c : points_) {
-        const Mover& a = pushes_[c.a];
-        const Mover& b = pushes_[c.b];
-        const double shifts = a.inv_mass + b.inv_mass;
-        c.normal_mass = 1.0 / (shifts + (a.inv_moment * (c.normal_arm_a * c.normal_arm_a) +
-                                         b.inv_moment * (c.normal_arm_b * c.normal_arm_b)));
-    }
-    if (is_heap(island)) sweeps.sweep_heap(data, island, pushes_, points_, tolerance);
-    else data.solver.solve(pushes_, members, points_, tolerance);
-
-    // The common centre of mass of bodies that touch nothing static stays
     const auto is_static = [&](const ContactPoint& c) {
         return !data.motion.is_moved(c.a) || !data.motion.is_moved(c.b);
     };
-    if (std::any_of(points_.begin(), points_.end(), is_static)) return;
-    if (std::any_of(island.points.begin(), island.points.end(), is_static)) return;
-    Vec2 moved = Vec2::Zero();
-    double mass = 0.0;
-    for (const int member : members) {
-        const double m = 1.0 / data.motion.now[member].inv_mass;
-        moved += m * Vec2(pushes_[member].v_x, pushes_[member].v_y);
-        mass += m;
+    if (std::any_of(points_.begin(), points_.end(), is_static) ||
+        std::any_of(island.points.begin(), island.points.end(), is_static)) {
+        for (const int member : members) {
+            pushes_[member].inv_moment /= pushes_[member].inv_mass;
+            pushes_[member].inv_mass = 1.0;
+        }
+        for (ContactPoint& c : points_) {
+            const Mover& a = pushes_[c.a];
+            const Mover& b = pushes_[c.b];
+            const double shifts = a.inv_mass + b.inv_mass;
+            c.normal_mass = 1.0 / (shifts + (a.inv_moment * (c.normal_arm_a * c.normal_arm_a) +
+                                             b.inv_moment * (c.normal_arm_b * c.normal_arm_b)));
+        }
     }
-    const Vec2 back = moved / mass;
-    for (const int member : members) {
-        pushes_[member].v_x -= back.x();
-        pushes_[member].v_y -= back.y();
-    }
+    if (is_heap(island)) sweeps.sweep_heap(data, island, pushes_, points_, tolerance);
+    else data.solver.solve(pushes_, members, points_, tolerance);
 }
 
 } // namespace flying
