@@ -189,13 +189,14 @@ void PairList::find_partners(std::span<const RestBody> bodies, const BodySet& mo
     cells_.for_each_pair([&](const BoxCells::Entry& one, const BoxCells::Entry& two) { note(one.body, two.body); });
 
     // The others stay where they are, and walls without end meet what reaches into them
-    for (const auto& [box, k] : cells_.entries()) {
-        others_.visit_all_at(box, [&](const BoxCells::Entry& other) {
+    for (const BoxCells::Entry& entry : cells_.entries()) {
+        const int k = entry.body; // clang takes no structured binding into a lambda
+        others_.visit_all_at(entry.box, [&](const BoxCells::Entry& other) {
             if (bodies[other.body].is_active && !movers.has(other.body)) note(k, other.body);
             return true;
         });
         for (const int wall : walls_) {
-            if (overlap(box, std::get<HalfPlane>(bodies[wall].shape))) note(k, wall);
+            if (overlap(entry.box, std::get<HalfPlane>(bodies[wall].shape))) note(k, wall);
         }
     }
     std::sort(found_.begin(), found_.end());
