@@ -14,7 +14,7 @@ namespace {
 std::vector<RestBody> rolling_beside(int boxes)
 {
     std::vector<RestBody> bodies{ground()};
-    RestBody disc{Disc(0.5), {}, {1.0, 8.0}, {0.0, 0.5}};
+    RestBody disc{Disc{0.5}, {}, {1.0, 8.0}, {0.0, 0.5}};
     disc.state.position = Vec2(0.0, 0.5);
     disc.state.velocity = Vec2(-3.0, 0.0);
     disc.state.spin = 6.0;
