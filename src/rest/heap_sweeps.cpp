@@ -44,14 +44,16 @@ void HeapSweeps::sweep_large(RestData& data, Island& island)
     if (island.member_count() <= rest_tolerance::k_most_swept_on) {
         const double most =
             before > rest_tolerance::k_standing * field ? rest_tolerance::k_deep : rest_tolerance::k_slow_approach;
-        if (approaches_left(data, points) > most) {
+        double enough = most;
+        if (const double left = approaches_left(data, points); left > most) {
+            enough = std::max(most, rest_tolerance::k_gets_on * left);
             // Sweeps take the longer the more masses differ: what these leave is swept on, and then ended all at once
             plan.sweeps = plan.most_sweeps = rest_tolerance::k_more_sweeps;
             plan.tolerance = 0.0;
             set_free(data, island, data.motion.before, data.motion.span);
             sweeps_.sweep(data.motion.now, members, points, plan, data.solver.counts());
         }
-        if (approaches_left(data, points) > most) {
+        if (approaches_left(data, points) > enough) {
             set_free(data, island, data.motion.before, data.motion.span);
             const double tolerance = rest_tolerance::k_residual * top_speed(data, island);
             if (!data.solver.solve(data.motion.now, members, points, tolerance)) {

@@ -236,6 +236,9 @@ inline constexpr int k_more_sweeps = 128;
 
 inline constexpr int k_most_swept_on = 1024;
 
+/// [approaches left] Sweeps that leave more don't get on.
+inline constexpr double k_gets_on = 0.25;
+
 /// Sweeps that end the impacts of a heap, and that take off its overlap.
 inline constexpr int k_heap_sweeps = 16;
 
