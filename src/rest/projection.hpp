@@ -17,7 +17,7 @@ public:
     [[nodiscard]] double measure_overlap(RestData& data, const Island& island);
     /// Moves bodies out of what they overlap there: the same conditions for places as for velocities, least by the
     /// masses, without friction. It adds no velocity.
-    /// overlap  as `overlap_at_end` has just found it
+    /// overlap  as `measure_overlap` has just found it
     void put_apart(RestData& data, const Island& island, double overlap, HeapSweeps& sweeps);
 
 private:
