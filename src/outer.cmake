@@ -1,6 +1,7 @@
 # Scenes as text: toml++ is header-only here (scene/toml_library.hpp)
 find_path(FLYING_TOML toml++/toml.h REQUIRED)
 flying_module(scene world)
+flying_together(flying_scene)
 
 # The engine for pages: a library for its tests, and a module of WebAssembly, beside it a program for Node
 flying_module(live scene)
@@ -31,6 +32,7 @@ target_link_libraries(flying_json PRIVATE nlohmann_json::nlohmann_json)
 pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo)
 flying_module(draw world)
 target_link_libraries(flying_draw PUBLIC PkgConfig::CAIRO)
+flying_together(flying_draw)
 
 # Files that appear whole or not at all
 flying_module(files math)
@@ -40,9 +42,12 @@ find_package(fmt REQUIRED)
 flying_module(play draw scene)
 target_link_libraries(flying_play PUBLIC fmt::fmt)
 flying_light(flying_play)
+flying_together(flying_play)
 
 # Its window, where gtkmm is there
-pkg_check_modules(GTKMM IMPORTED_TARGET gtkmm-4.0)
+if(FLYING_WINDOW)
+    pkg_check_modules(GTKMM IMPORTED_TARGET gtkmm-4.0)
+endif()
 if(GTKMM_FOUND)
     flying_module(window play files)
     target_link_libraries(flying_window PRIVATE PkgConfig::GTKMM)

@@ -16,10 +16,10 @@ namespace flying {
 
 namespace {
 
-constexpr double k_near = 0.1; ///< [sizes] a contact of the last step isn't farther away
+constexpr double k_touching = 0.1; ///< [sizes] a contact of the last step isn't farther away
 
 /// Shapes of what stands around: the walls, then the core.
-std::vector<Shape> surroundings(const WorldDef& world)
+std::vector<Shape> surrounding_shapes(const WorldDef& world)
 {
     std::vector<Shape> all;
     if (world.box) {
@@ -112,7 +112,7 @@ Inside look_inside(const World& world)
     for (int k = 0; k < world.body_count(); ++k) {
         inside.shapes.push_back(make_collision_shape(world.shape(k)));
     }
-    for (const Shape& shape : surroundings(world.scene().world)) inside.shapes.push_back(make_collision_shape(shape));
+    for (const Shape& shape : surrounding_shapes(world.scene().world)) inside.shapes.push_back(make_collision_shape(shape));
     inside.cell_size = cell_size_of(world, inside);
     return inside;
 }
@@ -132,7 +132,7 @@ std::vector<LeaningContact> leaning_contacts(const World& world, const Inside& i
         const int b = memory->order[place_b];
         const ConvexPart& part_a = inside.shapes[static_cast<std::size_t>(a)].parts[static_cast<std::size_t>(pair.part_a)];
         const ConvexPart& part_b = inside.shapes[static_cast<std::size_t>(b)].parts[static_cast<std::size_t>(pair.part_b)];
-        const double margin = k_near * std::min(part_a.radius, part_b.radius);
+        const double margin = k_touching * std::min(part_a.radius, part_b.radius);
         const Manifold manifold = make_manifold(part_a.shape, pose_of(memory->bodies[place_a].state), part_b.shape,
                                                 pose_of(memory->bodies[place_b].state), margin);
         for (int k = 0; k < pair.count; ++k) {
@@ -173,7 +173,7 @@ std::vector<NextImpact> next_impacts(const World& world, const Inside& inside, s
     const int all = static_cast<int>(inside.shapes.size());
     std::vector<Flyer> flyers;
     for (int k = 0; k < all; ++k) flyers.push_back(flyer_of(world, k));
-    const std::vector<Shape> around = surroundings(world.scene().world);
+    const std::vector<Shape> around = surrounding_shapes(world.scene().world);
     const auto shape_of = [&](int k) -> const Shape& {
         return k < world.body_count() ? world.shape(k) : around[static_cast<std::size_t>(k - world.body_count())];
     };

@@ -16,7 +16,7 @@ namespace flying {
 
 namespace {
 
-constexpr double k_letters = 13.0; ///< [pixels]
+constexpr double k_note_letters = 13.0; ///< [pixels]
 
 void move_to(cairo_t* cairo, const Vec2& at) { cairo_move_to(cairo, at.x(), at.y()); }
 void line_to(cairo_t* cairo, const Vec2& at) { cairo_line_to(cairo, at.x(), at.y()); }
@@ -30,7 +30,7 @@ void dash(cairo_t* cairo, bool dashed)
 /// A few words beside a point.
 void paint_words(cairo_t* cairo, const Vec2& at, const std::string& words, const Theme& theme, const Colour& colour)
 {
-    brush::letters(cairo, k_letters);
+    brush::letters(cairo, k_note_letters);
     const double width = brush::text_width(cairo, words) + 16.0;
     const PixelBox box{at.x() + 14.0, at.y() + 12.0, at.x() + 14.0 + width, at.y() + 36.0};
     brush::panel(cairo, box, theme);
@@ -63,7 +63,7 @@ void paint_facts(cairo_t* cairo, const Stage& stage, const Theme& theme)
         lines.push_back(fmt::format("speed {:.4g} m/s, spin {:.3g} rad/s", s.velocity.norm(), s.spin));
     }
     lines.push_back(fmt::format("at ({:.4g}, {:.4g}) m, angle {:.4g} rad", s.position.x(), s.position.y(), s.angle));
-    brush::letters(cairo, k_letters);
+    brush::letters(cairo, k_note_letters);
     double width = 0.0;
     for (const std::string& line : lines) width = std::max(width, brush::text_width(cairo, line));
     const double right = stage.size.width - 14.0;
@@ -71,7 +71,7 @@ void paint_facts(cairo_t* cairo, const Stage& stage, const Theme& theme)
     brush::panel(cairo, box, theme);
     brush::use(cairo, theme.ink);
     for (std::size_t k = 0; k < lines.size(); ++k) {
-        brush::letters(cairo, k_letters, k == 0);
+        brush::letters(cairo, k_note_letters, k == 0);
         brush::text(cairo, box.left + 10.0, box.top + 20.0 + 18.0 * static_cast<double>(k), lines[k]);
     }
 }

@@ -14,14 +14,14 @@ namespace flying {
 
 namespace {
 
-constexpr double k_letters = 14.0;  ///< [pixels]
+constexpr double k_panel_letters = 14.0;  ///< [pixels]
 constexpr double k_margin = 14.0;   ///< of panels from the edge [pixels]
 constexpr double k_inside = 10.0;   ///< of writing from its panel's edge [pixels]
 
 /// A line of text in a panel, its middle above there.
 void paint_pill(cairo_t* cairo, double middle, double top, const std::string& text, const Theme& theme, const Colour* mark)
 {
-    brush::letters(cairo, k_letters);
+    brush::letters(cairo, k_panel_letters);
     const double width = brush::text_width(cairo, text) + 2.0 * k_inside + (mark ? 16.0 : 0.0);
     const PixelBox box{middle - 0.5 * width, top, middle + 0.5 * width, top + 28.0};
     brush::panel(cairo, box, theme);
@@ -63,7 +63,7 @@ void paint_restitution(cairo_t* cairo, const Stage& stage, SurfaceSize size, con
     const double e = stage.run.scene().world.restitution;
     const PixelBox box{k_margin, size.height - 104.0, k_margin + 260.0, size.height - 50.0};
     brush::panel(cairo, box, theme);
-    brush::letters(cairo, k_letters);
+    brush::letters(cairo, k_panel_letters);
     brush::use(cairo, theme.ink);
     brush::text(cairo, box.left + k_inside, box.top + 20.0, fmt::format("restitution e = {:g}", e));
     const PixelBox bar{box.left + k_inside, box.top + 30.0, box.right - k_inside, box.top + 42.0};
@@ -81,7 +81,7 @@ void paint_gravity(cairo_t* cairo, const Stage& stage, SurfaceSize size, const T
     const Field& field = stage.run.scene().world.field;
     const PixelBox box{k_margin, size.height - 170.0, k_margin + 260.0, size.height - 50.0};
     brush::panel(cairo, box, theme);
-    brush::letters(cairo, k_letters);
+    brush::letters(cairo, k_panel_letters);
     brush::use(cairo, theme.ink);
     const double x = box.left + k_inside;
     if (const auto* central = std::get_if<CentralField>(&field)) {
@@ -125,7 +125,7 @@ std::vector<std::string> wrapped(cairo_t* cairo, const std::string& text, double
 void paint_notice(cairo_t* cairo, const Stage& stage, SurfaceSize size, const Theme& theme)
 {
     if (stage.notice.text.empty() || stage.now >= stage.notice.until) return;
-    brush::letters(cairo, k_letters);
+    brush::letters(cairo, k_panel_letters);
     const double widest = std::min(760.0, size.width - 4.0 * k_margin);
     const std::vector<std::string> lines = wrapped(cairo, stage.notice.text, widest);
     double width = 0.0;

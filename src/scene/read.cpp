@@ -70,7 +70,7 @@ std::optional<toml::source_position> endless_key(std::string_view text)
 /// What to call body number `index` in a message.
 std::string label_of_body(const std::string& name, std::size_t index)
 {
-    return name.empty() ? "body " + std::to_string(index) : "body " + quoted(name);
+    return name.empty() ? "body " + std::to_string(index) : "body " + in_quotes(name);
 }
 
 

@@ -56,7 +56,7 @@ Faults FaultList::in_order() const
     return faults;
 }
 
-std::string quoted(std::string_view text)
+std::string in_quotes(std::string_view text)
 {
     constexpr std::size_t k_longest = 40;
     std::string shown;
@@ -76,7 +76,7 @@ std::string quoted(std::string_view text)
 
 std::string describe(const toml::node& node)
 {
-    if (const auto* text = node.as_string()) return quoted(text->get());
+    if (const auto* text = node.as_string()) return in_quotes(text->get());
     if (const auto* number = node.as_integer()) return std::to_string(number->get());
     if (const auto* number = node.as_floating_point()) return write_number(number->get());
     if (const auto* flag = node.as_boolean()) return flag->get() ? "true" : "false";
@@ -279,7 +279,7 @@ void TableReader::refuse_unknown_keys()
 {
     for (const auto& [key, node] : *table_) {
         if (std::find(known_.begin(), known_.end(), key.str()) != known_.end()) continue;
-        faults_->add_unknown_key(key.source().begin, label_, "the unknown key " + quoted(key.str()), one_of(key.str(), known_));
+        faults_->add_unknown_key(key.source().begin, label_, "the unknown key " + in_quotes(key.str()), one_of(key.str(), known_));
     }
 }
 

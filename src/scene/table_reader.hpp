@@ -48,7 +48,7 @@ private:
 };
 
 /// Text between quotation marks for a message: at most forty bytes of it, what can't be printed as a question mark.
-[[nodiscard]] std::string quoted(std::string_view text);
+[[nodiscard]] std::string in_quotes(std::string_view text);
 
 /// A value for a message: `-1`, `"abc"`, `true`, `an array of 3 values`, `a table`.
 [[nodiscard]] std::string describe(const toml::node& node);

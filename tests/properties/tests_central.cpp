@@ -74,7 +74,7 @@ Scene random_central(std::uint64_t seed)
     return scene;
 }
 
-double relative_change(const Report& report)
+double energy_change(const Report& report)
 {
     // Kinetic and potential energy nearly cancel: measure against the larger
     return std::abs(report.energy.total() - report.initial_total) /
@@ -131,8 +131,8 @@ TEST_CASE("A ball keeps its energy over a thousand impacts on the core")
         const double l_start = cross(scene.bodies[0].position, scene.bodies[0].velocity);
         l = cross(world.state(0).position, world.state(0).velocity);
         MESSAGE(report.collisions << " impacts until " << report.time << " s change the energy by "
-                                  << relative_change(report) << ", the angular momentum by " << l - l_start);
-        CHECK(relative_change(report) < 1e-12);
+                                  << energy_change(report) << ", the angular momentum by " << l - l_start);
+        CHECK(energy_change(report) < 1e-12);
         CHECK(std::abs(l - l_start) < 1e-11);
         CHECK(report.max_overlap < 1e-11); // an ulp of 4000 s is 5e-13 s, at 8 m/s
     }
@@ -148,7 +148,7 @@ TEST_CASE("Many bodies round the core keep their energy and never overlap")
         REQUIRE_FALSE(world.advance(0.05 * k).has_value());
         const Report report = world.report();
         deepest = std::max(deepest, report.max_overlap);
-        REQUIRE(relative_change(report) < 1e-12);
+        REQUIRE(energy_change(report) < 1e-12);
     }
     MESSAGE(world.collisions() << " impacts, deepest overlap " << deepest);
     CHECK(world.collisions() > 100);
@@ -169,7 +169,7 @@ TEST_CASE("In central scenes too no skip changes a bit, and nobody overlaps")
             if (crowded) break;
             const Report report = world.report();
             REQUIRE(report.max_overlap < 1e-11);
-            if (scene.world.restitution == 1.0 && scene.world.friction == 0.0) REQUIRE(relative_change(report) < 1e-10);
+            if (scene.world.restitution == 1.0 && scene.world.friction == 0.0) REQUIRE(energy_change(report) < 1e-10);
         }
         collisions += world.collisions();
         for (const std::string& name : skip_names()) {
@@ -186,7 +186,7 @@ TEST_CASE("In central scenes too no skip changes a bit, and nobody overlaps")
 
 TEST_CASE("A central world goes on from a snapshot with the same bits")
 {
-    for (std::uint64_t seed = 201; seed <= 205; ++seed) {
+    for (std::uint64_t seed = 207; seed <= 216; ++seed) { // none of millions of impacts, as 203 and 206 are
         const Scene scene = random_central(seed);
         World whole = events_of(scene);
         World first = events_of(scene);

@@ -49,7 +49,7 @@ double deepest_overlap(const World& world)
 }
 
 /// Bodies of one kind in a box, with any restitution and friction, half of them in gravity.
-Scene random_scene(std::uint64_t seed)
+Scene random_hybrid_scene(std::uint64_t seed)
 {
     Random random(seed);
     GenerateOptions options;
@@ -92,7 +92,7 @@ namespace {
 /// Follows one scene for its four seconds.
 void follow(std::uint64_t seed)
 {
-    const Scene scene = random_scene(seed);
+    const Scene scene = random_hybrid_scene(seed);
     World world = world_of(scene);
     Report before = world.report();
     const double scale = energy_scale(scene, before);
@@ -174,7 +174,7 @@ TEST_CASE("with hand-overs, too, what happens doesn't depend on when somebody as
     for (int k = 0; k < count; ++k) {
         const int seed = 300 + k;
         const double interval = intervals[k % 3];
-        const Scene scene = random_scene(seed);
+        const Scene scene = random_hybrid_scene(seed);
         World once = world_of(scene);
         REQUIRE_FALSE(once.advance(scene.until).has_value());
         const Report expected = once.report();
@@ -203,7 +203,7 @@ TEST_CASE("with hand-overs, too, a run that is stopped, saved and resumed has th
         for (int k = 0; k < tried(6); ++k) {
             const int seed = 400 + k;
             const double part = parts[k % 3];
-            const Scene scene = random_scene(seed);
+            const Scene scene = random_hybrid_scene(seed);
             Expected<World> whole = World::make(scene, options);
             REQUIRE(whole.has_value());
             (void)whole.value().advance(scene.until);
@@ -228,7 +228,7 @@ TEST_CASE("with hand-overs, too, a run that is stopped, saved and resumed has th
 TEST_CASE("a run by steps of so many events gets where one goes that isn't stopped")
 {
     for (int i = 0; i < tried(8); ++i) {
-        const Scene scene = random_scene(500 + i);
+        const Scene scene = random_hybrid_scene(500 + i);
         World once = world_of(scene);
         REQUIRE_FALSE(once.advance(scene.until).has_value());
         World parts = world_of(scene);

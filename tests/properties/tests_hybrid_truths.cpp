@@ -15,13 +15,13 @@ using namespace flying::testing;
 
 namespace {
 
-constexpr double k_g = 9.81; // [m/s^2]
+constexpr double k_gravity = 9.81; // [m/s^2]
 
 /// A wide floor; gravity leans by `tilt` towards positive x, so that the floor is a slope.
 Scene slope(double tilt, double restitution, double friction)
 {
     Scene scene;
-    scene.world.field = UniformField{{k_g * std::sin(tilt), -k_g * std::cos(tilt)}};
+    scene.world.field = UniformField{{k_gravity * std::sin(tilt), -k_gravity * std::cos(tilt)}};
     scene.world.restitution = restitution;
     scene.world.friction = friction;
     scene.world.box = BoxDef{{-1000.0, 0.0}, {1000.0, 1000.0}};
@@ -32,7 +32,7 @@ Scene slope(double tilt, double restitution, double friction)
 Scene ramp(double tilt, double friction, double width, double height)
 {
     Scene scene;
-    scene.world.field = UniformField{{0.0, -k_g}};
+    scene.world.field = UniformField{{0.0, -k_gravity}};
     scene.world.restitution = 0.0;
     scene.world.friction = friction;
     const Vec2 normal(std::sin(tilt), std::cos(tilt));
@@ -114,7 +114,7 @@ TEST_CASE("a ball let go at 4.9 m bounces at e = 0.5 until 3 sqrt(2 h/g), to 1e-
     Scene scene = slope(0.0, 0.5, 0.0);
     scene.bodies = {disc(0.5, {0.0, 5.4})};
     World world = world_of(scene);
-    const double end = 3.0 * std::sqrt(2.0 * 4.9 / k_g);
+    const double end = 3.0 * std::sqrt(2.0 * 4.9 / k_gravity);
     run(world, end + 0.1);
     REQUIRE(world.handovers().size() == 1);
     CHECK(world.handovers()[0].ends_bounces);
@@ -128,11 +128,11 @@ TEST_CASE("a ball that bounces at e = 1 is where the parabola says to 1e-12 m, f
     Scene scene = slope(0.0, 1.0, 0.0);
     scene.bodies = {disc(0.5, {0.0, 5.4})};
     World world = world_of(scene);
-    const double half = std::sqrt(2.0 * 4.9 / k_g);
+    const double half = std::sqrt(2.0 * 4.9 / k_gravity);
     for (int k = 1; k <= 1000; ++k) {
         run(world, 0.01 * k);
         const double since = std::fmod(0.01 * k + half, 2.0 * half) - half; // since it was uppermost
-        CHECK(std::abs(world.state(0).position.y() - (5.4 - 0.5 * k_g * since * since)) <= 1e-12);
+        CHECK(std::abs(world.state(0).position.y() - (5.4 - 0.5 * k_gravity * since * since)) <= 1e-12);
     }
     CHECK(world.handovers().empty());
 }
@@ -141,7 +141,7 @@ TEST_CASE("a block is g (sin t - mu cos t) t^2/2 down a slope after two seconds,
 {
     const double tilt = 0.35;
     const double mu = 0.2;
-    const double way = 2.0 * k_g * (std::sin(tilt) - mu * std::cos(tilt));
+    const double way = 2.0 * k_gravity * (std::sin(tilt) - mu * std::cos(tilt));
     for (const double step : {1.0 / 480.0, 1.0 / 60.0, 0.125}) {
         Scene scene = slope(tilt, 0.0, mu);
         scene.bodies = {rectangle(1.0, 0.5, {0.0, 0.25})};
@@ -173,7 +173,7 @@ TEST_CASE("a block sticks from mu = tan t on, to 1e-9, and then doesn't move by 
             } else {
                 // g sin t 1e-9, of which the roundings of angle and friction take 1e-6
                 run(world, 10.0);
-                CHECK(way_of(world, block) == doctest::Approx(50.0 * k_g * std::sin(tilt) * 1e-9).epsilon(1e-5));
+                CHECK(way_of(world, block) == doctest::Approx(50.0 * k_gravity * std::sin(tilt) * 1e-9).epsilon(1e-5));
             }
         }
     }
@@ -202,7 +202,7 @@ TEST_CASE("a disc rolls down a slope by g sin t / 3 t^2, and a thrown one slides
     rolling.bodies = {disc(0.5, {0.0, 0.5})};
     World world = world_of(rolling);
     run(world, 2.0);
-    const double way = 4.0 * k_g * std::sin(0.3) / 3.0;
+    const double way = 4.0 * k_gravity * std::sin(0.3) / 3.0;
     CHECK(std::abs(world.state(0).position.x() - way) <= 1e-12);
     CHECK(std::abs(world.state(0).angle + way / 0.5) <= 1e-12);
 
@@ -211,10 +211,10 @@ TEST_CASE("a disc rolls down a slope by g sin t / 3 t^2, and a thrown one slides
     thrown.bodies = {disc(0.5, {0.0, 0.5}, {2.0, 0.0})};
     World floor = world_of(thrown);
     run(floor, 3.0);
-    const double end = 2.0 / (3.0 * mu * k_g);
+    const double end = 2.0 / (3.0 * mu * k_gravity);
     CHECK(std::abs(floor.state(0).velocity.x() - 4.0 / 3.0) <= 1e-12);
     CHECK(std::abs(floor.state(0).spin + 8.0 / 3.0) <= 1e-12);
-    CHECK(std::abs(floor.state(0).position.x() - (2.0 * end - 0.5 * mu * k_g * end * end + 4.0 / 3.0 * (3.0 - end))) <=
+    CHECK(std::abs(floor.state(0).position.x() - (2.0 * end - 0.5 * mu * k_gravity * end * end + 4.0 / 3.0 * (3.0 - end))) <=
           1e-12);
 }
 
@@ -224,7 +224,7 @@ TEST_CASE("a thrown block stops after v^2/(2 mu g), to 1e-12 m, and lies")
     scene.bodies = {rectangle(1.0, 1.0, {0.0, 0.5}, {2.0, 0.0})};
     World world = world_of(scene);
     run(world, 3.0);
-    CHECK(std::abs(world.state(0).position.x() - 4.0 / (2.0 * 0.3 * k_g)) <= 1e-12);
+    CHECK(std::abs(world.state(0).position.x() - 4.0 / (2.0 * 0.3 * k_gravity)) <= 1e-12);
     CHECK(world.mover(0) == World::Mover::asleep);
 }
 

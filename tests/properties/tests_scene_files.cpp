@@ -104,7 +104,7 @@ bool same_scene(const Scene& a, const Scene& b)
 }
 
 /// A valid scene with every sort of shape and key, numbers of all sizes with all their bits.
-Scene random_scene(Random& random)
+Scene random_file_scene(Random& random)
 {
     const auto number = [&] {
         const double mantissa = random.uniform(-1.0, 1.0);
@@ -174,7 +174,7 @@ TEST_CASE("A scene that is written and read again is the same to the bit")
 {
     Random random(20240601);
     for (int round = 0; round < 300; ++round) {
-        const Scene scene = random_scene(random);
+        const Scene scene = random_file_scene(random);
         const std::string text = write_scene(scene, "a comment\n\nof three lines");
         const Expected<Scene> again = read_scene_text(text, "scene.toml");
         INFO(text);

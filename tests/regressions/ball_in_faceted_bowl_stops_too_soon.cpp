@@ -30,23 +30,23 @@ struct Bowl
     double step = 1.0 / 60.0;
 };
 
-constexpr double k_radius = 1.0; // of the bowl [m]
+constexpr double k_bowl = 1.0; // of the bowl [m]
 constexpr double k_ball = 0.1;   // [m]
 constexpr double k_span = 162.0 * std::numbers::pi / 180.0;
 constexpr double k_start = 29.0 * std::numbers::pi / 180.0;
-constexpr double k_gravity = 9.81;
+constexpr double k_pull = 9.81;
 
 Scene scene_of(const Bowl& bowl)
 {
     Scene scene;
-    scene.world.field = UniformField{Vec2(0.0, -k_gravity)};
+    scene.world.field = UniformField{Vec2(0.0, -k_pull)};
     scene.world.friction = bowl.friction;
     scene.world.restitution = bowl.restitution;
     std::vector<Vec2> rim;
     const double first = -0.5 * (std::numbers::pi + k_span);
     for (int k = 0; k <= bowl.facets; ++k) {
         const double angle = first + k * (k_span / bowl.facets);
-        rim.emplace_back(k_radius * std::cos(angle), k_radius * std::sin(angle));
+        rim.emplace_back(k_bowl * std::cos(angle), k_bowl * std::sin(angle));
     }
     const auto normal_of = [&](int k) { return perp(Vec2((rim[k + 1] - rim[k]).normalized())); };
     if (bowl.is_one_polygon) {
@@ -87,7 +87,7 @@ double lost_share(const Bowl& bowl, double until)
     const auto energy = [&] {
         const BodyState state = world.state(static_cast<int>(scene.bodies.size()) - 1);
         const double turn = 0.25 * (state.spin * k_ball) * (state.spin * k_ball);
-        return 0.5 * state.velocity.squaredNorm() + turn + k_gravity * (state.position.y() + k_radius - k_ball);
+        return 0.5 * state.velocity.squaredNorm() + turn + k_pull * (state.position.y() + k_bowl - k_ball);
     };
     const double before = energy();
     run(world, until);
@@ -99,13 +99,13 @@ double kinks_take(const Bowl& bowl, double until)
 {
     const double c = bowl.friction > 0.0 ? 1.5 : 1.0;
     const double d = k_span / bowl.facets;
-    const double length = k_radius - k_ball;
+    const double length = k_bowl - k_ball;
     double height = 1.0 - std::cos(k_start); // [g R]
     const double first = height;
     for (double time = 0.0; time < until;) {
         const double b = std::acos(1.0 - height);
         // Half the period, to the fourth power of the angle
-        const double swing = std::numbers::pi * std::sqrt(c * length / k_gravity) * (1.0 + b * b / 16.0 + 11.0 * std::pow(b, 4) / 3072.0);
+        const double swing = std::numbers::pi * std::sqrt(c * length / k_pull) * (1.0 + b * b / 16.0 + 11.0 * std::pow(b, 4) / 3072.0);
         const double part = std::min(1.0, (until - time) / swing);
         height -= part * 2.0 * d * (std::sin(b) - b * std::cos(b)) / c;
         time += swing;
@@ -154,7 +154,7 @@ TEST_CASE("a kink between two slabs takes the same wherever in a step it comes")
         for (const double restitution : {0.0, 0.1}) {
             for (int k = 0; k < 10; ++k) {
                 Scene scene;
-                scene.world.field = UniformField{Vec2(0.0, -k_gravity)};
+                scene.world.field = UniformField{Vec2(0.0, -k_pull)};
                 scene.world.restitution = restitution;
                 scene.bodies.push_back(still(rectangle(2.0, 0.2, Vec2(-1.0, -0.1))));
                 BodyDef ramp = rectangle(2.0, 0.2, Vec2(std::cos(angle) + 0.1 * std::sin(angle), std::sin(angle) - 0.1 * std::cos(angle)));
@@ -164,7 +164,7 @@ TEST_CASE("a kink between two slabs takes the same wherever in a step it comes")
                 World world = world_of(scene);
                 run(world, 0.25);
                 const BodyState end = world.state(2);
-                const double lost = 0.5 * 1.5 * 1.5 - 0.5 * end.velocity.squaredNorm() - k_gravity * (end.position.y() - 0.1);
+                const double lost = 0.5 * 1.5 * 1.5 - 0.5 * end.velocity.squaredNorm() - k_pull * (end.position.y() - 0.1);
                 const double expected = 0.5 * std::pow(1.5 * std::sin(angle), 2);
                 CAPTURE(k);
                 CAPTURE(angle);

@@ -95,7 +95,7 @@ BodyState end_of(const Scene& scene, EngineChoice engine, double until)
     return world.state(static_cast<int>(scene.bodies.size()) - 1);
 }
 
-const Field k_gravity = UniformField{Vec2(0.0, -9.81)};
+const Field k_field = UniformField{Vec2(0.0, -9.81)};
 
 } // namespace
 
@@ -121,8 +121,8 @@ TEST_CASE("what slides over flush tiles slides as on one slab")
         CAPTURE(floor.tile);
         for (const EngineChoice engine : {EngineChoice::automatic, EngineChoice::rest}) {
             if (engine == EngineChoice::rest && k % 6 != 0) continue;
-            const BodyState over_tiles = end_of(on_floor(floor, false, body, restitution, mu, k_gravity), engine, 1.5);
-            const BodyState over_slab = end_of(on_floor(floor, true, body, restitution, mu, k_gravity), engine, 1.5);
+            const BodyState over_tiles = end_of(on_floor(floor, false, body, restitution, mu, k_field), engine, 1.5);
+            const BodyState over_slab = end_of(on_floor(floor, true, body, restitution, mu, k_field), engine, 1.5);
             CHECK(difference(over_tiles, over_slab) < k_bound);
         }
     }
@@ -155,8 +155,8 @@ TEST_CASE("a box that falls flat on tiles is thrown back flat")
         floor.tile = k % 2 == 0 ? 0.37 : 0.25;
         BodyDef body = slider(4, 0.35, floor, random.uniform(0.0, 1.0), k % 3 == 0 ? 0.0 : 2.0);
         body.position.y() += 0.6;
-        const BodyState end = end_of(on_floor(floor, false, body, 0.8, 0.5 * (k % 2), k_gravity), EngineChoice::automatic, 0.9);
-        const BodyState slab = end_of(on_floor(floor, true, body, 0.8, 0.5 * (k % 2), k_gravity), EngineChoice::automatic, 0.9);
+        const BodyState end = end_of(on_floor(floor, false, body, 0.8, 0.5 * (k % 2), k_field), EngineChoice::automatic, 0.9);
+        const BodyState slab = end_of(on_floor(floor, true, body, 0.8, 0.5 * (k % 2), k_field), EngineChoice::automatic, 0.9);
         CAPTURE(k);
         CHECK(difference(end, slab) < 1e-9);
     }
@@ -170,7 +170,7 @@ TEST_CASE("a disc that rolls over flush tiles keeps its speed")
             floor.tile = tile;
             BodyDef body = slider(0, 0.3, floor, 0.1, 3.0);
             body.spin = -3.0 / 0.3;
-            const BodyState end = end_of(on_floor(floor, false, body, e, 0.5, k_gravity), EngineChoice::automatic, 4.0);
+            const BodyState end = end_of(on_floor(floor, false, body, e, 0.5, k_field), EngineChoice::automatic, 4.0);
             CAPTURE(e);
             CHECK(std::abs(end.velocity.x() - 3.0) < 3e-9);
         }
@@ -183,7 +183,7 @@ TEST_CASE("a row of flush bricks that move carries a box as one slab does")
         for (const double e : {0.0, 0.5}) {
             const double width = count == 40 ? 1.0 / 3.0 : 0.5;
             Scene scene;
-            scene.world.field = k_gravity;
+            scene.world.field = k_field;
             scene.world.restitution = e;
             scene.bodies.push_back(still(rectangle(100.0, 1.0, Vec2(0.0, -0.5))));
             scene.bodies.push_back(still(rectangle(20.0, 0.3, Vec2(-10.0, 0.15))));
@@ -204,7 +204,7 @@ TEST_CASE("a step of a millimetre stops a box, and a wall on the tiles is a wall
     for (const double height : {1e-3, 0.5}) {
         for (const double e : {0.0, 0.5}) {
             Floor floor;
-            Scene scene = on_floor(floor, false, slider(4, 0.5, floor, 0.0, 3.0), e, 0.0, k_gravity);
+            Scene scene = on_floor(floor, false, slider(4, 0.5, floor, 0.0, 3.0), e, 0.0, k_field);
             BodyDef step = still(rectangle(10.0, 0.3, Vec2(9.0, height - 0.15)));
             if (height > 0.1) step = still(rectangle(1.0, height, Vec2(4.5, 0.5 * height)));
             else std::erase_if(scene.bodies, [](const BodyDef& body) { return body.is_static && body.position.x() > 4.0; });

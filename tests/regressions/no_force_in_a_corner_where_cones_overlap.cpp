@@ -13,7 +13,7 @@ namespace {
 
 constexpr double k_g = 9.81;     // [m/s^2]
 constexpr double k_spin = 40.0;  // [rad/s]
-constexpr double k_step = 1.0 / 60.0;
+constexpr double k_frame = 1.0 / 60.0;
 
 struct Corner
 {
@@ -59,17 +59,17 @@ void check(const Corner& corner)
     World world = world_of(scene_of(corner));
     const Vec2 start = world.state(0).position;
     const double stop = k_spin / braking(corner); // [s]
-    const auto frames = static_cast<int>(stop / k_step);
+    const auto frames = static_cast<int>(stop / k_frame);
     // Rounding of the coordinates of a body 4 m from the origin, over a hundred steps
     const double still = 1e-12 * corner.radius + 1e-13;
     for (int frame = 1; frame <= frames; ++frame) {
-        REQUIRE_FALSE(world.advance(frame * k_step).has_value());
+        REQUIRE_FALSE(world.advance(frame * k_frame).has_value());
         const BodyState now = world.state(0);
-        CHECK(-corner.side * now.spin == doctest::Approx(k_spin - braking(corner) * frame * k_step).epsilon(1e-9));
+        CHECK(-corner.side * now.spin == doctest::Approx(k_spin - braking(corner) * frame * k_frame).epsilon(1e-9));
         CHECK((now.position - start).norm() < still);
-        CHECK(now.velocity.norm() < 1e-9 * k_g * k_step);
+        CHECK(now.velocity.norm() < 1e-9 * k_g * k_frame);
     }
-    REQUIRE_FALSE(world.advance((frames + 3) * k_step).has_value());
+    REQUIRE_FALSE(world.advance((frames + 3) * k_frame).has_value());
     CHECK(world.state(0).spin == 0.0);
     CHECK((world.state(0).position - start).norm() < still);
 }

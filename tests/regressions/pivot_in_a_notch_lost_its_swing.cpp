@@ -14,7 +14,7 @@ using namespace flying::testing;
 
 namespace {
 
-constexpr double k_g = 9.81;
+constexpr double k_gravity = 9.81;
 
 BodyDef polygon_at(const std::vector<Vec2>& vertices, const Vec2& position, double angle = 0.0)
 {
@@ -40,7 +40,7 @@ Vec2 centroid_of(const std::vector<Vec2>& v)
 Scene scene_of(double mu)
 {
     Scene scene;
-    scene.world.field = UniformField{{0.0, -k_g}};
+    scene.world.field = UniformField{{0.0, -k_gravity}};
     scene.world.restitution = 0.0;
     scene.world.friction = mu;
     return scene;
@@ -80,7 +80,7 @@ TEST_CASE("a plate on a knife edge keeps its swing, whatever the friction")
                 const Knife k = knife(mu, amplitude, half_width, half_width == 1.3 ? 0.02 : 0.0);
                 World world = world_of(k.scene);
                 const Report before = world.report();
-                const double lowest = -before.bodies[0].mass * k_g * k.arm;
+                const double lowest = -before.bodies[0].mass * k_gravity * k.arm;
                 run(world, 5.0);
                 least = std::min(least, (world.report().energy.total() - lowest) / (before.energy.total() - lowest));
             }

@@ -15,7 +15,7 @@ using namespace flying::testing;
 
 namespace {
 
-constexpr double k_radius = 0.3; // [m]
+constexpr double k_ring = 0.3; // [m]
 
 [[nodiscard]] std::vector<Vec2> circle_of_corners(int corners, double radius)
 {
@@ -38,8 +38,8 @@ constexpr double k_radius = 0.3; // [m]
     scene.world.box = BoxDef{{0.0, 0.0}, {5.0, 60.0}};
     for (int k = 0; k < count; ++k) {
         BodyDef body;
-        body.shape = PolygonDef{circle_of_corners(corners, k_radius),
-                                {circle_of_corners(corners, (1.0 - thickness) * k_radius)}};
+        body.shape = PolygonDef{circle_of_corners(corners, k_ring),
+                                {circle_of_corners(corners, (1.0 - thickness) * k_ring)}};
         body.position = {0.4 + 0.65 * (k % 7) + random.uniform(-0.02, 0.02), 0.5 + 0.65 * (k / 7)};
         body.angle = random.uniform(0.0, 6.0);
         scene.bodies.push_back(body);
@@ -73,7 +73,7 @@ TEST_CASE("rings keep apart by a hundredth of their radius at every step")
         CAPTURE(each.count);
         World world = world_of(rings(each.count, each.corners, each.thickness, each.restitution, each.friction, 1));
         REQUIRE_FALSE(world.advance(1.0).has_value());
-        CHECK(world.report().max_overlap < 0.01 * k_radius);
+        CHECK(world.report().max_overlap < 0.01 * k_ring);
     }
 }
 

@@ -62,10 +62,10 @@ private:
 /// Elastic discs in a box without a field, from impact to impact: the root of each pair, the impulse, and a list of the
 /// next impact of each disc.
 template <typename Real>
-class Gas
+class KernelGas
 {
 public:
-    Gas(const Scene& scene, double)
+    KernelGas(const Scene& scene, double)
     {
         low_x_ = static_cast<Real>(scene.world.box->min.x());
         low_y_ = static_cast<Real>(scene.world.box->min.y());
@@ -300,8 +300,8 @@ std::vector<Engine> number_engines()
 {
     return {engine<Orbiting<double>>("doubles", "numbers-orbit", true),
             engine<Orbiting<float>>("floats", "numbers-orbit", true),
-            engine<Gas<double>>("doubles", "numbers-gas", false),
-            engine<Gas<float>>("floats", "numbers-gas", false),
+            engine<KernelGas<double>>("doubles", "numbers-gas", false),
+            engine<KernelGas<float>>("floats", "numbers-gas", false),
             engine<Stack<double>>("doubles", "numbers-stack", true),
             engine<Stack<float>>("floats", "numbers-stack", true)};
 }

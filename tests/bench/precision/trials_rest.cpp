@@ -9,7 +9,7 @@
 namespace flying::bench {
 namespace {
 
-constexpr double k_g = 9.81;
+constexpr double k_gravity = 9.81;
 
 /// Largest error of a force between neighbours in a stack, as a share of the whole weight.
 Measure force_error(const Scene& scene)
@@ -25,7 +25,7 @@ Measure force_error(const Scene& scene)
                 double weight = 0.0;
                 double worst = 0.0;
                 for (int k = count - 1; k >= 0; --k) {
-                    weight += bodies[k].mass * k_g;
+                    weight += bodies[k].mass * k_gravity;
                     worst = std::max(worst, std::abs(force[k] - weight));
                 }
                 return worst / weight;
@@ -54,7 +54,7 @@ Trial stack(const std::string& name, int count, double top)
     options.friction = 0.5;
     if (top != 1.0) options.mass_ratio = top;
     trial.scene = scene_of("stack", options);
-    trial.scene.world.field = UniformField{Vec2(0.0, -k_g)};
+    trial.scene.world.field = UniformField{Vec2(0.0, -k_gravity)};
     trial.measures = {largest_shift(), force_error(trial.scene), deepest_overlap(trial.scene)};
     return trial;
 }
@@ -120,7 +120,7 @@ Trial beside()
     options.friction = 0.5;
     trial.scene = scene_of("pyramid", options);
     Scene& scene = trial.scene;
-    scene.world.field = UniformField{Vec2(0.0, -k_g)};
+    scene.world.field = UniformField{Vec2(0.0, -k_gravity)};
     const auto boxes = static_cast<int>(scene.bodies.size());
     const double first = scene.world.box->max.x() + 1.0;
     scene.world.box->max += Vec2(18.0, 4.0);
@@ -144,7 +144,7 @@ Trial beside()
              of_balls.bodies.erase(of_balls.bodies.begin(), of_balls.bodies.begin() + boxes);
              const Measure measure = median_distance(of_balls, [&](int k, double t) {
                  const Vec2 start = of_balls.bodies[k].position;
-                 return Place{Vec2(start.x(), k_radius + bounce_height(start.y() - k_radius, k_g, 1.0, t)), {}};
+                 return Place{Vec2(start.x(), k_radius + bounce_height(start.y() - k_radius, k_gravity, 1.0, t)), {}};
              });
              return measure.of(balls);
          }},

@@ -54,7 +54,7 @@ Shape scaled(const Shape& shape, double factor)
 }
 
 /// Roundings of a distance of bodies a few metres in size and apart.
-constexpr double k_bound = 20.0 * 8.0 * tolerance::k_epsilon;
+constexpr double k_gap_bound = 20.0 * 8.0 * tolerance::k_epsilon;
 
 } // namespace
 
@@ -135,7 +135,7 @@ TEST_CASE("random polygons, with holes or not, are as far apart as their boundar
             CHECK(gap < 0.0);
         } else {
             ++apart;
-            CHECK(std::abs(gap - boundary_distance(a, pose_a, small, pose_b)) <= k_bound);
+            CHECK(std::abs(gap - boundary_distance(a, pose_a, small, pose_b)) <= k_gap_bound);
         }
         // Pushed apart by less than the depth, the two still overlap somewhere; by their widths, they never do
         CHECK(gap > -3.0 * (a.radius() + small.radius()));
@@ -229,12 +229,12 @@ TEST_CASE("separation is the same from either side, and after any common motion,
         const Pose pose_a = random_pose(random, 1.5);
         const Pose pose_b = random_pose(random, 1.5);
         const double gap = separation(a, pose_a, b, pose_b);
-        CHECK(std::abs(separation(b, pose_b, a, pose_a) - gap) <= k_bound);
+        CHECK(std::abs(separation(b, pose_b, a, pose_a) - gap) <= k_gap_bound);
 
         const Pose motion = random_pose(random, 5.0);
         const Pose moved_a = {motion * pose_a.position, motion.rotation * pose_a.rotation};
         const Pose moved_b = {motion * pose_b.position, motion.rotation * pose_b.rotation};
-        CHECK(std::abs(separation(a, moved_a, b, moved_b) - gap) <= 2.0 * k_bound);
+        CHECK(std::abs(separation(a, moved_a, b, moved_b) - gap) <= 2.0 * k_gap_bound);
     }
 }
 
@@ -276,8 +276,8 @@ TEST_CASE("polygons with many sides are as far apart as trying every vertex says
         const Pose pose_a = random_pose(random, 4.0);
         const Pose pose_b = random_pose(random, 4.0);
         const double gap = separation(Shape(a), pose_a, Shape(b), pose_b);
-        if (gap > 0.0) CHECK(std::abs(gap - boundary_distance(a, pose_a, b, pose_b)) <= k_bound);
-        if (gap <= 0.0) CHECK(std::abs(gap - minkowski_separation(a, pose_a, b, pose_b)) <= k_bound);
+        if (gap > 0.0) CHECK(std::abs(gap - boundary_distance(a, pose_a, b, pose_b)) <= k_gap_bound);
+        if (gap <= 0.0) CHECK(std::abs(gap - minkowski_separation(a, pose_a, b, pose_b)) <= k_gap_bound);
     }
 
     const int sides = 100000;

@@ -13,7 +13,7 @@
 /// Bodies and the data of a step, made by hand.
 namespace flying::testing {
 
-inline constexpr double k_gravity = 10.0; // [m/s^2]
+inline constexpr double k_g = 10.0; // [m/s^2]
 
 /// A unit box of 1 kg.
 inline RestBody box_at(const Vec2& position, const Vec2& velocity = Vec2::Zero(), double spin = 0.0)
@@ -23,7 +23,7 @@ inline RestBody box_at(const Vec2& position, const Vec2& velocity = Vec2::Zero()
     body.state.position = position;
     body.state.velocity = velocity;
     body.state.spin = spin;
-    body.acceleration = Vec2(0.0, -k_gravity);
+    body.acceleration = Vec2(0.0, -k_g);
     return body;
 }
 
@@ -44,7 +44,7 @@ inline RestData data_of(std::vector<RestBody> bodies, const RestOptions& options
         const RestBody& body = data.bodies.list[k];
         expect_flight(data, k, body.state.position);
         const double dt = data.motion.span;
-        if (!body.is_static) data.motion.reach[k] = dt * (body.state.velocity.norm() + dt * k_gravity) + 0.01;
+        if (!body.is_static) data.motion.reach[k] = dt * (body.state.velocity.norm() + dt * k_g) + 0.01;
     }
     BodySet awake(data.bodies.count());
     for (int k = 0; k < data.bodies.count(); ++k) {

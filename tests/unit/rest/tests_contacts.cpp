@@ -15,11 +15,11 @@ TEST_CASE("a contact foresees when a falling box closes its gap, and how fast")
     const std::vector<ContactPoint> found = contacts_of(data);
     REQUIRE(found.size() == 2);
     // gap = v t + g t^2 / 2
-    const double arrival = (std::sqrt(speed * speed + 2.0 * k_gravity * gap) - speed) / k_gravity;
+    const double arrival = (std::sqrt(speed * speed + 2.0 * k_g * gap) - speed) / k_g;
     for (const ContactPoint& c : found) {
         CHECK(c.gap == doctest::Approx(gap).epsilon(1e-12));
         CHECK(c.closes_at == doctest::Approx(arrival).epsilon(1e-12));
-        CHECK(c.closing_speed == doctest::Approx(speed + k_gravity * arrival).epsilon(1e-12));
+        CHECK(c.closing_speed == doctest::Approx(speed + k_g * arrival).epsilon(1e-12));
         CHECK(c.normal == 0.0);
         CHECK(c.n_y == 1.0);
     }
@@ -41,7 +41,7 @@ TEST_CASE("a corner at the bottom of a notch touches both flanks, along their no
         notch.is_static = true;
         const std::vector<Vec2> spike = {Vec2(0.0, 0.0), Vec2(0.1, 0.5), Vec2(-0.1, 0.5)};
         RestBody rod{Polygon({spike}), {}, {1.0, 6.0}, {0.0, 0.5}};
-        rod.acceleration = Vec2(0.0, -k_gravity);
+        rod.acceleration = Vec2(0.0, -k_g);
         rod.state.angle = lean;
         RestData data = data_of({notch, rod});
         const std::vector<ContactPoint> found = contacts_of(data);

@@ -18,7 +18,7 @@ std::vector<RestBody> rolling_beside(int boxes)
     disc.state.position = Vec2(0.0, 0.5);
     disc.state.velocity = Vec2(-3.0, 0.0);
     disc.state.spin = 6.0;
-    disc.acceleration = Vec2(0.0, -k_gravity);
+    disc.acceleration = Vec2(0.0, -k_g);
     bodies.push_back(disc);
     for (int k = 0; k < boxes; ++k) bodies.push_back(box_at(Vec2(5.0 + 1.2 * (k / 2), 0.5 + k % 2)));
     return bodies;
