@@ -8,7 +8,7 @@ export LC_ALL=C.UTF-8
 here=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")" && pwd)
 if [[ ${1:-} == --help ]]; then
     cat <<'TEXT'
-./course bench [options]    measure this engine beside Chipmunk and Box2D; results go to out/bench
+./course bench [options]    measure this engine beside Box2D, Chipmunk and Siconos; results go to out/bench
 
 Time against error, a diagram for each scene; growth with the number of bodies; what each skip saves:
   (no option)        all of it: an hour and more. A run that was stopped goes on where it was
