@@ -57,10 +57,10 @@ TEST_CASE("heaps of unequal masses keep apart by a hundredth of their size")
         double heaviest; // [kg]
         std::uint64_t seed;
     };
-    for (const auto& [count, heaviest, seed] : {Case{140, 1e1, 3}, Case{81, 1e2, 8}, Case{140, 1e3, 5}, Case{81, 1e4, 3}}) {
-        CAPTURE(count);
-        CAPTURE(heaviest);
-        World world = world_of(heap(count, heaviest, seed));
+    for (const Case& each : {Case{140, 1e1, 3}, Case{81, 1e2, 8}, Case{140, 1e3, 5}, Case{81, 1e4, 3}}) {
+        CAPTURE(each.count);
+        CAPTURE(each.heaviest);
+        World world = world_of(heap(each.count, each.heaviest, each.seed));
         REQUIRE_FALSE(world.advance(8.0).has_value());
         CHECK(overlap_of(world) < 0.01 * k_disc);
     }
