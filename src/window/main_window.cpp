@@ -48,8 +48,7 @@ MainWindow::MainWindow(Stage& stage, const WindowOptions& options)
     row_.append(panel_);
     set_child(row_);
     panel_.set_visible(options.has_panel);
-    const auto place = std::find(options.scenes.begin(), options.scenes.end(), options.scene);
-    panel_.show_scene(place == options.scenes.end() ? -1 : static_cast<int>(place - options.scenes.begin()));
+    panel_.show_scene(options.scene);
     if (!options.face.empty()) load_face(options.face);
 
     listen_to_keys();

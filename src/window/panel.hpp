@@ -34,8 +34,8 @@ public:
     /// Where the controls are, as JSON by their texts: {"Pause": [x, y], ...}, for who plays by a program.
     /// within  the widget whose pixels these are
     [[nodiscard]] std::string places(Gtk::Widget& within) const;
-    /// The scene that is shown as chosen; -1 for none of the list.
-    void show_scene(int index);
+    /// The scene that is shown as chosen, by its path or the name of its kind; none where the list hasn't got it.
+    void show_scene(const std::string& scene);
 
 private:
     void add_heading(const char* text);
@@ -56,6 +56,7 @@ private:
     std::function<void()> touched_;
     std::function<void(int)> chosen_;
     bool is_syncing_ = false;
+    std::vector<std::string> scenes_; ///< to choose from: paths, then kinds
     std::vector<std::pair<std::string, Gtk::Widget*>> controls_; ///< by what is written on them
     Gtk::Box column_{Gtk::Orientation::VERTICAL, 5};
     Gtk::DropDown* scene_ = nullptr;
