@@ -53,7 +53,8 @@ void MainWindow::answer(Request request)
         break;
     case Request::state: {
         const std::string path = options_.state.empty() ? free_name(stem + "-state", ".json") : options_.state;
-        const std::string more = fmt::format("\"scene\":{},\n\"controls\":{}", json_text(options_.scene), panel_.places(*this));
+        const std::string more = fmt::format("\"scene\":{},\n\"film\":{},\n\"controls\":{}", json_text(options_.scene), recorder_.frames(),
+                                             panel_.places(*this));
         const std::optional<Fault> fault = write_whole(path, state_json(stage_, more));
         // Where the file was given, looking changes nothing of what is looked at
         if (fault) stage_.say(format_fault(*fault), true);

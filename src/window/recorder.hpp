@@ -14,6 +14,7 @@ class Recorder
 {
 public:
     [[nodiscard]] bool is_filming() const { return video_.has_value(); }
+    [[nodiscard]] long frames() const { return video_ ? video_->frames : 0; } ///< of the present film
     [[nodiscard]] bool is_tracing() const { return trace_.has_value(); }
 
     /// Begin, or end; what to tell of it. Faults as `OutputFile` and `Video` have them.
