@@ -28,7 +28,6 @@ Colour random_colour(int body)
 }
 
 constexpr double k_shown_for = 3.0;       ///< a mode's bar, and a notice [s]
-constexpr double k_longest_wall = 0.1;    ///< of one frame: what is longer was a hitch [s]
 constexpr double k_longest_key = 0.1;     ///< of the run, for a key that steps it: the window answers after that [s]
 constexpr double k_averaged_over = 1.0;   ///< [s]
 constexpr std::size_t k_most_shadows = 150; ///< of more bodies they would cost frames

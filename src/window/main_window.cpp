@@ -95,7 +95,7 @@ bool MainWindow::tick(double frame_time)
     if (is_busy) canvas_.queue_draw();
     is_stale_ = false;
     if (!stage_.clock.is_paused || is_busy) {
-        if (const std::optional<Fault> fault = recorder_.add(stage_, canvas_.surface())) stage_.say("Recording ended: " + fault->found, true);
+        if (const std::optional<Fault> fault = recorder_.add(stage_, canvas_.surface(), wall)) stage_.say("Recording ended: " + fault->found, true);
     }
     if (stage_.now > synced_ + k_sync_every) {
         synced_ = stage_.now;

@@ -1,6 +1,7 @@
 #include "window/panel.hpp"
 
 #include <fmt/format.h>
+#include <gtkmm/label.h>
 #include <gtkmm/stringlist.h>
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 #include <utility>
 
 #include "play/keys.hpp"
+#include "play/panels.hpp"
 #include "play/state.hpp"
 #include "scene/generate.hpp"
 
@@ -142,8 +144,9 @@ void Panel::add_time_part()
     add_button(row, "\u25c0", "One frame back (comma)", [this] { press(stage_, "comma"); });
     add_button(row, "\u25b6", "One frame on (full stop)", [this] { press(stage_, "period"); });
     add_button(row, "Reset", "To the beginning (Home)", [this] { press(stage_, "home"); });
-    speed_ = &add_scale("Speed 2^", -8.0, 6.0, 0.25, "Powers of two (+ and -): 0 is the speed of the wall clock",
+    speed_ = &add_scale("Speed", -8.0, 6.0, 0.25, "Simulated seconds a second (+ and -)",
                         [this](double power) { set_speed(stage_, std::exp2(power)); });
+    speed_->set_format_value_func([](double power) { return Glib::ustring(speed_text(std::exp2(power))); });
 }
 
 void Panel::add_world_part()

@@ -11,7 +11,6 @@
 #include <gtkmm/checkbutton.h>
 #include <gtkmm/dropdown.h>
 #include <gtkmm/grid.h>
-#include <gtkmm/label.h>
 #include <gtkmm/scale.h>
 #include <gtkmm/scrolledwindow.h>
 #include <gtkmm/togglebutton.h>
@@ -62,7 +61,6 @@ private:
     Gtk::DropDown* scene_ = nullptr;
     Gtk::ToggleButton* pause_ = nullptr;
     Gtk::Scale* speed_ = nullptr;
-    Gtk::Label speed_text_;
     Gtk::DropDown* field_ = nullptr;
     Gtk::Scale* restitution_ = nullptr;
     Gtk::Scale* friction_ = nullptr;

@@ -376,7 +376,7 @@ expect "button of one frame" 's.time > 0'
 press_control '◀'
 expect "button of one frame back" 's.time === 0'
 keys plus plus plus plus plus
-press_control 'Speed 2^'
+press_control Speed
 expect "scale of speed" 's.speed > 0.05 && s.speed < 8'
 for tool in 'Disc:add a disc' 'Polygon:add a polygon' 'Draw:draw a polygon' Remove:remove 'Grab:grab and throw'; do
     press_control "${tool%%:*}"
@@ -454,7 +454,10 @@ judge "the scene that was saved has the bodies where they were" \
 # Filmed, each frame is what was seen
 films() { # begin and end it, by a key or a control
     "$@"
-    for _ in $(seq 300); do look; (($(value 's.film') > 9)) && break; sleep 0.1; done
+    look
+    begun=$(value 's.time / s.speed - s.film / 60')
+    for _ in $(seq 300); do look; (($(value 's.film') > 59)) && break; sleep 0.1; done
+    judge "a film has the pace of what is seen" "Math.abs(s.time / s.speed - s.film / 60 - $begun) < 0.2"
     "$@"
     look
 }
@@ -494,6 +497,15 @@ fi
 choose scene End Return
 expect "list of scenes" 's.scene === "billiard"'
 
+close_window q
+
+# Without ffmpeg, F6 says what is missing
+path=$work open_window "$work/three.toml" --paused
+keys F6
+look
+judge "F6 without ffmpeg names it" 's.notice.includes("ffmpeg") && s.film === 0'
+close_window ctrl+q
+
 # ---- What nothing has pressed ------------------------------------------------------------------------------------------
 
 while read -r row; do
@@ -505,12 +517,4 @@ done < <(sed -n 's/^    {"\([^"]*\)", .*/\1/p' "$root/src/play/keys.cpp")
 while read -r control; do
     grep -qxF -e "$control" "$work/controlled" || wrong "no test presses the control '$control'"
 done < <(value 'Object.keys(s.controls).join("\n")')
-close_window q
-
-# Without ffmpeg, F6 says what is missing
-path=$work open_window "$work/three.toml" --paused
-keys F6
-look
-judge "F6 without ffmpeg names it" 's.notice.includes("ffmpeg") && s.film === 0'
-close_window ctrl+q
 finished
