@@ -13,7 +13,8 @@ namespace flying {
 
 namespace {
 
-constexpr std::size_t k_trail_points = 48;
+constexpr std::size_t k_trail_points = 24;
+constexpr double k_trail_every = 0.03; ///< two frames: a point of a trail costs as much to draw as a body [s]
 constexpr std::size_t k_all_trail_points = 12000;
 constexpr std::size_t k_most_frames = 300;
 constexpr double k_plan_every = 0.5;  ///< [s]
@@ -175,7 +176,10 @@ void watch_frame(Watch& watch, PlayRun& run, const Look& look, double now)
 
     const World& world = run.world();
     const std::size_t count = static_cast<std::size_t>(world.body_count());
-    if (look.shows(Layer::trails)) {
+    if (!look.shows(Layer::trails)) {
+        watch.trails.clear();
+    } else if (now >= watch.trails_grew + k_trail_every) {
+        watch.trails_grew = now;
         if (watch.trails.size() != count) watch.trails.assign(count, {});
         const std::size_t most = std::clamp<std::size_t>(k_all_trail_points / std::max<std::size_t>(count, 1), 8, k_trail_points);
         for (std::size_t k = 0; k < count; ++k) {
@@ -183,8 +187,6 @@ void watch_frame(Watch& watch, PlayRun& run, const Look& look, double now)
             watch.trails[k].push_back(world.state(static_cast<int>(k)).position);
             while (watch.trails[k].size() > most) watch.trails[k].pop_front();
         }
-    } else {
-        watch.trails.clear();
     }
 
     if (look.shows(Layer::strips)) {
