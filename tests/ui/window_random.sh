@@ -100,7 +100,7 @@ while ((SECONDS - start < seconds)); do
     ((rounds % 10)) || answer || fail "the window hangs"
     now=$(size)
     # What it needs at first is not known before it has done a little of everything
-    ((rounds != 60)) || first=$now
+    ((rounds != 20)) || first=$now
     ((now <= most)) || most=$now
     ((now < 4000)) || fail "the window has grown to $now MB"
 done
@@ -114,4 +114,4 @@ wait "$window" || status=$?
 window=
 ((status == 0)) || fail "the window ended with status $status"
 ! grep -E 'ERROR|runtime error|CRITICAL' "$work/log" || fail "something was wrong"
-echo "no crash, no hang, nothing wrong: seed $seed, $((SECONDS - start)) s, $((40 * rounds)) strokes, $generation changes, longest answer $longest s, $first MB after 60 rounds, at most $most MB"
+echo "no crash, no hang, nothing wrong: seed $seed, $((SECONDS - start)) s, $((40 * rounds)) strokes, $generation changes, longest answer $longest s, $first MB after 20 rounds, at most $most MB"
