@@ -20,6 +20,7 @@ struct PlayClock
     [[nodiscard]] bool is_behind() const { return !is_paused && share < 0.95; }
 };
 
+inline constexpr double k_longest_wall = 0.1; ///< of one frame: what is longer was a hitch [s]
 inline constexpr double k_slowest = 1.0 / 256.0;
 inline constexpr double k_fastest = 64.0;
 

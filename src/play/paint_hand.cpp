@@ -53,7 +53,7 @@ void paint_facts(cairo_t* cairo, const Stage& stage, const Theme& theme)
 {
     const int body = stage.hand.selected;
     const World& world = stage.run.world();
-    if (body < 0 || body >= world.body_count()) return;
+    if (body < 0 || body >= world.body_count() || !stage.hand.points.empty()) return; // a drawing needs the room
     const BodyState s = world.state(body);
     const Inertia inertia = stage.run.inertia(body);
     const char* movers[] = {"static", "flies: moved from impact to impact", "leans: moved by steps", "asleep"};

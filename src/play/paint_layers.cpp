@@ -34,8 +34,14 @@ void paint_cells(cairo_t* cairo, const Stage& stage, const ViewMap& map, const T
     if (!(size * map.scale >= k_smallest_cell)) return;
     const Vec2 low = map.world_at(Vec2(0.0, stage.size.height));
     const Vec2 high = map.world_at(Vec2(stage.size.width, 0.0));
-    for (double x = std::ceil(low.x() / size) * size; x <= high.x(); x += size) line(cairo, map(Vec2(x, low.y())), map(Vec2(x, high.y())));
-    for (double y = std::ceil(low.y() / size) * size; y <= high.y(); y += size) line(cairo, map(Vec2(low.x(), y)), map(Vec2(high.x(), y)));
+    // By their numbers: far from the origin a cell more may be less than the rounding of its place
+    const Vec2 first(std::ceil(low.x() / size), std::ceil(low.y() / size));
+    for (int k = 0; (first.x() + k) * size <= high.x() && k < stage.size.width; ++k) {
+        line(cairo, map(Vec2((first.x() + k) * size, low.y())), map(Vec2((first.x() + k) * size, high.y())));
+    }
+    for (int k = 0; (first.y() + k) * size <= high.y() && k < stage.size.height; ++k) {
+        line(cairo, map(Vec2(low.x(), (first.y() + k) * size)), map(Vec2(high.x(), (first.y() + k) * size)));
+    }
     brush::use(cairo, theme.ink, 0.22);
     cairo_set_line_width(cairo, 1.0);
     cairo_stroke(cairo);

@@ -35,12 +35,6 @@ void paint_pill(cairo_t* cairo, double middle, double top, const std::string& te
     brush::text(cairo, x, top + 19.0, text);
 }
 
-std::string speed_text(double speed)
-{
-    if (speed >= 1.0) return fmt::format("{:g}x", speed);
-    return fmt::format("1/{:g}x", std::round(10.0 / speed) / 10.0);
-}
-
 /// How time runs, where it isn't simply.
 void paint_clock(cairo_t* cairo, const Stage& stage, SurfaceSize size, const Theme& theme)
 {
@@ -181,6 +175,12 @@ void paint_help(cairo_t* cairo, SurfaceSize size, const Theme& theme)
 }
 
 } // namespace
+
+std::string speed_text(double speed)
+{
+    if (speed >= 1.0) return fmt::format("{:g}x", std::round(10.0 * speed) / 10.0);
+    return fmt::format("1/{:g}x", std::round(10.0 / speed) / 10.0);
+}
 
 void paint_panels(cairo_t* cairo, const Stage& stage, SurfaceSize size, const Theme& theme)
 {

@@ -6,6 +6,7 @@
 
 #include "play/inside.hpp"
 #include "play/make_room.hpp"
+#include "world/memory.hpp"
 
 namespace flying {
 
@@ -18,6 +19,8 @@ constexpr std::size_t k_most_bodies_held = 400000;
 constexpr double k_slight = 0.05;
 /// [bounding radii] Where bodies are moved on purpose.
 constexpr double k_far = 1e6;
+/// [steps] A clock that is no farther from the end of a step stands at it.
+constexpr double k_same_moment = 1e-9;
 
 } // namespace
 
@@ -75,12 +78,10 @@ void PlayRun::forget_some()
 Scene PlayRun::scene_now()
 {
     // Within a step, bodies that lean are on interpolated ways, which may overlap
-    bool leans = false;
-    for (int k = 0; k < world_.body_count(); ++k) leans = leans || world_.mover(k) == World::Mover::rest;
-    if (leans) {
-        const double end = std::ceil(world_.time() / options_.step - 1e-9) * options_.step;
-        (void)world_.advance(std::max(end, world_.time()));
-    }
+    const Snapshot snapshot = world_.snapshot();
+    const Hybrid::Memory& memory = snapshot.engines->hybrid;
+    const bool is_within = memory.resting && world_.time() - memory.resting->time > k_same_moment * options_.step;
+    if (is_within && memory.step_ends > world_.time()) (void)world_.advance(memory.step_ends);
 
     Scene scene = world_.scene();
     for (int k = 0; k < world_.body_count(); ++k) {

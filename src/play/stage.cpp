@@ -28,7 +28,6 @@ Colour random_colour(int body)
 }
 
 constexpr double k_shown_for = 3.0;       ///< a mode's bar, and a notice [s]
-constexpr double k_longest_wall = 0.1;    ///< of one frame: what is longer was a hitch [s]
 constexpr double k_longest_key = 0.1;     ///< of the run, for a key that steps it: the window answers after that [s]
 constexpr double k_averaged_over = 1.0;   ///< [s]
 constexpr std::size_t k_most_shadows = 150; ///< of more bodies they would cost frames
@@ -53,19 +52,17 @@ void colour_bodies(Stage& stage)
     }
 }
 
-/// On to a moment, as far as a budget of real time lets it: by one event, then by two, four, ...
+/// On to a moment, as far as a budget of real time lets it: by one event or step at a time, any of which may be the slow one.
 PlayRun::Advance go_on(Stage& stage, double target, double budget, double (*seconds)())
 {
     const double started = seconds();
     const Look& look = stage.look;
     const bool sees_impacts = look.shows(Layer::contacts) || look.shows(Layer::normals) || look.shows(Layer::impulses);
     if (sees_impacts) begin_watch(stage.watch, stage.run);
-    std::int64_t most = 1;
     PlayRun::Advance done;
     do {
-        done = stage.run.advance(target, most);
+        done = stage.run.advance(target, 1);
         if (sees_impacts) watch_event(stage.watch, stage.run, stage.now);
-        else most = std::min<std::int64_t>(2 * most, 512);
     } while (!done.arrived && !done.failure && seconds() - started < budget);
     return done;
 }

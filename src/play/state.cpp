@@ -120,7 +120,7 @@ std::string state_json(const Stage& stage, const std::string& more)
     };
     add("costs", fmt::format("{{\"simulating\":{},\"drawing\":{},\"interval\":{}}}", spread(stage.watch.simulating),
                              spread(stage.watch.drawing), spread(stage.watch.intervals)));
-    add("notice", json_text(stage.now < stage.notice.until ? stage.notice.text : std::string()));
+    add("notice", json_text(stage.notice.text));
     add("can_undo", truth(stage.run.can_undo()));
     add("can_redo", truth(stage.run.can_redo()));
     add("bodies", bodies_json(stage.run.world()));

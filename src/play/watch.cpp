@@ -13,14 +13,17 @@ namespace flying {
 
 namespace {
 
-constexpr std::size_t k_trail_points = 48;
+constexpr std::size_t k_trail_points = 24;
+constexpr double k_trail_every = 0.03; ///< two frames: a point of a trail costs as much to draw as a body [s]
 constexpr std::size_t k_all_trail_points = 12000;
 constexpr std::size_t k_most_frames = 300;
 constexpr double k_plan_every = 0.5;  ///< [s]
 constexpr double k_touch = 1e-6;      ///< [sizes] gap of bodies that have just met
 constexpr double k_unlike = 1e-9;     ///< [speeds] a change that is no rounding
 constexpr double k_next_rest = 4.0;   ///< between two searches for next impacts, in times that the last one took
-constexpr double k_next_within = 1.0; ///< [s]
+constexpr double k_next_first = 0x1p-10; ///< a search looks so far ahead at first, then four times as far ... [s]
+constexpr double k_next_within = 1.0; ///< ... as far as this [s]
+constexpr double k_next_budget = 0.003; ///< a search that has taken so long looks no farther [s]
 constexpr std::size_t k_most_next = 24;
 
 /// Where a body that was pushed touches: another, if it is one of two; else what stands around; else where it reaches
@@ -118,11 +121,15 @@ void watch_present(Watch& watch, const PlayRun& run, const Look& look, double no
     if (watch.next_of != run.generation()) watch.next.clear();
     watch.next_of = run.generation();
 
-    // However many bodies there are, the search takes a fifth of the time at most
+    // However many bodies there are, the search takes a fifth of the time at most. The nearest future comes first: in a
+    // crowd that is all that can be shown, and looking a second ahead would try most pairs
     if (watch.next_asked >= 0.0 && now <= watch.next_asked + k_next_rest * watch.next_took) return;
     const double started = seconds_now();
-    watch.next = next_impacts(run.world(), watch.inside, k_most_next, k_next_within);
-    watch.next_took = seconds_now() - started;
+    for (double within = k_next_first; within <= k_next_within; within *= 4.0) {
+        watch.next = next_impacts(run.world(), watch.inside, k_most_next, within);
+        watch.next_took = seconds_now() - started;
+        if (watch.next.size() == k_most_next || watch.next_took > k_next_budget) break;
+    }
     watch.next_asked = now;
 }
 
@@ -169,7 +176,10 @@ void watch_frame(Watch& watch, PlayRun& run, const Look& look, double now)
 
     const World& world = run.world();
     const std::size_t count = static_cast<std::size_t>(world.body_count());
-    if (look.shows(Layer::trails)) {
+    if (!look.shows(Layer::trails)) {
+        watch.trails.clear();
+    } else if (now >= watch.trails_grew + k_trail_every) {
+        watch.trails_grew = now;
         if (watch.trails.size() != count) watch.trails.assign(count, {});
         const std::size_t most = std::clamp<std::size_t>(k_all_trail_points / std::max<std::size_t>(count, 1), 8, k_trail_points);
         for (std::size_t k = 0; k < count; ++k) {
@@ -177,8 +187,6 @@ void watch_frame(Watch& watch, PlayRun& run, const Look& look, double now)
             watch.trails[k].push_back(world.state(static_cast<int>(k)).position);
             while (watch.trails[k].size() > most) watch.trails[k].pop_front();
         }
-    } else {
-        watch.trails.clear();
     }
 
     if (look.shows(Layer::strips)) {

@@ -47,6 +47,7 @@ struct Watch
 {
     std::deque<SeenImpact> impacts;
     std::vector<std::deque<Vec2>> trails; ///< of each body, oldest first [m]
+    double trails_grew = -1.0;            ///< when they got their last points, on the stage's own clock [s]
     std::deque<Sample> samples;
     std::deque<double> frames; ///< moments of the last frames, on the stage's own clock [s]
     FrameCosts simulating;

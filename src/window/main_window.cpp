@@ -48,8 +48,7 @@ MainWindow::MainWindow(Stage& stage, const WindowOptions& options)
     row_.append(panel_);
     set_child(row_);
     panel_.set_visible(options.has_panel);
-    const auto place = std::find(options.scenes.begin(), options.scenes.end(), options.scene);
-    panel_.show_scene(place == options.scenes.end() ? -1 : static_cast<int>(place - options.scenes.begin()));
+    panel_.show_scene(options.scene);
     if (!options.face.empty()) load_face(options.face);
 
     listen_to_keys();
@@ -96,7 +95,7 @@ bool MainWindow::tick(double frame_time)
     if (is_busy) canvas_.queue_draw();
     is_stale_ = false;
     if (!stage_.clock.is_paused || is_busy) {
-        if (const std::optional<Fault> fault = recorder_.add(stage_, canvas_.surface())) stage_.say("Recording ended: " + fault->found, true);
+        if (const std::optional<Fault> fault = recorder_.add(stage_, canvas_.surface(), wall)) stage_.say("Recording ended: " + fault->found, true);
     }
     if (stage_.now > synced_ + k_sync_every) {
         synced_ = stage_.now;

@@ -53,9 +53,12 @@ void MainWindow::answer(Request request)
         break;
     case Request::state: {
         const std::string path = options_.state.empty() ? free_name(stem + "-state", ".json") : options_.state;
-        const std::string more = fmt::format("\"scene\":{},\n\"controls\":{}", json_text(options_.scene), panel_.places(*this));
+        const std::string more = fmt::format("\"scene\":{},\n\"film\":{},\n\"controls\":{}", json_text(options_.scene), recorder_.frames(),
+                                             panel_.places(*this));
         const std::optional<Fault> fault = write_whole(path, state_json(stage_, more));
-        stage_.say(fault ? format_fault(*fault) : "State written to " + path, fault.has_value());
+        // Where the file was given, looking changes nothing of what is looked at
+        if (fault) stage_.say(format_fault(*fault), true);
+        else if (options_.state.empty()) stage_.say("State written to " + path);
         break;
     }
     }
@@ -134,6 +137,7 @@ void MainWindow::play_scene(Expected<Scene> scene, const std::string& name)
         const std::string more = faults.size() > 1 ? fmt::format(" (and {} faults more)", faults.size() - 1) : "";
         stage_.say(format_fault(faults.front()) + more, true);
     }
+    panel_.show_scene(options_.scene);
     touch();
 }
 

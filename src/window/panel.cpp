@@ -1,13 +1,16 @@
 #include "window/panel.hpp"
 
 #include <fmt/format.h>
+#include <gtkmm/label.h>
 #include <gtkmm/stringlist.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <utility>
 
 #include "play/keys.hpp"
+#include "play/panels.hpp"
 #include "play/state.hpp"
 #include "scene/generate.hpp"
 
@@ -110,7 +113,11 @@ void Panel::add_scene_part(const std::vector<std::string>& scenes)
     add_heading("Scene");
     std::vector<Glib::ustring> names;
     for (const std::string& path : scenes) names.emplace_back(std::filesystem::path(path).stem().string());
-    for (const GeneratorKind& kind : generator_kinds()) names.emplace_back("new: " + kind.name);
+    scenes_ = scenes;
+    for (const GeneratorKind& kind : generator_kinds()) {
+        names.emplace_back("new: " + kind.name);
+        scenes_.push_back(kind.name);
+    }
     scene_ = make_choice(names);
     scene_->set_tooltip_text("Scenes to open, and kinds to be generated anew");
     scene_->property_selected().signal_changed().connect([this] {
@@ -118,6 +125,7 @@ void Panel::add_scene_part(const std::vector<std::string>& scenes)
         if (index == GTK_INVALID_LIST_POSITION) return;
         act([&] { chosen_(static_cast<int>(index)); });
     });
+    controls_.emplace_back("scene", scene_);
     column_.append(*scene_);
     Gtk::Box& row = add_row();
     add_button(row, "Open\u2026", "A scene file (Ctrl+O); or drop one on the window", [this] { press(stage_, "ctrl+o"); });
@@ -136,8 +144,9 @@ void Panel::add_time_part()
     add_button(row, "\u25c0", "One frame back (comma)", [this] { press(stage_, "comma"); });
     add_button(row, "\u25b6", "One frame on (full stop)", [this] { press(stage_, "period"); });
     add_button(row, "Reset", "To the beginning (Home)", [this] { press(stage_, "home"); });
-    speed_ = &add_scale("Speed 2^", -8.0, 6.0, 0.25, "Powers of two (+ and -): 0 is the speed of the wall clock",
+    speed_ = &add_scale("Speed", -8.0, 6.0, 0.25, "Simulated seconds a second (+ and -)",
                         [this](double power) { set_speed(stage_, std::exp2(power)); });
+    speed_->set_format_value_func([](double power) { return Glib::ustring(speed_text(std::exp2(power))); });
 }
 
 void Panel::add_world_part()
@@ -202,6 +211,7 @@ void Panel::add_look_part()
     colouring_ = make_choice({"colours by number", "random colours", "colours by what moves bodies"});
     colouring_->property_selected().signal_changed().connect(
         [this] { act([this] { stage_.look.colouring = static_cast<Colouring>(colouring_->get_selected()); }); });
+    controls_.emplace_back("colours", colouring_);
     column_.append(*colouring_);
     checks_ = Gtk::make_managed<Gtk::Grid>();
     checks_->set_column_homogeneous(false);
@@ -240,10 +250,11 @@ std::string Panel::places(Gtk::Widget& within) const
     return out + "}";
 }
 
-void Panel::show_scene(int index)
+void Panel::show_scene(const std::string& scene)
 {
     is_syncing_ = true;
-    scene_->set_selected(index < 0 ? GTK_INVALID_LIST_POSITION : static_cast<guint>(index));
+    const auto place = std::find(scenes_.begin(), scenes_.end(), scene);
+    scene_->set_selected(place == scenes_.end() ? GTK_INVALID_LIST_POSITION : static_cast<guint>(place - scenes_.begin()));
     is_syncing_ = false;
 }
 

@@ -11,7 +11,6 @@
 #include <gtkmm/checkbutton.h>
 #include <gtkmm/dropdown.h>
 #include <gtkmm/grid.h>
-#include <gtkmm/label.h>
 #include <gtkmm/scale.h>
 #include <gtkmm/scrolledwindow.h>
 #include <gtkmm/togglebutton.h>
@@ -34,8 +33,8 @@ public:
     /// Where the controls are, as JSON by their texts: {"Pause": [x, y], ...}, for who plays by a program.
     /// within  the widget whose pixels these are
     [[nodiscard]] std::string places(Gtk::Widget& within) const;
-    /// The scene that is shown as chosen; -1 for none of the list.
-    void show_scene(int index);
+    /// The scene that is shown as chosen, by its path or the name of its kind; none where the list hasn't got it.
+    void show_scene(const std::string& scene);
 
 private:
     void add_heading(const char* text);
@@ -56,12 +55,12 @@ private:
     std::function<void()> touched_;
     std::function<void(int)> chosen_;
     bool is_syncing_ = false;
+    std::vector<std::string> scenes_; ///< to choose from: paths, then kinds
     std::vector<std::pair<std::string, Gtk::Widget*>> controls_; ///< by what is written on them
     Gtk::Box column_{Gtk::Orientation::VERTICAL, 5};
     Gtk::DropDown* scene_ = nullptr;
     Gtk::ToggleButton* pause_ = nullptr;
     Gtk::Scale* speed_ = nullptr;
-    Gtk::Label speed_text_;
     Gtk::DropDown* field_ = nullptr;
     Gtk::Scale* restitution_ = nullptr;
     Gtk::Scale* friction_ = nullptr;

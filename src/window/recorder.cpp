@@ -54,9 +54,11 @@ Expected<std::string> Recorder::toggle_trace(const std::string& path)
     return "Tracing to " + path + "; F7 ends it";
 }
 
-std::optional<Fault> Recorder::add(const Stage& stage, cairo_surface_t* surface)
+std::optional<Fault> Recorder::add(const Stage& stage, cairo_surface_t* surface, double wall)
 {
-    if (video_ && surface) {
+    if (video_ && surface) video_->owed += std::min(wall, k_longest_wall);
+    while (video_ && surface && video_->owed * k_frames_per_second >= 0.5) {
+        video_->owed -= 1.0 / k_frames_per_second;
         ++video_->frames;
         if (std::optional<Fault> fault = video_->video.add_surface(surface)) {
             video_.reset();

@@ -14,14 +14,16 @@ class Recorder
 {
 public:
     [[nodiscard]] bool is_filming() const { return video_.has_value(); }
+    [[nodiscard]] long frames() const { return video_ ? video_->frames : 0; } ///< of the present film
     [[nodiscard]] bool is_tracing() const { return trace_.has_value(); }
 
     /// Begin, or end; what to tell of it. Faults as `OutputFile` and `Video` have them.
     [[nodiscard]] Expected<std::string> toggle_video(const std::string& path, SurfaceSize size);
     [[nodiscard]] Expected<std::string> toggle_trace(const std::string& path);
 
-    /// One frame more of what is recorded, where anything is. A record that can't go on is given up: its fault.
-    [[nodiscard]] std::optional<Fault> add(const Stage& stage, cairo_surface_t* surface);
+    /// What is seen now, where anything is recorded. A record that can't go on is given up: its fault.
+    /// wall  since the last call: a film has as many frames of it as keep its pace, whatever that of the display [s]
+    [[nodiscard]] std::optional<Fault> add(const Stage& stage, cairo_surface_t* surface, double wall);
 
 private:
     struct Film
@@ -29,6 +31,7 @@ private:
         OutputFile file;
         Video video;
         long frames = 0;
+        double owed = 0.0; ///< time that no frame shows yet [s]
     };
     std::optional<Film> video_;
     std::optional<OutputFile> trace_;

@@ -161,6 +161,26 @@ TEST_CASE("bodies that lean on each other survive a change of anything")
     for (std::size_t k = 0; k < before.size(); ++k) CHECK(std::abs(after[k] - before[k]) < 1e-6);
 }
 
+TEST_CASE("a change waits for the end of the step that bodies are in, which is short where one of them is fast")
+{
+    // On the floor, at a spin for which a sixtieth of a second is cut into halves of halves
+    Scene scene = three_bodies();
+    scene.bodies = {disc(0.5, {2.0, 0.5}), rectangle(1.0, 0.6, {5.0, 0.3})};
+    scene.bodies[0].spin = 200.0;
+    Stage stage = stage_of(scene);
+    REQUIRE(stage.run.world().mover(0) == BodyMover::rest);
+    play(stage, 0.1003, 0.1003);
+    const double before = stage.run.time();
+    set_restitution(stage, 0.5);
+    CHECK(stage.run.time() >= before);
+    CHECK(stage.run.time() - before < 1.0 / 60.0 / 16.0);
+
+    // At the end of a step there is nothing to wait for
+    const double then = stage.run.time();
+    set_restitution(stage, 0.6);
+    CHECK(stage.run.time() == then);
+}
+
 TEST_CASE("bodies that overlap are moved apart, and those outside the box into it")
 {
     Scene scene = three_bodies();

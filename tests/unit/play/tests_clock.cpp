@@ -75,6 +75,22 @@ TEST_CASE("a frame that uses up its budget says that time runs slower than asked
     CHECK_FALSE(quick.clock.is_behind());
 }
 
+TEST_CASE("a frame stops at the event or step that uses up its budget")
+{
+    // Each look at the clock is a millisecond later: as many events as the budget has of them
+    Stage stage = stage_of(gas(200));
+    set_speed(stage, 64.0);
+    const auto ticking = [] {
+        static int looks = 0;
+        return 1e-3 * ++looks;
+    };
+    for (int k = 0; k < 20; ++k) {
+        const std::int64_t before = stage.run.events();
+        stage.advance(1.0 / 60.0, ticking);
+        CHECK(stage.run.events() - before <= 1 + static_cast<std::int64_t>(1e3 * stage.clock.budget));
+    }
+}
+
 TEST_CASE("keys that mean nothing are refused, and nothing else is")
 {
     Stage stage = stage_of(three_bodies());
@@ -130,6 +146,28 @@ TEST_CASE("keys that are pressed within a frame don't search for the next impact
     CHECK(stage.watch.next.empty());
     play(stage, 0.5 + 10.0 * took);
     CHECK_FALSE(stage.watch.next.empty());
+}
+
+TEST_CASE("in a crowd the impacts that come next are looked for in the nearest future, and are the same")
+{
+    Stage stage = stage_of(gas(120));
+    press(stage, "e");
+    const std::vector<NextImpact> all = next_impacts(stage.run.world(), stage.watch.inside, 24, 1.0);
+    REQUIRE_FALSE(stage.watch.next.empty());
+    REQUIRE(stage.watch.next.size() <= all.size());
+    for (std::size_t k = 0; k < stage.watch.next.size(); ++k) {
+        CHECK(stage.watch.next[k].time == all[k].time);
+        CHECK(stage.watch.next[k].a == all[k].a);
+        CHECK(stage.watch.next[k].b == all[k].b);
+    }
+}
+
+TEST_CASE("keys that only a window can answer ask it, each for its own thing")
+{
+    Stage stage = stage_of(three_bodies());
+    for (const char* key : {"q", "ctrl+q", "f9", "f11", "ctrl+o", "ctrl+f", "ctrl+s", "f6", "f7", "f8"}) press(stage, key);
+    CHECK(stage.requests == std::vector<Request>{Request::quit, Request::quit, Request::panel, Request::fullscreen, Request::open,
+                                                 Request::face, Request::save, Request::video, Request::trace, Request::state});
 }
 
 TEST_CASE("a key that steps a slow run far says how far it got, and goes on from there when it is pressed again")
