@@ -44,6 +44,10 @@ inline constexpr double k_touch = 0x1p-40;
 /// [sizes] A gap this small at the moment that was foreseen for its closing is closed.
 inline constexpr double k_closed = 0x1p-16;
 
+/// [sizes] A gap this small is held: what approaches there is braked to touch. The kink between two facets of a bowl
+/// opens less than a hundred times that over the length of a facet, where there are some thousands of them.
+inline constexpr double k_held = 0x1p-24;
+
 /// [sizes] Points of two looks this near to each other are one, whatever the names of their features.
 inline constexpr double k_same_place = 0x1p-5;
 
@@ -58,7 +62,7 @@ inline constexpr double k_fair_overlap = 0x1p-9;
 inline constexpr double k_rounding = 0x1p-46;
 
 /// Rounds of what ends by itself after a few, or never: impacts at one moment, steps of the interior point, pieces of a
-/// path that begins near its end, parts of a step. A blow that runs through a row against the order of its pairs takes
+/// path that begins near its end. A blow that runs through a row against the order of its pairs takes
 /// a round for each of them; elastic bodies packed between walls would go on for ever.
 inline constexpr int k_patience = 64;
 
@@ -213,6 +217,10 @@ inline constexpr double k_standing = 4.0;
 // [rest.solve.limits]
 
 // ---- Parts of steps (rest_step)
+/// Parts of the step of a small island, each up to its next impact. A ball that rolls through a bowl of facets takes
+/// three for every kink.
+inline constexpr int k_most_parts = 256;
+
 /// [steps] Shorter parts of a step are not cut again: an island takes what comes out.
 inline constexpr double k_shortest_part = 0x1p-10;
 
