@@ -20,7 +20,7 @@ void set_velocity_bias(const RestData& data, const Island& island)
         const double u = normal_speed(c, data.motion.before[c.a], data.motion.before[c.b]);
         const double gap = c.gap > data.bodies.touch_gap(c.a, c.b) ? c.gap : 0.0;
         c.bound = std::min(0.0, -2.0 * gap / data.motion.span - u);
-        if (island.in_turn && gap > rest_tolerance::k_held * std::min(data.bodies.radius[c.a], data.bodies.radius[c.b])) c.bound = -std::numeric_limits<double>::infinity();
+        if (island.in_turn && gap > hardly_open(data, c)) c.bound = -std::numeric_limits<double>::infinity();
     }
 }
 

@@ -202,8 +202,7 @@ void RestEngine::solve_island(Island& island, int depth)
         return;
     }
     // Strike, or end the part where the first impact comes; small islands go on from there with another look
-    island.in_turn =
-        is_lossless(island) ? may_be_parted(island, depth) : !strikes_at_start(island) && may_be_halved(island, depth);
+    island.in_turn = may_be_parted(island, depth) && (is_lossless(island) || !strikes_at_start(island));
     bool is_struck = impacts_.strike(data_, island, sweeps_);
     if (island.in_turn) island.cut_at = is_struck ? data_.motion.span : first_impact(data_, island);
     if (island.cut_at > 0.0) return;

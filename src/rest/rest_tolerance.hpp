@@ -33,7 +33,7 @@ inline constexpr double k_tall = 17.0 / 16.0;
 inline constexpr double k_blow = 0x1p-10;
 
 /// [steps] What closes so soon closes now.
-inline constexpr double k_at_once = 0x1p-20;
+inline constexpr double k_at_once = 0x1p-32;
 
 /// [sine] Normals of static contacts this near to each other lead the same way.
 inline constexpr double k_same_normal = 0x1p-10;
@@ -41,12 +41,9 @@ inline constexpr double k_same_normal = 0x1p-10;
 /// [sizes] Gaps below this, of either sign, are contact.
 inline constexpr double k_touch = 0x1p-40;
 
-/// [sizes] A gap this small at the moment that was foreseen for its closing is closed.
-inline constexpr double k_closed = 0x1p-16;
-
-/// [sizes] A gap this small is held: what approaches there is braked to touch. The kink between two facets of a bowl
-/// opens less than a hundred times that over the length of a facet, where there are some thousands of them.
-inline constexpr double k_held = 0x1p-24;
+/// [sizes] A gap this small at the moment that was foreseen for its closing is closed. The kink between two facets of a
+/// bowl opens less than a hundred times that over the length of a facet, where there are some thousands of them.
+inline constexpr double k_closed = 0x1p-24;
 
 /// [sizes] Points of two looks this near to each other are one, whatever the names of their features.
 inline constexpr double k_same_place = 0x1p-5;
