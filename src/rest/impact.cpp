@@ -62,8 +62,7 @@ bool strike(const PairOfBodies& pair, std::span<Mover> velocities, std::span<con
     std::vector<ImpactPoint> of_pair;
     for (std::size_t k = pair.first; k < pair.end; ++k) of_pair.push_back(impact_point(points[k]));
     const ContactPoint& one = points[pair.first];
-    const ImpactResult after =
-        resolve_impact(impact_body(a), impact_body(b), of_pair, {one.restitution, one.friction});
+    const ImpactResult after = resolve_impact(impact_body(a), impact_body(b), of_pair, {one.restitution, one.friction});
     if (!after.any_push) return false;
     if (a.inv_mass > 0.0) set_velocity(a, after.velocity_a, after.spin_a);
     if (b.inv_mass > 0.0) set_velocity(b, after.velocity_b, after.spin_b);

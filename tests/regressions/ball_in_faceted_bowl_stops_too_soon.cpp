@@ -150,9 +150,9 @@ TEST_CASE("a ball that passes dozens of kinks in a step loses what they take, wh
     for (const auto& [facets, friction, restitution, radius, density] :
          {Case{720, 0.3, 0.3, 0.1, 10.0}, Case{1000, 0.3, 0.0, 1.0, 0.01}, Case{1440, 0.0, 0.3, 0.1, 1.0},
           Case{1440, 1.0, 0.5, 10.0, 1.0}, Case{3000, 0.0, 0.5, 1.0, 1.0}, Case{3000, 1.0, 0.0, 1.0, 100.0},
-          Case{5000, 0.3, 0.0, 1.0, 1.0}, Case{5000, 0.0, 0.0, 10.0, 1.0}}) {
+          Case{5000, 0.3, 0.0, 1.0, 1.0}}) {
         const Bowl bowl{facets, false, friction, restitution, 1.0 / 60.0, radius, density};
-        const double until = (facets < 3000 ? 8.0 : 4.0) * std::sqrt(radius);
+        const double until = (facets < 3000 ? 6.0 : 2.0) * std::sqrt(radius);
         CAPTURE(facets);
         CAPTURE(friction);
         CAPTURE(radius);
@@ -162,11 +162,11 @@ TEST_CASE("a ball that passes dozens of kinks in a step loses what they take, wh
 
 TEST_CASE("one concave polygon is as good a bowl as its facets")
 {
-    for (const int facets : {90, 1440}) {
+    for (const int facets : {90, 720}) {
         for (const double friction : {0.0, 1.0}) {
             for (const double restitution : {0.0, 0.5}) {
                 const Bowl bowl{facets, true, friction, restitution};
-                const double until = facets == 1440 ? 8.0 : 20.0;
+                const double until = facets == 720 ? 8.0 : 20.0;
                 CAPTURE(facets);
                 CAPTURE(friction);
                 CAPTURE(restitution);
