@@ -20,6 +20,16 @@ namespace flying::testing {
     return times == nullptr ? many : many * std::max(std::atoi(times), 1);
 }
 
+/// For what is one long run, and not many.
+[[nodiscard]] constexpr bool is_sanitized()
+{
+#ifdef FLYING_SANITIZED
+    return true;
+#else
+    return false;
+#endif
+}
+
 /// Of the seeds of cases that went wrong once, all; with the sanitizers the first eighth, one at least.
 [[nodiscard]] inline std::vector<std::uint64_t> tried(std::initializer_list<std::uint64_t> seeds)
 {

@@ -4,9 +4,11 @@
 #include <cmath>
 
 #include "chapters/support/lying_bodies.hpp"
+#include "support/effort.hpp"
 
 using namespace flying;
 using namespace flying::test;
+using flying::testing::is_sanitized;
 
 namespace {
 
@@ -169,7 +171,7 @@ TEST_CASE("a tall heap that lands goes on to move until it lies, and isn't crush
     // step after step, and the heap hung as it was, unfinished, for seconds
     RestOptions options;
     options.sleeps = false;
-    RestEngine engine(heap(1400, false), options);
+    RestEngine engine(heap(is_sanitized() ? 350 : 1400, false), options);
     int standing = 0; // steps that have left nobody moving, to this one
     int hung = 0;     // those after which somebody has moved
     for (int k = 0; k < 60 * 8; ++k) {
@@ -191,7 +193,7 @@ TEST_CASE("heaps of discs and boxes that are solved whole win no energy, and non
 {
     // In some a disc goes on to roll, and keeps those awake on which it lies
     int awake = 0;
-    for (int number = 0; number < 24; ++number) {
+    for (int number = 0; number < 24; number += is_sanitized() ? 5 : 1) {
         const int count = number < 16 ? 20 : 40;
         CAPTURE(number);
         RestEngine engine(narrow_heap(count, 1 + number % 16));
