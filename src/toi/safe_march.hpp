@@ -8,7 +8,6 @@
 
 namespace flying {
 
-
 /// A vertex against an edge at one moment.
 struct EdgeReading
 {
@@ -17,8 +16,6 @@ struct EdgeReading
     double along = 0.0;      ///< from the edge's start to the foot of the vertex [m]
     double along_rate = 0.0; ///< [m/s]
 };
-
-
 
 /// What bounds one search.
 struct MarchBounds
@@ -31,15 +28,11 @@ struct MarchBounds
     double ends = 0.0; ///< rounding of `along` [m]
 };
 
-
-
 /// The vertex is between the edge's ends, or past one by no more than the slack.  [m]
 [[nodiscard]] inline bool is_over(const EdgeReading& now, const MarchBounds& bounds, double slack)
 {
     return now.along >= -slack && now.along <= bounds.length + slack;
 }
-
-
 
 /// Depth to which the vertex counts as touching. Past an end, what lies deeper than the
 /// tolerance has gone past the corner, outside or over the next edge.
@@ -47,8 +40,6 @@ struct MarchBounds
 {
     return is_over(now, bounds, bounds.ends) ? bounds.depth : bounds.tolerance.touch;
 }
-
-
 
 /// The vertex touches the edge.
 [[nodiscard]] inline bool touches(const EdgeReading& now, const MarchBounds& bounds)
@@ -58,8 +49,6 @@ struct MarchBounds
     return now.gap >= -slack || now.gap >= -lowest_touch(now, bounds);
 }
 
-
-
 /// The vertex touches the edge and approaches: faster than rounding, or at all where it
 /// lies so deep that to wait would let it sink.
 [[nodiscard]] inline bool strikes(const EdgeReading& now, const MarchBounds& bounds)
@@ -68,8 +57,6 @@ struct MarchBounds
     const double slowest = is_deep ? 0.0 : -bounds.tolerance.approach;
     return touches(now, bounds) && now.gap_rate < slowest;
 }
-
-
 
 /// A step over which the vertex can't come to touch the edge. Each thing that keeps them apart
 /// (height, or standing past one of the ends) holds for a while of its own, and the longest
@@ -88,19 +75,16 @@ struct MarchBounds
         else if (now.gap_rate > 0.0) step = safe_step(0.0, now.gap_rate, bounds.bend);
     }
 
-
     // [toi.certain-step.ends]
     const double before = -slack - now.along;
     const double beyond = now.along - bounds.length;
-    if (before > 0.0)
-        step = std::max(step, safe_step(before, -now.along_rate, bounds.bend));
-    if (beyond > slack)
-        step = std::max(step, safe_step(beyond - slack, now.along_rate, bounds.bend));
+    if (before > 0.0) step = std::max(step, safe_step(before, -now.along_rate, bounds.bend));
+    if (beyond > slack) step = std::max(step, safe_step(beyond - slack, now.along_rate, bounds.bend));
     // [toi.certain-step.ends]
 
     // [toi.certain-step.graze]
-    const bool is_on_line = now.gap <= slack && now.gap >= -0.5 * slack;
-    if (is_on_line && now.gap_rate >= -bounds.tolerance.approach) {
+    const double deepest = now.gap_rate >= 0.0 ? lowest_touch(now, bounds) : 0.5 * slack;
+    if (now.gap <= slack && now.gap >= -deepest && now.gap_rate >= -bounds.tolerance.approach) {
         const double nudge = bounds.bend > 0.0 ? std::sqrt(0.5 * slack / bounds.bend) : k_never;
         step = std::max(step, nudge);
     }
@@ -122,25 +106,25 @@ struct MarchBounds
 /// The vertex was above the edge and now lies too deep to touch it. A certain step doesn't lead
 /// there, so only rounding can, where it is coarser than the tolerance: near a centre that a
 /// body has passed closely.
-[[nodiscard]] inline bool fell_through(const EdgeReading& before, const EdgeReading& now,
-                                       const MarchBounds& bounds)
+[[nodiscard]] inline bool fell_through(const EdgeReading& before, const EdgeReading& now, const MarchBounds& bounds)
 {
     if (now.gap >= -bounds.depth || before.gap <= 0.0 || now.gap_rate >= 0.0) return false;
     const double slack = bounds.tolerance.touch;
     return is_over(before, bounds, slack) && is_over(now, bounds, slack);
 }
 
-
-
 /// Where a march ended.
 struct MarchEnd
 {
-    enum class Kind { none, strike, tired };
+    enum class Kind
+    {
+        none,
+        strike,
+        tired
+    };
     Kind kind = Kind::none;
     double time = k_never; ///< of the strike, or up to which a tired march has seen nothing [s]
 };
-
-
 
 /// First strike of a vertex on an edge in [from, until).
 ///
@@ -150,9 +134,8 @@ struct MarchEnd
 /// The time found is at or before the root by no more than the rounding of the gap or of
 /// the time.
 template <typename Read, typename Counts>
-[[nodiscard]] MarchEnd march(const EdgeReading& first, const Read& read,
-                             const MarchBounds& bounds, double from, double until,
-                             const Counts& counts)
+[[nodiscard]] MarchEnd march(const EdgeReading& first, const Read& read, const MarchBounds& bounds, double from,
+                             double until, const Counts& counts)
 {
     constexpr int k_most_steps = 2000;
     EdgeReading now = first;
@@ -185,11 +168,10 @@ template <typename Read, typename Counts>
 
 /// The same where every strike counts.
 template <typename Read>
-[[nodiscard]] MarchEnd march(const EdgeReading& first, const Read& read,
-                             const MarchBounds& bounds, double from, double until)
+[[nodiscard]] MarchEnd march(const EdgeReading& first, const Read& read, const MarchBounds& bounds, double from,
+                             double until)
 {
     return march(first, read, bounds, from, until, [](double) { return true; });
 }
-
 
 } // namespace flying

@@ -147,15 +147,15 @@ TEST_CASE("a ball that passes dozens of kinks in a step loses what they take, wh
         int facets;
         double friction, restitution, radius, density;
     };
-    for (const auto& [facets, friction, restitution, radius, density] :
+    for (const Case& c :
          {Case{720, 0.3, 0.3, 0.1, 10.0}, Case{1000, 0.3, 0.0, 1.0, 0.01}, Case{1440, 0.0, 0.3, 0.1, 1.0},
           Case{1440, 1.0, 0.5, 10.0, 1.0}, Case{3000, 0.0, 0.5, 1.0, 1.0}, Case{3000, 1.0, 0.0, 1.0, 100.0},
           Case{5000, 0.3, 0.0, 1.0, 1.0}}) {
-        const Bowl bowl{facets, false, friction, restitution, 1.0 / 60.0, radius, density};
-        const double until = (facets < 3000 ? 6.0 : 2.0) * std::sqrt(radius);
-        CAPTURE(facets);
-        CAPTURE(friction);
-        CAPTURE(radius);
+        const Bowl bowl{c.facets, false, c.friction, c.restitution, 1.0 / 60.0, c.radius, c.density};
+        const double until = (c.facets < 3000 ? 6.0 : 2.0) * std::sqrt(c.radius);
+        CAPTURE(c.facets);
+        CAPTURE(c.friction);
+        CAPTURE(c.radius);
         CHECK(lost_share(bowl, until) == doctest::Approx(kinks_take(bowl, until)).epsilon(0.15));
     }
 }

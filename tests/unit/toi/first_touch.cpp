@@ -253,3 +253,30 @@ TEST_CASE("lengths, times and masses by powers of two scale a prediction bit for
         }
     }
 }
+
+TEST_CASE("a corner that touches a wall a little deep, and hardly leaves it, is seen to leave it after a few steps")
+{
+    // Planks lie nearly flat, so that turning hardly lifts the corner on which they stand: steps as long as the rate
+    // alone allows took for ever
+    for (const double thin : {1e-3, 1e-6, 1e-9}) {
+        for (const double deep : {0.6, 0.9, 0.999}) {
+            const Polygon plank = box(1.0, thin);
+            Flyer flyer;
+            flyer.state.angle = -thin;
+            flyer.state.spin = -1.0;
+            const double c = std::cos(thin);
+            const double d = std::sin(thin);
+            const Vec2 corner(0.5 * c - 0.5 * thin * d, -0.5 * d - 0.5 * thin * c);
+            const double touch = tolerance::k_touch * plank.radius();
+            flyer.state.position = Vec2(0.0, -corner.y() - deep * touch);
+            flyer.state.velocity = Vec2(0.0, -flyer.state.spin * corner.x() + 1e-17);
+            CAPTURE(thin);
+            CAPTURE(deep);
+            Prediction answer{Prediction::Kind::not_before, 0.0, {}};
+            int looks = 0;
+            for (; looks < 100 && answer.kind == Prediction::Kind::not_before && answer.time < 0.1; ++looks)
+                answer = predict(plank, flyer, HalfPlane{Vec2(0.0, 1.0), 0.0}, Flyer{}, answer.time);
+            CHECK(looks < 100);
+        }
+    }
+}
