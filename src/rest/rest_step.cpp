@@ -201,11 +201,16 @@ void RestEngine::solve_island(Island& island, int depth)
         fly(data_, island);
         return;
     }
-    // Strike, or end the part where the first impact comes; small islands go on from there with another look
-    island.in_turn = may_be_parted(island, depth) && (is_lossless(island) || !strikes_at_start(island));
-    bool is_struck = impacts_.strike(data_, island, sweeps_);
-    if (island.in_turn) island.cut_at = is_struck ? data_.motion.span : first_impact(data_, island);
+    // End the part where the first impact comes, or strike now; small islands go on from there with another look
+    island.in_turn =
+        is_lossless(island) ? may_be_parted(island, depth) : !strikes_at_start(island) && may_be_halved(island, depth);
+    if (island.in_turn) island.cut_at = first_impact(data_, island);
     if (island.cut_at > 0.0) return;
+    bool is_struck = impacts_.strike(data_, island, sweeps_);
+    if (is_struck && island.in_turn) {
+        island.cut_at = data_.motion.span;
+        return;
+    }
     // Where nothing may be lost, what was struck goes on to strike what it would meet within the step
     for (int k = 0; k < rest_tolerance::k_patience && is_struck && !is_heap(island) && is_lossless(island); ++k)
         is_struck = impacts_.strike(data_, island, sweeps_);
@@ -253,7 +258,7 @@ void RestEngine::find_lossless(Island& island, bool sweeps)
 
 void RestEngine::finish_islands(int depth, std::span<const int> pairs)
 {
-    again_.resize(rest_tolerance::k_most_parts + 1);
+    again_.resize(rest_tolerance::k_patience + 1);
     Again& again = again_[depth];
     again.parts.clear();
     again.members.clear();
@@ -296,9 +301,9 @@ double RestEngine::end_early(Island& island, int depth)
 /// There may be more parts of its step.
 bool RestEngine::may_be_parted(const Island& island, int depth) const
 {
-    const int most = strikes_at_start(island) && !is_lossless(island) ? rest_tolerance::k_quick_rounds
-                                                                      : rest_tolerance::k_most_parts;
-    return island.member_count() <= rest_tolerance::k_most_whole && depth < rest_tolerance::k_most_parts &&
+    const int most =
+        strikes_at_start(island) && !is_lossless(island) ? rest_tolerance::k_quick_rounds : rest_tolerance::k_patience;
+    return island.member_count() <= rest_tolerance::k_most_whole && depth < rest_tolerance::k_patience &&
            parts_made_ < most;
 }
 
