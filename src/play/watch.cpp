@@ -23,7 +23,7 @@ constexpr double k_unlike = 1e-9;     ///< [speeds] a change that is no rounding
 constexpr double k_next_rest = 4.0;   ///< between two searches for next impacts, in times that the last one took
 constexpr double k_next_first = 0x1p-10; ///< a search looks so far ahead at first, then four times as far ... [s]
 constexpr double k_next_within = 1.0; ///< ... as far as this [s]
-constexpr double k_next_budget = 0.003; ///< a search that has taken so long looks no farther [s]
+constexpr double k_next_budget = 0.003; ///< a search that has found some and taken so long looks no farther [s]
 constexpr std::size_t k_most_next = 24;
 
 /// Where a body that was pushed touches: another, if it is one of two; else what stands around; else where it reaches
@@ -128,7 +128,7 @@ void watch_present(Watch& watch, const PlayRun& run, const Look& look, double no
     for (double within = k_next_first; within <= k_next_within; within *= 4.0) {
         watch.next = next_impacts(run.world(), watch.inside, k_most_next, within);
         watch.next_took = seconds_now() - started;
-        if (watch.next.size() == k_most_next || watch.next_took > k_next_budget) break;
+        if (watch.next.size() == k_most_next || (watch.next_took > k_next_budget && !watch.next.empty())) break;
     }
     watch.next_asked = now;
 }

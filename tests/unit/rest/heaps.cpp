@@ -171,7 +171,7 @@ TEST_CASE("a tall heap that lands goes on to move until it lies, and isn't crush
     // step after step, and the heap hung as it was, unfinished, for seconds
     RestOptions options;
     options.sleeps = false;
-    RestEngine engine(heap(is_sanitized() ? 350 : 1400, false), options);
+    RestEngine engine(heap(1400, false), options);
     int standing = 0; // steps that have left nobody moving, to this one
     int hung = 0;     // those after which somebody has moved
     for (int k = 0; k < 60 * 8; ++k) {
