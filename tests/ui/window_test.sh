@@ -124,7 +124,12 @@ choose() { # control keys...: of a list that drops down
 }
 dialog() { # title [path]: answer a dialog for files, or escape from it
     local other k
-    other=$(timeout 30 xdotool search --sync --onlyvisible --name "$1" | head -n 1 || true)
+    # A window that goes while xdotool looks at all of them ends its search with an error of X
+    for ((k = 0; k < 150; ++k)); do
+        other=$(xdotool search --onlyvisible --name "$1" 2>/dev/null | head -n 1 || true)
+        [[ -z $other ]] || break
+        sleep 0.2
+    done
     [[ -n $other ]] || { wrong "no dialog '$1'"; return 0; }
     good=$((good + 1))
     xdotool windowfocus "$other"
