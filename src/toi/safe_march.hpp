@@ -58,6 +58,12 @@ struct MarchBounds
     return touches(now, bounds) && now.gap_rate < slowest;
 }
 
+/// A step over which turning and falling change the gap by no more than a quarter of the tolerance.  [s]
+[[nodiscard]] inline double graze_step(const MarchBounds& bounds)
+{
+    return bounds.bend > 0.0 ? std::sqrt(0.5 * bounds.tolerance.touch / bounds.bend) : k_never;
+}
+
 /// A step over which the vertex can't come to touch the edge. Each thing that keeps them apart
 /// (height, or standing past one of the ends) holds for a while of its own, and the longest
 /// counts. At least a small step is made where they touch without approach: one over which the
@@ -83,11 +89,8 @@ struct MarchBounds
     // [toi.certain-step.ends]
 
     // [toi.certain-step.graze]
-    const double deepest = now.gap_rate >= 0.0 ? lowest_touch(now, bounds) : 0.5 * slack;
-    if (now.gap <= slack && now.gap >= -deepest && now.gap_rate >= -bounds.tolerance.approach) {
-        const double nudge = bounds.bend > 0.0 ? std::sqrt(0.5 * slack / bounds.bend) : k_never;
-        step = std::max(step, nudge);
-    }
+    const bool is_on_line = now.gap <= slack && now.gap >= -0.5 * slack;
+    if (is_on_line && now.gap_rate >= -bounds.tolerance.approach) step = std::max(step, graze_step(bounds));
     // [toi.certain-step.graze]
     return step;
 }
@@ -150,6 +153,14 @@ template <typename Read, typename Counts>
         }
         const double step = certain_step(now, bounds);
         double next = time + step;
+
+        // [toi.march.deep]
+        // What lies deeper and hardly rises is passed like a graze, but only where that doesn't sink it further
+        if (now.gap < 0.0 && now.gap_rate >= 0.0 && touches(now, bounds)) {
+            const double graze = std::min(time + graze_step(bounds), until);
+            if (next < graze && read(graze).gap >= now.gap) next = graze;
+        }
+        // [toi.march.deep]
 
         // [toi.march.root]
         // Stop at a root: the gap, or the time, is at its last digit

@@ -64,7 +64,7 @@ double energy_of(const RestEngine& engine)
 
 } // namespace
 
-TEST_CASE("random scenes at rest: energy never rises, nobody is lost, nothing becomes no number or ends with overlap")
+TEST_CASE("random scenes at rest: energy never rises, nobody is lost, nothing becomes no number or overlaps")
 {
     // The first of the scenes of ./course stress rest, which goes on for as many as one likes
     const int count = flying::testing::tried(45);
@@ -76,6 +76,7 @@ TEST_CASE("random scenes at rest: energy never rises, nobody is lost, nothing be
         CHECK(findings.finite);
         CHECK(findings.lost == 0);
         CHECK(findings.rise <= k_rise_allowed);
+        CHECK(findings.overlap <= k_overlap_allowed);
         CHECK(findings.end_overlap <= k_overlap_allowed);
     }
 }
