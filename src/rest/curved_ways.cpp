@@ -6,6 +6,7 @@
 
 #include "rest/energy_limit.hpp"
 #include "rest/rest_tolerance.hpp"
+#include "rest/step_field.hpp"
 
 namespace flying {
 namespace {
@@ -63,11 +64,10 @@ void set_mean_lines(ContactPoint& mean, const ContactPoint& start, const Contact
 
 [[nodiscard]] bool may_bend(const RestData& data, const Island& island)
 {
-    // A few that move, some of which bear
+    // A few that move
     if (island.point_count() > rest_tolerance::k_most_followed || strikes_at_start(island) || !island.is_solved)
         return false;
     const std::span<const ContactPoint> points = island.points;
-    if (std::none_of(points.begin(), points.end(), [](const ContactPoint& c) { return c.normal > 0.0; })) return false;
 
     // Where nothing may be lost, a contact that hops leaves as it came, and not along the surfaces
     const auto hops = [](const ContactPoint& c) { return c.normal > 0.0 && c.bound != 0.0; };
@@ -281,7 +281,7 @@ bool CurvedWays::all_close(const RestData& data) const
     return true;
 }
 
-bool CurvedWays::end_velocities(RestData& data, const Island& island)
+bool CurvedWays::end_velocities(RestData& data, Island& island)
 {
     // As far beyond the mean as the start was before it
     const std::span<const int> members = island.members;
@@ -307,9 +307,13 @@ bool CurvedWays::end_velocities(RestData& data, const Island& island)
         end.tangent = c.tangent;
         push(end, -c.normal, -c.tangent, data.motion.now[c.a], data.motion.now[c.b]);
     }
-    if (at_end_.empty()) return true;
+    if (at_end_.empty()) {
+        fly(data, island);
+        return true;
+    }
     const bool content =
         data.solver.solve(data.motion.now, members, at_end_, rest_tolerance::k_residual * top_speed(data, island));
+    if (!std::all_of(at_end_.begin(), at_end_.end(), lasts)) return false; // what lets go within the step isn't followed
     auto end = at_end_.begin();
     for (std::size_t k = 0; k < bent_.size(); ++k) {
         ContactPoint& c = bent_[k];

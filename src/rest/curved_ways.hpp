@@ -28,7 +28,7 @@ private:
     [[nodiscard]] bool find_mean_velocities(RestData& data, const Island& island);
     [[nodiscard]] bool see_ends(RestData& data, const Island& island);
     [[nodiscard]] bool all_close(const RestData& data) const;
-    [[nodiscard]] bool end_velocities(RestData& data, const Island& island);
+    [[nodiscard]] bool end_velocities(RestData& data, Island& island);
 
     std::vector<ContactPoint> bent_;   // points with the mean of their lines over the step,
     std::vector<ContactPoint> half_;   // those halfway,

@@ -93,12 +93,13 @@ struct RigidMotion
 
 /// The motion of an island as one rigid body that no contact with something static resists. Slowing an island down
 /// relative to that changes no momentum that is its own.
-[[nodiscard]] RigidMotion free_motion(const RestData& data, const Island& island)
+/// velocities  of all bodies, of which it is made
+[[nodiscard]] RigidMotion free_motion(const RestData& data, const Island& island, std::span<const Mover> velocities)
 {
     RigidMotion rigid;
     double mass = 0.0;
     for (const int member : island.members) {
-        const Mover& now = data.motion.now[member];
+        const Mover& now = velocities[member];
         mass += 1.0 / now.inv_mass;
         rigid.centre += data.bodies.list[member].state.position / now.inv_mass;
         rigid.velocity += Vec2(now.v_x, now.v_y) / now.inv_mass;
@@ -112,13 +113,22 @@ struct RigidMotion
     double moment = 0.0;
     double turning = 0.0;
     for (const int member : island.members) {
-        const Mover& now = data.motion.now[member];
+        const Mover& now = velocities[member];
         const Vec2 r = data.bodies.list[member].state.position - rigid.centre;
         turning += cross(r, Vec2(Vec2(now.v_x, now.v_y) - rigid.velocity)) / now.inv_mass + now.spin / now.inv_moment;
         moment += r.squaredNorm() / now.inv_mass + 1.0 / now.inv_moment;
     }
     rigid.spin = turning / moment;
     return rigid;
+}
+
+/// The motion by which an island as one rigid body gets from where it was to where it will be.
+[[nodiscard]] RigidMotion free_way(const RestData& data, const Island& island)
+{
+    const RigidMotion after = free_motion(data, island, data.motion.now);
+    if (!island.is_exact) return after;
+    const RigidMotion before = free_motion(data, island, data.motion.before);
+    return {after.centre, 0.5 * (before.velocity + after.velocity), 0.5 * (before.spin + after.spin)};
 }
 
 /// Takes energy out of an island's motion relative to a rigid one, as much as there is. What remains to be taken.  [J]
@@ -155,9 +165,10 @@ struct RigidMotion
     return by - ((energy + mixed) - (energy * share + mixed) * share);
 }
 
-/// Takes energy out of the rise of an island's bodies relative to a rigid motion, as much as is to be taken, or all.
+/// Takes energy out of the rise of an island's bodies relative to a way that it goes as one rigid body, as much as there
+/// is. What remains to be taken.  [J]
 /// by  what is to be taken [J]
-void rise_less(RestData& data, const Island& island, const RigidMotion& rigid, double by)
+[[nodiscard]] double rise_less(RestData& data, const Island& island, const RigidMotion& rigid, double by)
 {
     const auto way_of = [&](int member) {
         const Vec2 arm = data.bodies.list[member].state.position - rigid.centre;
@@ -168,6 +179,7 @@ void rise_less(RestData& data, const Island& island, const RigidMotion& rigid, d
         const Vec2 own = data.motion.shift[member] - way_of(member);
         lift -= data.motion.field[member].dot(own) / data.motion.now[member].inv_mass;
     }
+    if (!(lift > 0.0)) return by; // they fall, and to fall less would be a gain
     const double part = by < lift ? 1.0 - by / lift : 0.0;
     for (const int member : island.members) {
         const Vec2 common = way_of(member);
@@ -175,6 +187,7 @@ void rise_less(RestData& data, const Island& island, const RigidMotion& rigid, d
         data.motion.shift[member] = common + part * (data.motion.shift[member] - common);
         data.motion.turn[member] = turn + part * (data.motion.turn[member] - turn);
     }
+    return by - std::min(by, lift);
 }
 
 } // namespace
@@ -186,11 +199,14 @@ void limit_energy(RestData& data, const Island& island)
     if (gain.gained <= rounding) return;
     ++data.counts.limited;
     data.counts.energy_limited += gain.gained;
-    const RigidMotion rigid = free_motion(data, island);
+    const RigidMotion rigid = free_motion(data, island, data.motion.now);
     // Round a centre the field's work isn't in proportion to the way, so that it takes more than one round
     for (int round = 0; round < rest_tolerance::k_quick_rounds && gain.gained > rounding; ++round) {
-        const double left = slow_down(data, island, rigid, gain.gained);
-        if (left > rounding) rise_less(data, island, rigid, left);
+        double left = slow_down(data, island, rigid, gain.gained);
+        if (left > rounding) left = rise_less(data, island, free_way(data, island), left);
+        // What slides up a slope has its friction, too, to hold it
+        const bool is_held = static_hold(data, island.points).directions > 0;
+        if (left > rounding && is_held) (void)rise_less(data, island, RigidMotion{}, left);
         gain = gain_of(data, island);
     }
 }

@@ -133,6 +133,13 @@ double next_closing(const RestData& data, const RestPair& pair, const Manifold& 
     return wait;
 }
 
+/// How near to each other two bodies are looked at that get no further than so.  [m]
+[[nodiscard]] double margin_of(const RestData& data, const RestPair& pair, std::span<const double> farthest)
+{
+    const double size = std::min(data.bodies.radius[pair.a], data.bodies.radius[pair.b]);
+    return farthest[pair.a] + farthest[pair.b] + rest_tolerance::k_watch * size;
+}
+
 /// Where a body is when a step or a part of one begins: what the last such look has found may answer.
 Manifold find_from_memory(RestData& data, RestPair& pair, double margin)
 {
@@ -192,31 +199,35 @@ void add_points(RestData& data, int index, const Manifold& manifold, double clos
 
 } // namespace
 
-bool find_contacts(RestData& data, int index, std::vector<ContactPoint>& found)
+bool may_touch(const RestData& data, const RestPair& pair, std::span<const double> farthest)
+{
+    const ConvexPart& part_a = data.bodies.shapes[pair.a].parts[pair.part_a];
+    const ConvexPart& part_b = data.bodies.shapes[pair.b].parts[pair.part_b];
+    const Pose& pose_a = data.bodies.poses[pair.a];
+    const Pose& pose_b = data.bodies.poses[pair.b];
+    const double clear = part_a.radius + part_b.radius + margin_of(data, pair, farthest);
+    const Vec2 way =
+        (pose_b.position - pose_a.position) + (pose_b.rotation * part_b.centre - pose_a.rotation * part_a.centre);
+    return way.squaredNorm() <= clear * clear;
+}
+
+void find_contacts(RestData& data, int index, std::vector<ContactPoint>& found)
 {
     RestPair& pair = data.pairs.pairs()[index];
 
     // Leave out those too far from each other for this step
-    const ConvexPart& part_a = data.bodies.shapes[pair.a].parts[pair.part_a];
-    const ConvexPart& part_b = data.bodies.shapes[pair.b].parts[pair.part_b];
     const double size = std::min(data.bodies.radius[pair.a], data.bodies.radius[pair.b]);
-    const double margin = data.motion.reach[pair.a] + data.motion.reach[pair.b] + rest_tolerance::k_watch * size;
-    const Pose& pose_a = data.bodies.poses[pair.a];
-    const Pose& pose_b = data.bodies.poses[pair.b];
-    const double clear = part_a.radius + part_b.radius + margin;
-    const Vec2 way =
-        (pose_b.position - pose_a.position) + (pose_b.rotation * part_b.centre - pose_a.rotation * part_a.centre);
-    if (way.squaredNorm() > clear * clear) {
-        pair.count = 0;
-        return false;
-    }
-    Manifold manifold = find_from_memory(data, pair, margin);
+    const double margin = margin_of(data, pair, data.motion.reach);
+    Manifold manifold;
+    if (may_touch(data, pair, data.motion.reach)) manifold = find_from_memory(data, pair, margin);
     if (manifold.count == 0) {
         pair.count = 0;
-        return true;
+        return;
     }
 
     // A gap that would close within the step is looked at when it does; bodies turn, so that one look may not do
+    const Pose& pose_a = data.bodies.poses[pair.a];
+    const Pose& pose_b = data.bodies.poses[pair.b];
     Closing closing{{0, 0}, 0, data.bodies.touch_gap(pair.a, pose_a.position, pair.b, pose_b.position), 0.0};
     Manifold ahead = manifold;
     double moment = 0.0;
@@ -234,7 +245,6 @@ bool find_contacts(RestData& data, int index, std::vector<ContactPoint>& found)
         closing.closed = rest_tolerance::k_closed * size;
     }
     add_points(data, index, manifold, closes_at, closing.speed, found);
-    return true;
 }
 
 } // namespace flying

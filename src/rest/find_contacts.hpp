@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "rest/rest_data.hpp"
@@ -10,7 +11,10 @@ namespace flying {
 /// closes. What the pair bore at such a point before, the point begins with.
 /// pair   its number in the list
 /// found  where to add them
-/// True where the two parts are near enough to touch within the step.
-bool find_contacts(RestData& data, int pair, std::vector<ContactPoint>& found);
+void find_contacts(RestData& data, int pair, std::vector<ContactPoint>& found);
+
+/// The two parts of a pair may touch before the step ends, where the bodies get no further than so.
+/// farthest  of each body [m]
+[[nodiscard]] bool may_touch(const RestData& data, const RestPair& pair, std::span<const double> farthest);
 
 } // namespace flying

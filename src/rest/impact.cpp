@@ -29,37 +29,72 @@ void set_velocity(Mover& body, const Vec2& velocity, double spin)
     body.spin = spin;
 }
 
+/// The points of two bodies, among all that an impact may strike.
+struct PairOfBodies
+{
+    int a = 0;
+    int b = 0;
+    std::size_t first = 0;
+    std::size_t end = 0;
+};
+
+[[nodiscard]] std::vector<PairOfBodies> pairs_of(std::span<const ContactPoint> points)
+{
+    std::vector<PairOfBodies> pairs;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        const ContactPoint& c = points[k];
+        if (pairs.empty() || pairs.back().a != c.a || pairs.back().b != c.b) pairs.push_back({c.a, c.b, k, k});
+        pairs.back().end = k + 1;
+    }
+    return pairs;
+}
+
+/// Strikes a pair, if one of its points arrives fast enough. Whether it did.
+bool strike(const PairOfBodies& pair, std::span<Mover> velocities, std::span<const ContactPoint> points,
+            std::span<const double> slowest)
+{
+    Mover& a = velocities[pair.a];
+    Mover& b = velocities[pair.b];
+    bool arrives = false;
+    for (std::size_t k = pair.first; k < pair.end && !arrives; ++k)
+        arrives = normal_speed(points[k], a, b) < -slowest[k];
+    if (!arrives) return false;
+    std::vector<ImpactPoint> of_pair;
+    for (std::size_t k = pair.first; k < pair.end; ++k) of_pair.push_back(impact_point(points[k]));
+    const ContactPoint& one = points[pair.first];
+    const ImpactResult after = resolve_impact(impact_body(a), impact_body(b), of_pair, {one.restitution, one.friction});
+    if (!after.any_push) return false;
+    if (a.inv_mass > 0.0) set_velocity(a, after.velocity_a, after.spin_a);
+    if (b.inv_mass > 0.0) set_velocity(b, after.velocity_b, after.spin_b);
+    return true;
+}
+
+/// The first pair up to one that shares a body with it that moves.
+[[nodiscard]] std::size_t first_with(std::span<const PairOfBodies> pairs, std::size_t last,
+                                     std::span<const Mover> velocities)
+{
+    const auto has = [&](const PairOfBodies& pair, int body) {
+        return velocities[body].inv_mass > 0.0 && (pair.a == body || pair.b == body);
+    };
+    std::size_t first = 0;
+    while (first < last && !has(pairs[first], pairs[last].a) && !has(pairs[first], pairs[last].b)) ++first;
+    return first;
+}
+
 } // namespace
 
 int throw_back(std::span<Mover> velocities, std::span<const ContactPoint> points, std::span<const double> slowest)
 {
+    // One after the other, always the first pair that arrives: the order in which events come at one moment. A blow
+    // that runs to and fro in a packed pit comes to its end after more than a few rounds
+    const std::vector<PairOfBodies> pairs = pairs_of(points);
+    const int most = rest_tolerance::k_patience * rest_tolerance::k_patience * static_cast<int>(pairs.size());
     int impacts = 0;
-    std::vector<ImpactPoint> of_pair;
-    for (int round = 0; round < rest_tolerance::k_patience; ++round) {
-        const int before = impacts;
-        for (std::size_t first = 0, end = 0; first < points.size(); first = end) {
-            // Find the points of the next two bodies, and whether one of them arrives
-            const ContactPoint& pair = points[first];
-            bool arrives = false;
-            of_pair.clear();
-            for (; end < points.size() && points[end].a == pair.a && points[end].b == pair.b; ++end) {
-                const double u = normal_speed(points[end], velocities[pair.a], velocities[pair.b]);
-                arrives = arrives || u < -slowest[end];
-                of_pair.push_back(impact_point(points[end]));
-            }
-            if (!arrives) continue;
-
-            // Strike
-            Mover& a = velocities[pair.a];
-            Mover& b = velocities[pair.b];
-            const ImpactResult after =
-                resolve_impact(impact_body(a), impact_body(b), of_pair, {pair.restitution, pair.friction});
-            if (!after.any_push) continue;
-            if (a.inv_mass > 0.0) set_velocity(a, after.velocity_a, after.spin_a);
-            if (b.inv_mass > 0.0) set_velocity(b, after.velocity_b, after.spin_b);
+    for (std::size_t k = 0; k < pairs.size() && impacts < most;) {
+        if (strike(pairs[k], velocities, points, slowest)) {
             ++impacts;
-        }
-        if (impacts == before) break;
+            k = first_with(pairs, k, velocities);
+        } else ++k;
     }
     return impacts;
 }

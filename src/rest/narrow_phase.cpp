@@ -61,8 +61,8 @@ void find_seams_with(const RestBodies& bodies, int body, int part, int neighbour
     const double reach =
         bodies.poses[body].position.cwiseAbs().maxCoeff() + bodies.poses[neighbour].position.cwiseAbs().maxCoeff();
     SeamTolerance tolerance = seam_tolerance(size, reach);
-    // Bricks that move lie as level as the solve leaves them
-    if (!bodies.list[body].is_static || !bodies.list[neighbour].is_static) tolerance.step = tolerance.crack;
+    // Bricks that move lie as level as the solve leaves them, and tiles as the centres that their maker has summed up
+    tolerance.step = tolerance.crack;
     const bool is_wall = std::holds_alternative<HalfPlane>(bodies.shapes[neighbour].parts[neighbours_part].shape);
     const Pose there = is_wall ? Pose{} : bodies.poses[neighbour];
     find_seams(polygon, relative_pose(bodies.poses[body], there), bodies.shapes[neighbour].parts[neighbours_part].shape,

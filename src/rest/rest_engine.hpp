@@ -159,9 +159,10 @@ private:
     void begin_awake();
     void measure_reach(std::span<const int> bodies);
     void find_all_contacts();
+    [[nodiscard]] bool list_what_impacts_reach();
     [[nodiscard]] bool wake_touched();
     void wake_all_with(int body);
-    void split_and_solve(std::span<const int> bodies, int depth);
+    void solve_islands(int depth);
     void solve_island(Island& island, int depth);
     void find_lossless(Island& island, bool sweeps);
     void finish_islands(int depth, std::span<const int> pairs);
@@ -185,7 +186,7 @@ private:
 
     // The stages of a step, each with what it needs for its own work
     std::vector<ContactPoint> found_; // in the order of the pairs
-    std::vector<char> is_near_;       // of each pair: its parts may touch within the step
+    std::vector<double> farthest_;    // that each body may get in the step, thrown or not [m]
     Islands islands_;
     Impacts impacts_;
     ContactForces forces_;

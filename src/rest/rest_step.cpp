@@ -12,6 +12,11 @@
 namespace flying {
 namespace {
 
+[[nodiscard]] bool bears(const ContactPoint& c)
+{
+    return c.normal > 0.0;
+}
+
 /// Deepest overlap that the step has begun with.  [sizes]
 double overlap_at_start(const RestData& data, const Island& island)
 {
@@ -91,12 +96,12 @@ void RestEngine::step()
 
     // [rest.step.find]
     do find_all_contacts();
-    while (wake_touched());
+    while (wake_touched() || list_what_impacts_reach());
     watch.stop(seconds_.collide);
     // [rest.step.find]
 
     parts_made_ = 0;
-    split_and_solve(moved_, 0);
+    solve_islands(0);
     watch.stop(seconds_.solve);
     finish_islands(0, {});
     make_parts(0);
@@ -157,7 +162,6 @@ void RestEngine::measure_reach(std::span<const int> bodies)
     StepMotion& motion = data_.motion;
     const double dt = motion.span;
     for (const int k : bodies) {
-        aim_field(data_, k);
         const RestBody& body = data_.bodies.list[k];
         const double radius = data_.bodies.radius[k];
         const double speed = body.state.velocity.norm() + std::abs(body.state.spin) * radius;
@@ -171,6 +175,7 @@ void RestEngine::measure_reach(std::span<const int> bodies)
             motion.pull[k] *= room / more;
             motion.expected_angular_acceleration[k] *= room / more;
         }
+        aim_field(data_, k);
         motion.now[k] = mover_of(body);
         motion.before[k] = motion.now[k];
         data_.bodies.set_pose(k, pose_of(body.state));
@@ -182,14 +187,32 @@ void RestEngine::measure_reach(std::span<const int> bodies)
 void RestEngine::find_all_contacts()
 {
     found_.clear();
-    is_near_.resize(data_.pairs.pairs().size());
-    data_.counts.pairs += std::ssize(is_near_);
-    for (int k = 0; k < static_cast<int>(is_near_.size()); ++k) is_near_[k] = find_contacts(data_, k, found_) ? 1 : 0;
+    const int count = static_cast<int>(data_.pairs.pairs().size());
+    data_.counts.pairs += count;
+    for (int k = 0; k < count; ++k) find_contacts(data_, k, found_);
 }
 
-void RestEngine::split_and_solve(std::span<const int> bodies, int depth)
+/// Splits the bodies into islands, and sees to it that the list of pairs holds whatever those of them may touch that an
+/// impact throws: it gives none more than twice the speed of the fastest. True where the list is another now.
+bool RestEngine::list_what_impacts_reach()
 {
-    islands_.split(data_, bodies, found_);
+    islands_.split(data_, moved_, found_);
+    farthest_.resize(data_.motion.reach.size());
+    for (const int k : moved_) farthest_[k] = data_.motion.reach[k];
+    for (const Island& island : islands_.all()) {
+        const auto closes = [](const ContactPoint& c) { return std::isfinite(c.closes_at); };
+        if (std::none_of(island.points.begin(), island.points.end(), closes)) continue;
+        const double thrown = data_.motion.span * 2.0 * top_speed(data_, island);
+        for (const int member : island.members) farthest_[member] = std::max(farthest_[member], thrown);
+    }
+    const int boxes = data_.pairs.update(data_.bodies.list, data_.bodies.shapes, data_.bodies.radius, farthest_, awake_);
+    data_.counts.looks += boxes > 0 ? 1 : 0;
+    data_.counts.boxes += boxes;
+    return boxes > 0;
+}
+
+void RestEngine::solve_islands(int depth)
+{
     data_.counts.groups += static_cast<std::int64_t>(islands_.all().size());
     data_.counts.points += static_cast<std::int64_t>(islands_.point_count());
     for (Island& island : islands_.all()) solve_island(island, depth);
@@ -201,16 +224,11 @@ void RestEngine::solve_island(Island& island, int depth)
         fly(data_, island);
         return;
     }
-    // End the part where the first impact comes, or strike now; small islands go on from there with another look
-    island.in_turn =
-        is_lossless(island) ? may_be_parted(island, depth) : !strikes_at_start(island) && may_be_halved(island, depth);
-    if (island.in_turn) island.cut_at = first_impact(data_, island);
-    if (island.cut_at > 0.0) return;
+    // Strike, or end the part where the first impact comes; small islands go on from there with another look
+    island.in_turn = may_be_parted(island, depth) && (is_lossless(island) || !strikes_at_start(island));
     bool is_struck = impacts_.strike(data_, island, sweeps_);
-    if (is_struck && island.in_turn) {
-        island.cut_at = data_.motion.span;
-        return;
-    }
+    if (island.in_turn) island.cut_at = is_struck ? data_.motion.span : first_impact(data_, island);
+    if (island.cut_at > 0.0) return;
     // Where nothing may be lost, what was struck goes on to strike what it would meet within the step
     for (int k = 0; k < rest_tolerance::k_patience && is_struck && !is_heap(island) && is_lossless(island); ++k)
         is_struck = impacts_.strike(data_, island, sweeps_);
@@ -236,6 +254,10 @@ void RestEngine::solve_island(Island& island, int depth)
             return;
         }
     }
+    if (std::none_of(island.points.begin(), island.points.end(), bears)) {
+        fly(data_, island);
+        return;
+    }
     if (!curves_.follow(data_, island) && island.point_count() <= rest_tolerance::k_most_in_detail)
         slip_ends_.part(data_, island, forces_);
     calm(data_, island);
@@ -258,7 +280,7 @@ void RestEngine::find_lossless(Island& island, bool sweeps)
 
 void RestEngine::finish_islands(int depth, std::span<const int> pairs)
 {
-    again_.resize(rest_tolerance::k_patience + 1);
+    again_.resize(rest_tolerance::k_most_parts + 1);
     Again& again = again_[depth];
     again.parts.clear();
     again.members.clear();
@@ -301,9 +323,9 @@ double RestEngine::end_early(Island& island, int depth)
 /// There may be more parts of its step.
 bool RestEngine::may_be_parted(const Island& island, int depth) const
 {
-    const int most =
-        strikes_at_start(island) && !is_lossless(island) ? rest_tolerance::k_quick_rounds : rest_tolerance::k_patience;
-    return island.member_count() <= rest_tolerance::k_most_whole && depth < rest_tolerance::k_patience &&
+    const int most = strikes_at_start(island) && !is_lossless(island) ? rest_tolerance::k_quick_rounds
+                                                                      : rest_tolerance::k_most_parts;
+    return island.member_count() <= rest_tolerance::k_most_whole && depth < rest_tolerance::k_most_parts &&
            parts_made_ < most;
 }
 
@@ -325,7 +347,9 @@ void RestEngine::note_again(const Island& island, Again& again)
 
 void RestEngine::find_pairs_of(Again& again, std::span<const int> pairs)
 {
-    // A pair belongs to the part that both its bodies belong to, or the one that moves
+    // A pair belongs to the part that both its bodies belong to, or the one that moves. The list may hold more than
+    // those that may touch, which depends on when it was made
+    const bool is_first = pairs.empty();
     const auto part_of = [&](const RestPair& pair) {
         const int a = part_of_[pair.a];
         const int b = part_of_[pair.b];
@@ -334,12 +358,12 @@ void RestEngine::find_pairs_of(Again& again, std::span<const int> pairs)
         return a == b ? a : -1;
     };
     const auto each = [&](auto&& act) {
-        const int count = static_cast<int>(pairs.empty() ? data_.pairs.pairs().size() : pairs.size());
+        const int count = static_cast<int>(is_first ? data_.pairs.pairs().size() : pairs.size());
         for (int k = 0; k < count; ++k) {
-            const int pair = pairs.empty() ? k : pairs[k];
+            const int pair = is_first ? k : pairs[k];
             const int part = part_of(data_.pairs.pairs()[pair]);
-            // The list may hold more, which depends on when it was made
-            if (part >= 0 && is_near_[pair]) act(pair, again.parts[part]);
+            if (part >= 0 && (!is_first || may_touch(data_, data_.pairs.pairs()[pair], farthest_)))
+                act(pair, again.parts[part]);
         }
     };
     each([](int, Again::Part& part) { ++part.pair_count; });
@@ -377,8 +401,9 @@ void RestEngine::make_parts(int depth)
             before = length;
             measure_reach(members);
             found_.clear();
-            for (const int pair : pairs) (void)find_contacts(data_, pair, found_);
-            split_and_solve(members, depth + 1);
+            for (const int pair : pairs) find_contacts(data_, pair, found_);
+            islands_.split(data_, members, found_);
+            solve_islands(depth + 1);
             finish_islands(depth + 1, pairs);
             make_parts(depth + 1);
         }

@@ -32,8 +32,9 @@ inline constexpr double k_tall = 17.0 / 16.0;
 /// slip is a slide.
 inline constexpr double k_blow = 0x1p-10;
 
-/// [steps] What closes so soon closes now.
-inline constexpr double k_at_once = 0x1p-20;
+/// [steps] What closes so soon closes now: less than it takes to pass a gap of 1e-9 m, so that each ball of a row is
+/// struck in its turn.
+inline constexpr double k_at_once = 0x1p-32;
 
 /// [sine] Normals of static contacts this near to each other lead the same way.
 inline constexpr double k_same_normal = 0x1p-10;
@@ -41,8 +42,9 @@ inline constexpr double k_same_normal = 0x1p-10;
 /// [sizes] Gaps below this, of either sign, are contact.
 inline constexpr double k_touch = 0x1p-40;
 
-/// [sizes] A gap this small at the moment that was foreseen for its closing is closed.
-inline constexpr double k_closed = 0x1p-16;
+/// [sizes] A gap this small at the moment that was foreseen for its closing is closed. The kink between two facets of a
+/// bowl opens less than a hundred times that over the length of a facet, where there are some thousands of them.
+inline constexpr double k_closed = 0x1p-20;
 
 /// [sizes] Points of two looks this near to each other are one, whatever the names of their features.
 inline constexpr double k_same_place = 0x1p-5;
@@ -58,8 +60,7 @@ inline constexpr double k_fair_overlap = 0x1p-9;
 inline constexpr double k_rounding = 0x1p-46;
 
 /// Rounds of what ends by itself after a few, or never: impacts at one moment, steps of the interior point, pieces of a
-/// path that begins near its end, parts of a step. A blow that runs through a row against the order of its pairs takes
-/// a round for each of them; elastic bodies packed between walls would go on for ever.
+/// path that begins near its end. Elastic bodies packed between walls would go on for ever.
 inline constexpr int k_patience = 64;
 
 /// Rounds of what is right after one or two, or after many: Newton's steps; and the parts of a step of many bodies.
@@ -213,6 +214,10 @@ inline constexpr double k_standing = 4.0;
 // [rest.solve.limits]
 
 // ---- Parts of steps (rest_step)
+/// Parts of the step of a small island, each up to its next impact. A ball that rolls through a bowl of facets takes
+/// three for every kink, of which there are dozens in a step; a blow that runs through a row of balls, some for each.
+inline constexpr int k_most_parts = 256;
+
 /// [steps] Shorter parts of a step are not cut again: an island takes what comes out.
 inline constexpr double k_shortest_part = 0x1p-10;
 

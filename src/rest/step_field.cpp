@@ -87,14 +87,15 @@ void fly(RestData& data, Island& island)
     set_free(data, island, data.motion.before, data.motion.span);
     if (!data.options.centre) return;
     for (const int member : island.members) {
-        const BodyState& s = data.bodies.list[member].state;
-        const Vec2 x = s.position - data.options.centre->centre;
+        const Vec2 x = data.bodies.list[member].state.position - data.options.centre->centre;
         if (!data.motion.is_moved(member) || x.isZero(0.0)) continue;
-        const PointMotion end = KeplerFlight({x, s.velocity}, data.options.centre->mu).after(data.motion.span);
+        const Mover& start = data.motion.before[member];
+        const PointMotion end =
+            KeplerFlight({x, Vec2(start.v_x, start.v_y)}, data.options.centre->mu).after(data.motion.span);
         data.motion.now[member].v_x = end.velocity.x();
         data.motion.now[member].v_y = end.velocity.y();
         data.motion.shift[member] = end.position - x;
-        data.motion.turn[member] = data.motion.span * s.spin;
+        data.motion.turn[member] = data.motion.span * start.spin;
         island.has_ways = true;
     }
 }

@@ -90,8 +90,8 @@ TEST_CASE("a pile of 64 polygons settles with few solves a step, and stays where
     const std::int64_t before = engine.solve_counts().factorisations;
     const double energy = energy_of(engine);
     engine.advance(8.0);
-    // Impacts are solved for by themselves: measured 223 a step while the pile lands
-    CHECK(before < 240 * 280);
+    // Impacts are solved for by themselves, each at its moment: measured 283 a step while the pile lands
+    CHECK(before < 240 * 350);
     CHECK(engine.solve_counts().factorisations - before < 240 * 200);
     CHECK(energy_of(engine) <= energy);
     CHECK(energy_of(engine) > 0.98 * energy);

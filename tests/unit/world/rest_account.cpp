@@ -49,20 +49,18 @@ TEST_CASE("a stack is solved to rounding, island by island, and nothing else is 
 
 TEST_CASE("what is done to islands besides is counted where it has to be done")
 {
-    // More bodies than are solved whole, on the move: sweeps
+    // More bodies than are solved whole, on the move: sweeps, which leave overlap to the projection
     Scene heap = room(20.0);
     for (int k = 0; k < 440; ++k) heap.bodies.push_back(disc(0.45, {0.55 + 0.95 * (k % 20), 0.46 + 0.93 * (k / 20)}));
     World world = world_of(heap);
     run(world, 1.0);
     CHECK(world.report().rest.value().swept > 0);
+    CHECK(world.report().rest.value().projected > 0);
 
-    // A box that slides down the edge of a step, and strikes within steps: parts. Its corner turns into what it lies on
-    // by more than a touch: projection
+    // A box that slides down the edge of a step, and strikes within steps: parts
     Scene edge = room(8.0);
     edge.bodies = {still(rectangle(2.0, 1.0, {1.0, 0.5})), rectangle(1.0, 0.5, {1.9, 1.25}, {0.9, 0.0})};
     World tips = world_of(edge);
     run(tips, 3.0);
-    const RestAccount rest = tips.report().rest.value();
-    CHECK(rest.parts > 0);
-    CHECK(rest.projected > 0);
+    CHECK(tips.report().rest.value().parts > 0);
 }
