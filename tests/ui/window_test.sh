@@ -511,6 +511,11 @@ else
 fi
 choose scene End Return
 expect "list of scenes" 's.scene === "billiard"'
+choose scene End Up Up Up Up Up Up Return
+expect "list of scenes: a gas" 's.scene === "gas" && s.bodies.length > 2'
+seen=$(value 'JSON.stringify(s.bodies.map(b => [b.x, b.y]))')
+choose scene End Up Up Up Up Up Up Return
+expect "list of scenes: the same kind again is another scene" "s.scene === 'gas' && JSON.stringify(s.bodies.map(b => [b.x, b.y])) !== '$seen' && s.time < 60"
 
 close_window q
 
