@@ -22,17 +22,21 @@
         },
         setup: (p, ask, run) => {
             const ring = run.shape(0).rings[0];
-            return { mean: [0, 1].map((k) => ring.reduce((sum, corner) => sum + corner[k], 0) / ring.length) };
+            const turn = (p.angle * Math.PI) / 180;
+            const flight = ask('toss', [p.speed * Math.cos(turn), p.speed * Math.sin(turn), 9.81, 0.02, 2, 1.4]).engine;
+            return { curve: Array.from({ length: flight.length / 5 }, (_, k) => flight.slice(5 * k + 3, 5 * k + 5)), mean: [0, 1].map((k) => ring.reduce((sum, corner) => sum + corner[k], 0) / ring.length) };
         },
         draw: (stage, t, s, p, run) => {
             const state = run.states()[0];
+            stage.line(s.curve, stage.ink, { width: 1.4, dash: [5, 4], alpha: 0.6 });
             stage.body(run.shapes[0], state, { colour: stage.colour(4), alpha: 0.5 });
             stage.dot(state, stage.colour(2), 7);
             stage.dot(mean(s, state), stage.colour(1), 5.5);
         },
         trails: (t, s, p, run) => { const state = run.states()[0]; return [state, mean(s, state)]; },
         trailColours: [2, 1],
-        legend: [['body', 2, 'centre of mass: flies a parabola'], ['body', 1, 'mean of the corners: wobbles']],
+        legend: [['body', 2, 'centre of mass: flies a parabola'], ['body', 1, 'mean of the corners: wobbles'],
+            ['dashes', 'ink', 'the parabola, in closed form']],
         readout: (t, s, p, run) => [['the two are apart by', short(Math.hypot(...s.mean)) + ' m'], ['turned', short((run.states()[0][2] * 180) / Math.PI) + '°']]
     });
 
