@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <numbers>
 #include <string>
@@ -54,7 +52,7 @@ std::optional<BodyDef> drawn_body(const std::vector<Vec2>& points)
     return body;
 }
 
-/// What was found, for one who drew it by hand: no number has more than three decimals.
+/// A message about what was drawn by hand: its numbers have three decimals at most.
 std::string rounded_numbers(std::string_view text)
 {
     std::string rounded;
@@ -119,7 +117,7 @@ void close_drawing(Stage& stage)
     const Expected<CentredPolygon> polygon = make_polygon(hand.points);
     if (!polygon) {
         const Fault& fault = polygon.faults().front();
-        stage.say(fmt::format("No polygon yet: {}; {} expected", rounded_numbers(fault.found), fault.expected), true);
+        stage.say("No polygon yet: " + rounded_numbers(fault.found + ", expected " + fault.expected), true);
         return;
     }
     const std::optional<BodyDef> body = new_body(stage);

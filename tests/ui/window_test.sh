@@ -117,10 +117,15 @@ press_control() {
     # shellcheck disable=SC2086
     xdotool mousemove $place click 1
 }
-choose() { # control keys...: of a list that drops down
+windows() { xdotool search --onlyvisible --class . 2>/dev/null | wc -l; }
+choose() { # control keys...: of a list that drops down, in a window of its own
+    local before k
+    before=$(windows)
     press_control "$1"
     shift
+    for ((k = 0; k < 100; ++k)); do (($(windows) <= before)) || break; sleep 0.1; done
     xdotool key --delay 100 "$@"
+    for ((k = 0; k < 100; ++k)); do (($(windows) > before)) || break; sleep 0.1; done
 }
 dialog() { # title [path]: answer a dialog for files, or escape from it
     local other k

@@ -375,7 +375,10 @@
             if (!module) {
                 if (figure.dataset.recorded !== 'no') {
                     load(`traces/${figure.dataset.trace}.js`).then(() => home.FlyingRecording.start(figure), () => {});
-                } else if (!figure.querySelector('.still')) {
+                } else if (figure.dataset.still) {
+                    const canvas = figure.querySelector('canvas');
+                    canvas.before(make('img', { class: 'still', src: figure.dataset.still, alt: canvas.getAttribute('aria-label') }));
+                } else {
                     figure.querySelector('canvas').replaceWith(make('p', { class: 'fault', role: 'alert' }, `The engine can't run here: ${figure.dataset.why}.`));
                 }
                 continue;
