@@ -105,8 +105,9 @@ function inspect() {
     return [...found, ...pale];
 }
 
-// What a page loads, its pictures included, as a server sends it: text packed by gzip, the rest as it is. [kB]
-const HEAVIEST = 800;
+// What a page loads, its pictures included, as a server sends it: text packed by gzip, the rest as it is. Half of the bound is
+// the engine: whoever makes a page heavier than the heaviest is today should know it. [kB]
+const HEAVIEST = 900;
 const packed = new Map();
 async function weigh(browser) {
     const pictures = await browser.ask('[...document.images].map((image) => image.src)');
