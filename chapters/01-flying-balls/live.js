@@ -69,6 +69,7 @@
         },
         trails: (t, s) => s.at(t).map(([, x, y]) => [x, y]),
         trailLength: 50,
+        legend: [['line', 0, 'where a ball has just been']],
         readout: (t, s) => [['energy of all, at 1 kg each', s.energy(t).toPrecision(12) + ' J']],
         strip: { label: 'energy, in joules', value: (t, s) => s.energy(t) }
     });

@@ -58,6 +58,7 @@
         view: [-0.3, -0.3, 25.3, 13.2],
         until: 6,
         setup: (p, ask) => ({ places: ask('rooms', [p.count, p.speed, 6]).engine }),
+        legend: [['body', 0, 'a disc, in the same colour in both rooms']],
         strip: { label: 'deepest overlap on the right, in metres', colour: 1, value: (t, s, p) => deepest(roomAt(s, p, t, 1)) },
         readout: (t, s, p) => [['deepest overlap on the left', short(deepest(roomAt(s, p, t, 0))) + ' m'],
             ['on the right', short(deepest(roomAt(s, p, t, 1))) + ' m']],

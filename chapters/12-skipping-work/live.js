@@ -32,6 +32,11 @@
             for (const [of, by] of [[run, 0], [s.other, shift]])
                 of.states().forEach(([x, y, angle], k) => stage.body(run.shapes[k], [x + by, y, angle], { colour: stage.colour(k), isFixed: run.isStatic(k) }));
         },
+        legend: [['body', 0, 'a body, in the same colour on both sides']],
+        strip: { label: 'distance between the two runs, in metres', colour: 1, value: (t, s, p, run) => {
+            const others = s.other.states();
+            return run.states().reduce((sum, [x, y], k) => sum + Math.hypot(x - others[k][0], y - others[k][1]), 0);
+        } },
         readout: (t, s, p, run) => {
             const skip = run.plan().find((one) => one.name === p.off);
             return [['log on the left', run.logHash], ['log on the right', s.other.logHash],
