@@ -224,10 +224,10 @@
             let low = Math.min(...values, this.zero ? 0 : Infinity);
             let high = Math.max(...values, this.zero ? 0 : -Infinity);
             if (!points.length) [low, high] = [0, 1];
-            if (high - low < 1e-300) high = low + 1;
 
-            // On a narrow page the figure's size stands under the label, and the strip is higher
+            // On a narrow page the greatest value is written under the label, and the strip is higher
             const size = points.length ? 'up to ' + short(Math.abs(high) > Math.abs(low) ? high : low) : '';
+            if (high - low < 1e-300) high = low + 1;
             c.font = font;
             const isNarrow = c.measureText(this.label).width + c.measureText('up to \u2212' + short(1.1e-10)).width + 24 > width;
             const above = isNarrow ? 36 : 20;
