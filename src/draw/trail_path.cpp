@@ -13,8 +13,9 @@ namespace flying {
 namespace {
 
 constexpr double k_farthest = 1e5; ///< a way that is longer is a leap, not a way [pixels]
-constexpr double k_straight = 0.1; ///< a point that is no farther from the way between its neighbours is left out [pixels]
-constexpr double k_bend = 0.87;    ///< cosine of the turn beyond which two ways are joined by a disc
+constexpr double k_straight =
+    0.1;                        ///< a point that is no farther from the way between its neighbours is left out [pixels]
+constexpr double k_bend = 0.87; ///< cosine of the turn beyond which two ways are joined by a disc
 
 struct Knot
 {
@@ -29,7 +30,8 @@ std::vector<Knot> knots_of(const Trail& trail, const ViewMap& map)
     std::vector<Knot> knots;
     std::size_t skipped = 0;
     for (std::size_t k = 0; k < count; ++k) {
-        const Knot knot{map(trail.points[k]), 0.5 * trail.width * map.scale * static_cast<double>(k) / static_cast<double>(count - 1)};
+        const Knot knot{map(trail.points[k]),
+                        0.5 * trail.width * map.scale * static_cast<double>(k) / static_cast<double>(count - 1)};
         if (!knots.empty() && knot.at == knots.back().at) continue;
 
         // Where the last knot lies on the way from the one before it to this one, this one takes its place
@@ -98,7 +100,8 @@ void add_trail_path(cairo_t* cairo, const Trail& trail, const ViewMap& map)
             const Vec2 after = knots[k + 1].at - knots[k].at;
             const double turn = before.normalized().dot(after.normalized());
             // A gentle bend needs no joint, unless the ribbon is wider than its ways are long
-            const bool is_gentle = turn > k_bend && knots[k].half * (1.0 - turn) < 0.25 * std::min(before.norm(), after.norm());
+            const bool is_gentle =
+                turn > k_bend && knots[k].half * (1.0 - turn) < 0.25 * std::min(before.norm(), after.norm());
             if (is_gentle && after.norm() <= k_farthest) continue;
         }
         add_ribbon(cairo, knots, first, k);

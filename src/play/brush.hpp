@@ -30,8 +30,8 @@ void rounded(cairo_t* cairo, const PixelBox& box, double radius);
 /// A panel to write on.
 void panel(cairo_t* cairo, const PixelBox& box, const Theme& theme);
 
-/// From one point to another, with a head that shrinks with it, added to the path: one fill for many costs half as much as
-/// one each.  width  of the shaft [pixels]
+/// From one point to another, with a head that shrinks with it, added to the path: many can be one fill.
+/// width  of the shaft [pixels]
 void add_arrow(cairo_t* cairo, const Vec2& from, const Vec2& to, double width);
 /// The same, filled.
 void arrow(cairo_t* cairo, const Vec2& from, const Vec2& to, double width);

@@ -189,7 +189,8 @@ std::vector<NextImpact> next_impacts(const World& world, const Inside& inside, s
     for (int k = 0; k < all; ++k) {
         const Flyer& flyer = flyers[static_cast<std::size_t>(k)];
         const bool is_flyer = flies(world, k);
-        arounds.push_back({flyer.state.position, bounding_radius(shape_of(k)) + (is_flyer ? reach_of(flyer, world, within) : 0.0), is_flyer});
+        arounds.push_back({flyer.state.position,
+                           bounding_radius(shape_of(k)) + (is_flyer ? reach_of(flyer, world, within) : 0.0), is_flyer});
     }
 
     // Of pairs that may come together in time

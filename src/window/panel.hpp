@@ -34,8 +34,9 @@ public:
     /// Where the controls are, as JSON by their texts: {"Pause": [x, y], ...}, for who plays by a program.
     /// within  the widget whose pixels these are
     [[nodiscard]] std::string places(Gtk::Widget& within) const;
-    /// The scene that is shown as chosen, by its path. One that the list hasn't got, a file from elsewhere or a scene generated
-    /// anew, gets an entry of its own at the top, until another is played.
+    /// The scene that is shown as chosen, by its path. One that the list hasn't got, a file from elsewhere or a scene
+    /// generated anew, gets an entry of its own at the top, until another is played.
+    ///
     /// words  what that entry says
     void show_scene(const std::string& scene, const std::string& words);
 

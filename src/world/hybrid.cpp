@@ -425,7 +425,8 @@ bool Hybrid::is_within_step(int body) const
 
 std::optional<double> Hybrid::step_end() const
 {
-    const bool is_under_way = step_ends_ && clock_ - resting_->time() > k_same_moment * tolerance::k_epsilon * std::abs(clock_);
+    const bool is_under_way =
+        step_ends_ && clock_ - resting_->time() > k_same_moment * tolerance::k_epsilon * std::abs(clock_);
     return is_under_way ? step_ends_ : std::nullopt;
 }
 

@@ -2,9 +2,9 @@
 //
 //   flying_layers [SCENE]
 //
-// Milliseconds of a frame, for one layer after the other and for all at once: what it takes to move on (median), and to paint
-// (median, and what a tenth of the frames stay below: where other programs run besides, they interrupt whatever takes longer
-// than their share of a few milliseconds, so run it by the real-time scheduler there, chrt -r 5).
+// Milliseconds of a frame, for one layer after the other and for all at once: what it takes to move on (median), and to
+// paint (median, and what a tenth of the frames stay below: where other programs run besides, they interrupt whatever
+// takes longer than their share of a few milliseconds, so run it by the real-time scheduler there, chrt -r 5).
 
 #include <algorithm>
 #include <cstdio>
@@ -50,7 +50,8 @@ void measure(Stage& stage, cairo_surface_t* surface, const std::string& what)
         moving.push_back(moved - started);
         painting.push_back(painted - moved);
     }
-    std::printf("%-22s %8.2f %8.2f %8.2f\n", what.c_str(), quantile(moving, 0.5), quantile(painting, 0.5), quantile(painting, 0.1));
+    std::printf("%-22s %8.2f %8.2f %8.2f\n", what.c_str(), quantile(moving, 0.5), quantile(painting, 0.5),
+                quantile(painting, 0.1));
 }
 
 } // namespace

@@ -133,8 +133,8 @@ TEST_CASE("a trail has one shade everywhere, along straight ways, round bends, a
         for (int k = 1; k <= 8; ++k) trail.points.push_back(from + k / 8.0 * (to - from));
     };
     go(Vec2(-4, -4));
-    go(Vec2(4, -4)); // straight ...
-    go(Vec2(4, 0));  // ... round a corner ...
+    go(Vec2(4, -4));                // straight ...
+    go(Vec2(4, 0));                 // ... round a corner ...
     for (int k = 1; k <= 24; ++k) { // ... round a bend ...
         const double turn = k / 24.0 * 3.141592653589793;
         trail.points.push_back(Vec2(2.0 + 2.0 * std::cos(turn), 2.0 * std::sin(turn)));
@@ -152,7 +152,8 @@ TEST_CASE("a trail has one shade everywhere, along straight ways, round bends, a
         return true;
     };
     // Within it, and at most as much beside it as the widest place is wide
-    for (const Vec2& at : {Vec2(1, -4), Vec2(3.9, -3.9), Vec2(4, -2), Vec2(2, 2), Vec2(2 + std::sqrt(2.0), std::sqrt(2.0)), Vec2(0, -1), Vec2(0, 0.9)}) {
+    for (const Vec2& at : {Vec2(1, -4), Vec2(3.9, -3.9), Vec2(4, -2), Vec2(2, 2),
+                           Vec2(2 + std::sqrt(2.0), std::sqrt(2.0)), Vec2(0, -1), Vec2(0, 0.9)}) {
         CAPTURE(at.transpose());
         CHECK(near_shade(at));
     }
