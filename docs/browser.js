@@ -17,6 +17,7 @@ class Browser {
         this.child.on('error', (error) => { throw new Error(`no chromium: ${error.message}`); });
         this.waiting = new Map();
         this.errors = [];
+        this.loaded = new Set();
         this.count = 0;
         let rest = '';
         this.child.stdio[4].on('data', (data) => {
@@ -32,6 +33,8 @@ class Browser {
             this.waiting.delete(id);
             if (error) failed(new Error(error.message));
             else done(result);
+        } else if (method === 'Network.requestWillBeSent') {
+            this.loaded.add(params.request.url.replace(/[?#].*/, ''));
         } else if (method === 'Runtime.exceptionThrown') {
             this.errors.push(params.exceptionDetails.exception?.description || params.exceptionDetails.text);
         } else if (method === 'Log.entryAdded' && params.entry.level === 'error') {
@@ -53,7 +56,7 @@ class Browser {
         const { targetInfos } = await this.send('Target.getTargets');
         const { targetId } = targetInfos.find(({ type }) => type === 'page');
         this.session = (await this.send('Target.attachToTarget', { targetId, flatten: true })).sessionId;
-        for (const domain of ['Page', 'Runtime', 'Log']) await this.send(`${domain}.enable`);
+        for (const domain of ['Page', 'Runtime', 'Log', 'Network']) await this.send(`${domain}.enable`);
     }
 
     size(width, height, mobile = false) {
@@ -64,8 +67,10 @@ class Browser {
         return this.send('Emulation.setEmulatedMedia', { features: Object.entries(features).map(([name, value]) => ({ name, value })) });
     }
 
+    // What the page loads from then on is in `loaded`
     async go(address) {
         this.errors = [];
+        this.loaded = new Set();
         await this.send('Page.navigate', { url: address });
     }
 

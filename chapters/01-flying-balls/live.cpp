@@ -49,13 +49,14 @@ Answer toss(std::span<const double> of)
     return answer;
 }
 
-/// count, g, share of the speeds, time -> for each ball: radius, x, y, angle.
+/// count, g, share of the speeds, time -> energy of all at 1 kg each, without what turning holds; then for each ball:
+/// radius, x, y, angle.
 Answer box(std::span<const double> of)
 {
     const int count = static_cast<int>(std::clamp(of[0], 1.0, 100.0));
     const Vec2 g(0.0, -of[1]);
     Random random(7);
-    Answer answer;
+    Answer answer{{0.0}, {}};
     for (int k = 0; k < count; ++k) {
         const double radius = random.uniform(0.12, 0.26);
         BodyState ball;
@@ -64,6 +65,7 @@ Answer box(std::span<const double> of)
         ball.spin = random.uniform(-4.0, 4.0);
         const BodyState now =
             walls::fly_between(ball, walls::box_walls(Vec2(0.0, 0.0), Vec2(8.0, 4.5), radius), g, of[3]);
+        answer.engine.front() += 0.5 * now.velocity.squaredNorm() - g.dot(now.position);
         answer.engine.insert(answer.engine.end(), {radius, now.position.x(), now.position.y(), now.angle});
     }
     return answer;

@@ -61,13 +61,17 @@
         },
         view: [-0.1, -0.1, 8.1, 4.6],
         until: 30,
-        setup: (p, ask) => ({ at: (t) => rows(ask('box', [p.count, p.g, p.speed, t]).engine, 4) }),
+        setup: (p, ask) => ({ at: (t) => rows(ask('box', [p.count, p.g, p.speed, t]).engine.slice(1), 4),
+            energy: (t) => ask('box', [p.count, p.g, p.speed, t]).engine[0] }),
         draw: (stage, t, s) => {
             stage.walls([0, 0, 8, 4.5]);
             s.at(t).forEach(([radius, x, y, angle], k) => stage.body({ radius }, [x, y, angle], { colour: stage.colour(k) }));
         },
         trails: (t, s) => s.at(t).map(([, x, y]) => [x, y]),
-        trailLength: 50
+        trailLength: 50,
+        legend: [['line', 0, 'where a ball has just been']],
+        readout: (t, s) => [['energy of all, at 1 kg each', s.energy(t).toPrecision(12) + ' J']],
+        strip: { label: 'energy, in joules', value: (t, s) => s.energy(t) }
     });
 
     flyingLive('01-flying-balls/orbits', {

@@ -31,8 +31,8 @@
             };
             push(0, p.push, stage.colour(0));
             push(1.9, 1, stage.colour(2));
-            stage.words([0, -0.17], 'pushed where you say', { align: 'left', colour: stage.soft, size: 13 });
-            stage.words([1.9, -0.17], 'pushed at the handle', { align: 'left', colour: stage.soft, size: 13 });
+            stage.words([-0.85, -0.17], 'pushed where you say', { align: 'left', colour: stage.soft, size: 13 });
+            stage.words([3.35, -0.17], 'pushed at the handle', { align: 'right', colour: stage.soft, size: 13 });
         },
         readout: (t, s, p) => {
             const [inertia, felt, angle] = s.at(t, p.push);

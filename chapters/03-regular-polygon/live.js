@@ -26,7 +26,7 @@
             return [['moment of inertia beside the disc', '+' + short(100 * (share - 1)) + ' %'],
                 ['behind by', short(((disc - angle) * 180) / Math.PI) + '°']];
         },
-        legend: [['body', 1, 'the polygon'], ['body', 0, 'the disc of the same mass and area'], ['ghost', 'ink', 'where the disc\u2019s mark is']],
+        legend: [['body', 1, 'the polygon'], ['body', 0, 'the disc of the same mass and area'], ['dashes', 'ink', 'where the disc\u2019s mark is']],
         strip: { label: 'how far the polygon is behind, in turns', colour: 1, value: (t, s) => { const [, a, b] = s.at(t); return (b - a) / (2 * Math.PI); } }
     });
 })();

@@ -22,17 +22,28 @@
         },
         setup: (p, ask, run) => {
             const ring = run.shape(0).rings[0];
-            return { mean: [0, 1].map((k) => ring.reduce((sum, corner) => sum + corner[k], 0) / ring.length) };
+            const turn = (p.angle * Math.PI) / 180;
+            const velocity = [p.speed * Math.cos(turn), p.speed * Math.sin(turn)];
+            const flight = ask('toss', [...velocity, 9.81, 0.02, 2, 1.4]).engine;
+            const exact = (t) => (t > 0 ? ask('toss', [...velocity, 9.81, t, 2, t]).engine.slice(8, 10) : [0, 0]);
+            return { exact, curve: Array.from({ length: flight.length / 5 }, (_, k) => flight.slice(5 * k + 3, 5 * k + 5)), mean: [0, 1].map((k) => ring.reduce((sum, corner) => sum + corner[k], 0) / ring.length) };
         },
         draw: (stage, t, s, p, run) => {
             const state = run.states()[0];
+            stage.line(s.curve, stage.ink, { width: 1.4, dash: [5, 4], alpha: 0.6 });
             stage.body(run.shapes[0], state, { colour: stage.colour(4), alpha: 0.5 });
             stage.dot(state, stage.colour(2), 7);
             stage.dot(mean(s, state), stage.colour(1), 5.5);
         },
         trails: (t, s, p, run) => { const state = run.states()[0]; return [state, mean(s, state)]; },
         trailColours: [2, 1],
-        legend: [['body', 2, 'centre of mass: flies a parabola'], ['body', 1, 'mean of the corners: wobbles']],
+        strip: { label: 'from the centre to the parabola, in metres', colour: 2, value: (t, s, p, run) => {
+            const [x, y] = run.states()[0];
+            const [ex, ey] = s.exact(t);
+            return Math.hypot(x - ex, y - ey);
+        } },
+        legend: [['body', 2, 'centre of mass: flies a parabola'], ['body', 1, 'mean of the corners: wobbles'],
+            ['dashes', 'ink', 'the parabola, in closed form']],
         readout: (t, s, p, run) => [['the two are apart by', short(Math.hypot(...s.mean)) + ' m'], ['turned', short((run.states()[0][2] * 180) / Math.PI) + '°']]
     });
 

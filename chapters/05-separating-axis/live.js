@@ -54,6 +54,10 @@
             ['ghost', 'ink', 'where it leads'], ['dot', 6, 'contact points']]
     });
 
+    // Where a step's places begin, and how far two squares that meet head on are inside each other
+    const stepAt = (s, p, t) => 8 * Math.min(Math.floor(t * p.steps + 1e-9), s.places.length / 8 - 1);
+    const overlap = (s, k) => Math.max(0, 1 - Math.abs(s.places[k + 2] - s.places[k]));
+
     flyingLive('05-separating-axis/head-on', {
         controls: {
             speed: { label: 'speed', min: 0.3, max: 6, step: 0.1, value: 1, unit: 'm/s' },
@@ -64,7 +68,7 @@
         speed: 0.5,
         setup: (p, ask) => ({ places: ask('head-on', [p.speed, p.steps, 2]).engine }),
         draw: (stage, t, s, p) => {
-            const k = 8 * Math.min(Math.floor(t * p.steps + 1e-9), s.places.length / 8 - 1);
+            const k = stepAt(s, p, t);
             const square = { rings: [[[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]]] };
             for (let body = 0; body < 4; ++body)
                 stage.body(square, [s.places[k + 2 * body], s.places[k + 2 * body + 1] + (body < 2 ? 1.8 : 0)],
@@ -72,6 +76,8 @@
             stage.words([-2.9, 2.48], 'greatest separation', { colour: stage.soft, size: 13 });
             stage.words([-2.9, 0.68], 'nearest edge', { colour: stage.soft, size: 13 });
         },
+        readout: (t, s, p) => [['overlap above', short(overlap(s, stepAt(s, p, t))) + ' m'], ['below', short(overlap(s, stepAt(s, p, t) + 4)) + ' m']],
+        strip: { label: 'overlap of the lower pair, in metres', colour: 1, value: (t, s, p) => overlap(s, stepAt(s, p, t) + 4) },
         legend: [['body', 0, 'flies to the right'], ['body', 1, 'flies to the left']]
     });
 })();

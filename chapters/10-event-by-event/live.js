@@ -14,6 +14,13 @@
     const BINS = 24;
     const WARM = 1; // until then the lattice is still to be seen [s]
 
+    // The area between the bars and the curve, halved: of all speeds, how many lie in a wrong bar
+    function away(s) {
+        if (!s.total) return NaN;
+        const law = (k) => 0.5 * (s.density[3 * k + 1] + s.density[3 * k + 2]);
+        return s.counts.reduce((sum, count, k) => sum + 0.5 * Math.abs(count / s.total - law(k) * s.width), 0);
+    }
+
     flyingLive('10-event-by-event/gas', {
         controls: {
             side: { label: 'discs in a row', min: 4, max: 16, step: 1, value: 10, show: (n) => String(n) },
@@ -53,7 +60,7 @@
             stage.line([[left, y(0)], [right, y(0)]], stage.soft, { width: 1.4 });
             const now = t < WARM ? [] : s.counts;
             now.forEach((count, k) => {
-                const high = y(count / s.total / s.width);
+                const high = Math.min(y(count / s.total / s.width), length);
                 stage.area([[x(k * s.width), y(0)], [x((k + 0.92) * s.width), y(0)], [x((k + 0.92) * s.width), high], [x(k * s.width), high]], stage.colour(0), 0.55);
             });
             stage.line(s.curve.map((v, k) => [x(v), y(s.density[k])]), stage.colour(1), { width: 2.4 });
@@ -61,6 +68,7 @@
             if (t < WARM) stage.words([(left + right) / 2, 0.92 * length], 'counting begins at 1 s', { align: 'center', colour: stage.soft, size: 13 });
         },
         readout: (t, s, p, run) => [['impacts', String(run.collisions)], ['speeds counted', String(s.total)], ['energy', run.energy.toPrecision(12) + ' J']],
+        strip: { label: 'distance from the law, as a share of all speeds', colour: 1, value: (t, s) => away(s) },
         legend: [['body', 0, 'speeds counted so far'], ['line', 1, 'Maxwell\u2019s law, from the energy alone']]
     });
 })();

@@ -71,7 +71,8 @@
             speed: { label: 'speed of the ball', min: 0, max: 16, step: 0.5, value: 7.5, unit: 'm/s' },
             top: { label: 'top box heavier', min: 1, max: 200, step: 1, value: 1, show: (x) => String(x) + '×' },
             mu: { label: 'friction', min: 0, max: 1, step: 0.05, value: 0.5 },
-            step: { label: 'length of a step', options: STEPS, value: '1/60' }
+            step: { label: 'length of a step', options: STEPS, value: '1/60' },
+            warm: { label: 'warm start', check: true, value: true }
         },
         view: (p) => [-7, -0.6, 11, Math.max(7, p.boxes + 1)],
         until: 8,
@@ -79,7 +80,7 @@
             const bodies = Array.from({ length: p.boxes }, (_, k) => ({ rectangle: [1, 1], at: [0, k + 0.5], mass: k + 1 === p.boxes ? p.top : 1 }));
             if (p.speed > 0) bodies.push({ disc: 0.5, at: [-5, Math.max(0.6, p.boxes / 2)], velocity: [0.9 * p.speed, 0.44 * p.speed], mass: 2 });
             bodies.push({ rectangle: [60, 1], at: [0, -0.5], fixed: true });
-            return { engine: 'rest', step: seconds(p.step), text: flyingScene({ gravity: [0, -9.81], restitution: 0.2, friction: p.mu, bodies }) };
+            return { engine: 'rest', step: seconds(p.step), without: p.warm ? [] : ['warm-start'], text: flyingScene({ gravity: [0, -9.81], restitution: 0.2, friction: p.mu, bodies }) };
         },
         draw: (stage, t, s, p, run) => {
             stage.floor(0);

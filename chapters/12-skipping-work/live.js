@@ -10,7 +10,7 @@
             scene: { label: 'scene', options: SCENES, value: SCENES[0][0] },
             off: { label: 'turned off on the right', options: (module) => module.skips().map((name) => [name, name]), value: 'grid' }
         },
-        view: (p, s, run) => { const [left, bottom, right, top] = s.room; return [left - 0.2, bottom - 0.2, 2 * right - left + 1.4, top + 0.2]; },
+        view: (p, s, run) => { const [left, bottom, right, top] = s.room; return [left - 0.2, bottom - 0.2, 2 * right - left + 1.4, top + 0.12 * (top - bottom)]; },
         scene: (p, module) => ({ engine: 'events', text: module.generate(p.scene) }),
         setup: (p, ask, run, kept, module) => {
             if (kept.other) kept.other.close();
@@ -27,9 +27,16 @@
             const shift = right - left + 1;
             stage.walls(s.room);
             stage.walls([left + shift, bottom, right + shift, top]);
+            stage.words([(left + right) / 2, top + 0.06 * (top - bottom)], 'with all skips', { align: 'center', size: 13, colour: stage.soft });
+            stage.words([(left + right) / 2 + shift, top + 0.06 * (top - bottom)], 'without ' + p.off, { align: 'center', size: 13, colour: stage.soft });
             for (const [of, by] of [[run, 0], [s.other, shift]])
                 of.states().forEach(([x, y, angle], k) => stage.body(run.shapes[k], [x + by, y, angle], { colour: stage.colour(k), isFixed: run.isStatic(k) }));
         },
+        legend: [['body', 0, 'a body, in the same colour on both sides']],
+        strip: { label: 'distance between the two runs, in metres', colour: 1, value: (t, s, p, run) => {
+            const others = s.other.states();
+            return run.states().reduce((sum, [x, y], k) => sum + Math.hypot(x - others[k][0], y - others[k][1]), 0);
+        } },
         readout: (t, s, p, run) => {
             const skip = run.plan().find((one) => one.name === p.off);
             return [['log on the left', run.logHash], ['log on the right', s.other.logHash],

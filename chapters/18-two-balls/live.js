@@ -73,6 +73,7 @@
             stage.words([2.3, 0.78], String(run.collisions), { size: 30, align: 'center' });
         },
         readout: (t, s, p, run) => [['impacts', `${run.collisions} of ${s.most}`], ['energy', short(run.energy) + ' J']],
+        strip: { label: 'impacts so far', value: (t, s, p, run) => run.collisions },
         legend: [['body', 0, '1 kg'], ['body', 1, 'heavier by a power of 100'], ['ghost', 'ink', 'the folded straight line']]
     });
 })();

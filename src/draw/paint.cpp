@@ -6,6 +6,7 @@
 
 #include "draw/body_path.hpp"
 #include "draw/layout.hpp"
+#include "draw/trail_path.hpp"
 
 namespace flying {
 
@@ -17,6 +18,7 @@ constexpr double k_wall = 0.9;         ///< [units]
 constexpr double k_corner = 1.2;       ///< [units]
 constexpr double k_letters = 1.75;     ///< [units]
 constexpr double k_thinnest = 1.0;     ///< [pixels]
+constexpr std::size_t k_crowd = 150;   ///< more things than this are drawn with coarser edges
 constexpr double k_smallest_mark = 5.; ///< radius under which a body carries no marks [pixels]
 
 void use(cairo_t* cairo, const Colour& colour, double opacity = 1.0)
@@ -65,32 +67,10 @@ void paint_ground(cairo_t* cairo, const Picture& picture, const Layout& layout, 
     cairo_clip(cairo);
 }
 
-/// A comet's tail: one union of discs and of the strips between them, so that no overlap shows.
+/// As one fill, so that no overlap shows.
 void paint_trail(cairo_t* cairo, const Trail& trail, const ViewMap& map, const Theme& theme)
 {
-    const std::size_t count = trail.points.size();
-    if (count < 2) return;
-    for (std::size_t i = 0; i + 1 < count; ++i) {
-        const Vec2 from = map(trail.points[i]);
-        const Vec2 to = map(trail.points[i + 1]);
-        const double full = 0.5 * trail.width * map.scale;
-        const double half_from = full * static_cast<double>(i) / static_cast<double>(count - 1);
-        const double half_to = full * static_cast<double>(i + 1) / static_cast<double>(count - 1);
-        const Vec2 way = to - from;
-        const double length = way.norm();
-        if (!(length > 0.0) || length > 1e5) continue;
-        const Vec2 across = perp(way) / length;
-        cairo_new_sub_path(cairo);
-        for (const Vec2& corner : {Vec2(from + half_from * across), Vec2(from - half_from * across),
-                                   Vec2(to - half_to * across), Vec2(to + half_to * across)}) {
-            cairo_line_to(cairo, corner.x(), corner.y());
-        }
-        cairo_close_path(cairo);
-        cairo_new_sub_path(cairo);
-        // Turning the same way as the strip, or the winding rule would cut it out
-        cairo_arc(cairo, to.x(), to.y(), half_to, 0.0, 2.0 * std::numbers::pi);
-        cairo_close_path(cairo);
-    }
+    add_trail_path(cairo, trail, map);
     cairo_set_fill_rule(cairo, CAIRO_FILL_RULE_WINDING);
     use(cairo, body_colour(trail.colour, theme), 0.22);
     cairo_fill(cairo);
@@ -238,6 +218,13 @@ void paint_writing(cairo_t* cairo, const Picture& picture, const Layout& layout,
 
 } // namespace
 
+void smooth_edges(cairo_t* cairo, std::size_t things)
+{
+    const bool is_crowd = things > k_crowd;
+    cairo_set_antialias(cairo, is_crowd ? CAIRO_ANTIALIAS_FAST : CAIRO_ANTIALIAS_DEFAULT);
+    cairo_set_tolerance(cairo, is_crowd ? 0.3 : 0.1);
+}
+
 void paint(cairo_t* cairo, const Picture& picture, SurfaceSize size, const Theme& theme)
 {
     const Layout layout = layout_of(picture, size);
@@ -247,7 +234,9 @@ void paint(cairo_t* cairo, const Picture& picture, SurfaceSize size, const Theme
 
     cairo_save(cairo);
     paint_ground(cairo, picture, layout, theme);
+    smooth_edges(cairo, picture.trails.size());
     for (const Trail& trail : picture.trails) paint_trail(cairo, trail, layout.map, theme);
+    smooth_edges(cairo, 0);
     for (const DrawnBody& body : picture.bodies) {
         if (picture.has_shadows && is_in_sight(body, sight)) paint_shadow(cairo, body, layout);
     }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #include <cairo.h>
 
 #include "draw/palette.hpp"
@@ -38,6 +40,9 @@ struct ViewMap
 
 /// The map that `paint` uses for this picture on a surface of this size.
 [[nodiscard]] ViewMap view_map(const Picture& picture, SurfaceSize size);
+
+/// How finely edges are smoothed: where so many things are drawn that nobody looks at one, coarsely, in half the time.
+void smooth_edges(cairo_t* cairo, std::size_t things);
 
 /// Draw the whole picture, ground and all, on a surface of this size.
 /// cairo  fresh or restored to its initial transformation; its state comes back as it was

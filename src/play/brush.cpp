@@ -34,7 +34,7 @@ void panel(cairo_t* cairo, const PixelBox& box, const Theme& theme)
     cairo_stroke(cairo);
 }
 
-void arrow(cairo_t* cairo, const Vec2& from, const Vec2& to, double width)
+void add_arrow(cairo_t* cairo, const Vec2& from, const Vec2& to, double width)
 {
     const Vec2 way = to - from;
     const double length = way.norm();
@@ -44,20 +44,41 @@ void arrow(cairo_t* cairo, const Vec2& from, const Vec2& to, double width)
     const double head = std::min(4.5 * width, 0.6 * length);
     const double half = 0.5 * std::min(width, 0.3 * length);
     const Vec2 neck = to - head * along;
-    cairo_new_path(cairo);
+    cairo_new_sub_path(cairo);
     for (const Vec2& corner : {Vec2(from + half * across), Vec2(neck + half * across), Vec2(neck + 0.45 * head * across), to,
                                Vec2(neck - 0.45 * head * across), Vec2(neck - half * across), Vec2(from - half * across)}) {
         cairo_line_to(cairo, corner.x(), corner.y());
     }
     cairo_close_path(cairo);
+}
+
+void arrow(cairo_t* cairo, const Vec2& from, const Vec2& to, double width)
+{
+    cairo_new_path(cairo);
+    add_arrow(cairo, from, to, width);
     cairo_fill(cairo);
+}
+
+void add_dot(cairo_t* cairo, const Vec2& at, double radius)
+{
+    cairo_new_sub_path(cairo);
+    cairo_arc(cairo, at.x(), at.y(), radius, 0.0, 2.0 * std::numbers::pi);
+    cairo_close_path(cairo);
 }
 
 void dot(cairo_t* cairo, const Vec2& at, double radius)
 {
-    cairo_new_sub_path(cairo);
-    cairo_arc(cairo, at.x(), at.y(), radius, 0.0, 2.0 * std::numbers::pi);
+    add_dot(cairo, at, radius);
     cairo_fill(cairo);
+}
+
+void add_circle(cairo_t* cairo, const Vec2& at, double radius, double width)
+{
+    add_dot(cairo, at, radius + 0.5 * width);
+    if (radius <= 0.5 * width) return;
+    cairo_new_sub_path(cairo);
+    cairo_arc_negative(cairo, at.x(), at.y(), radius - 0.5 * width, 2.0 * std::numbers::pi, 0.0);
+    cairo_close_path(cairo);
 }
 
 void letters(cairo_t* cairo, double size, bool bold)
@@ -78,6 +99,32 @@ void text(cairo_t* cairo, double x, double y, std::string_view text)
     cairo_move_to(cairo, x, y);
     cairo_show_text(cairo, std::string(text).c_str());
     cairo_new_path(cairo); // or the next line would begin where the text has ended
+}
+
+Writing::Writing(cairo_t* cairo) : cairo_(cairo), font_(cairo_get_scaled_font(cairo)) {}
+
+double Writing::add_about(double x, double y, std::string_view text)
+{
+    cairo_glyph_t* glyphs = nullptr;
+    int count = 0;
+    const int size = static_cast<int>(text.size());
+    const cairo_status_t status =
+        cairo_scaled_font_text_to_glyphs(font_, 0.0, y, text.data(), size, &glyphs, &count, nullptr, nullptr, nullptr);
+    if (status != CAIRO_STATUS_SUCCESS) return 0.0;
+    cairo_text_extents_t extents{};
+    cairo_scaled_font_glyph_extents(font_, glyphs, count, &extents);
+    for (int k = 0; k < count; ++k) {
+        glyphs[k].x += x - 0.5 * extents.x_advance;
+        glyphs_.push_back(glyphs[k]);
+    }
+    cairo_glyph_free(glyphs);
+    return extents.x_advance;
+}
+
+void Writing::show()
+{
+    cairo_show_glyphs(cairo_, glyphs_.data(), static_cast<int>(glyphs_.size()));
+    glyphs_.clear();
 }
 
 } // namespace flying::brush

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string_view>
+#include <vector>
 
 #include <cairo.h>
 
@@ -29,11 +30,20 @@ void rounded(cairo_t* cairo, const PixelBox& box, double radius);
 /// A panel to write on.
 void panel(cairo_t* cairo, const PixelBox& box, const Theme& theme);
 
-/// From one point to another, with a head that shrinks with it.  width  of the shaft [pixels]
+/// From one point to another, with a head that shrinks with it, added to the path: many can be one fill.
+/// width  of the shaft [pixels]
+void add_arrow(cairo_t* cairo, const Vec2& from, const Vec2& to, double width);
+/// The same, filled.
 void arrow(cairo_t* cairo, const Vec2& from, const Vec2& to, double width);
 
-/// A disc, filled.
+/// A disc, added to the path.
+void add_dot(cairo_t* cairo, const Vec2& at, double radius);
+/// The same, filled.
 void dot(cairo_t* cairo, const Vec2& at, double radius);
+
+/// A circle as a fill by the winding rule, added to the path: a stroke would take three times as long.
+/// width  of its line, at most twice the radius [pixels]
+void add_circle(cairo_t* cairo, const Vec2& at, double radius, double width);
 
 /// Sets the letters' size for what follows. [pixels]
 void letters(cairo_t* cairo, double size, bool bold = false);
@@ -42,6 +52,22 @@ void letters(cairo_t* cairo, double size, bool bold = false);
 
 /// Text whose baseline begins there.
 void text(cairo_t* cairo, double x, double y, std::string_view text);
+
+/// Many short texts in the letters of the moment it was made, shown at once.
+class Writing
+{
+public:
+    explicit Writing(cairo_t* cairo);
+    /// Lay out a text about a point of its baseline; returns its width. [pixels]
+    double add_about(double x, double y, std::string_view text);
+    /// Show all of them in the present colour.
+    void show();
+
+private:
+    cairo_t* cairo_;
+    cairo_scaled_font_t* font_;
+    std::vector<cairo_glyph_t> glyphs_;
+};
 
 } // namespace brush
 } // namespace flying

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <numbers>
+#include <string>
+#include <string_view>
 
 #include "geometry/make_polygon.hpp"
 #include "math/orientation.hpp"
@@ -48,6 +50,20 @@ std::optional<BodyDef> drawn_body(const std::vector<Vec2>& points)
     body.shape = PolygonDef{points, {}};
     body.position = polygon.value().centroid;
     return body;
+}
+
+/// A message about what was drawn by hand: its numbers have three decimals at most.
+std::string rounded_numbers(std::string_view text)
+{
+    std::string rounded;
+    int decimals = -1; // so far, in a number's fraction; -1 elsewhere
+    for (const char c : text) {
+        const bool is_digit = c >= '0' && c <= '9';
+        if (!is_digit) decimals = c == '.' ? 0 : -1;
+        else if (decimals >= 0 && ++decimals > 3) continue;
+        rounded += c;
+    }
+    return rounded;
 }
 
 } // namespace
@@ -100,7 +116,8 @@ void close_drawing(Stage& stage)
     if (hand.points.empty()) return;
     const Expected<CentredPolygon> polygon = make_polygon(hand.points);
     if (!polygon) {
-        stage.say("No polygon yet: " + format_fault(polygon.faults().front()), true);
+        const Fault& fault = polygon.faults().front();
+        stage.say("No polygon yet: " + rounded_numbers(fault.found + ", expected " + fault.expected), true);
         return;
     }
     const std::optional<BodyDef> body = new_body(stage);

@@ -178,19 +178,34 @@ std::vector<NextImpact> next_impacts(const World& world, const Inside& inside, s
         return k < world.body_count() ? world.shape(k) : around[static_cast<std::size_t>(k - world.body_count())];
     };
 
+    // How far from where it is each may be met: asked once for each, not for each pair
+    struct Around
+    {
+        Vec2 place = Vec2::Zero();
+        double reach = 0.0;
+        bool flies = false;
+    };
+    std::vector<Around> arounds;
+    for (int k = 0; k < all; ++k) {
+        const Flyer& flyer = flyers[static_cast<std::size_t>(k)];
+        const bool is_flyer = flies(world, k);
+        arounds.push_back({flyer.state.position,
+                           bounding_radius(shape_of(k)) + (is_flyer ? reach_of(flyer, world, within) : 0.0), is_flyer});
+    }
+
     // Of pairs that may come together in time
     const double now = world.time();
     std::vector<NextImpact> impacts;
     for (int a = 0; a < world.body_count(); ++a) {
-        if (!flies(world, a)) continue;
+        const Around& around_a = arounds[static_cast<std::size_t>(a)];
+        if (!around_a.flies) continue;
         const Flyer& flyer_a = flyers[static_cast<std::size_t>(a)];
-        const double reach_a = reach_of(flyer_a, world, within) + bounding_radius(world.shape(a));
         for (int b = 0; b < all; ++b) {
-            if (b == a || (flies(world, b) && b < a)) continue;
+            const Around& around_b = arounds[static_cast<std::size_t>(b)];
+            if (b == a || (around_b.flies && b < a)) continue;
+            const double reach = around_a.reach + around_b.reach; // infinite for walls
+            if ((around_a.place - around_b.place).squaredNorm() > reach * reach) continue;
             const Flyer& flyer_b = flyers[static_cast<std::size_t>(b)];
-            const double radius_b = bounding_radius(shape_of(b));
-            const double reach = reach_a + radius_b + (flies(world, b) ? reach_of(flyer_b, world, within) : 0.0);
-            if (std::isfinite(radius_b) && (flyer_a.state.position - flyer_b.state.position).norm() > reach) continue;
             const Prediction next = predict(world.shape(a), flyer_a, shape_of(b), flyer_b, now);
             if (next.kind != Prediction::Kind::impact || next.time > now + within) continue;
             impacts.push_back({next.time, a, b, state_at(flyer_a, next.time).position, state_at(flyer_b, next.time).position});

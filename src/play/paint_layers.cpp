@@ -22,6 +22,12 @@ void line(cairo_t* cairo, const Vec2& from, const Vec2& to)
     cairo_line_to(cairo, to.x(), to.y());
 }
 
+/// Something about a point, so far out, may show.
+bool in_sight(const Stage& stage, const Vec2& at, double reach)
+{
+    return at.x() > -reach && at.y() > -reach && at.x() < stage.size.width + reach && at.y() < stage.size.height + reach;
+}
+
 void dashes(cairo_t* cairo, double length)
 {
     const double lengths[] = {length, length};
@@ -47,6 +53,7 @@ void paint_cells(cairo_t* cairo, const Stage& stage, const ViewMap& map, const T
     cairo_stroke(cairo);
 }
 
+/// Lines of whole pixels: they are sharp, and Cairo fills them without looking for their edges.
 void paint_boxes(cairo_t* cairo, const Stage& stage, const ViewMap& map)
 {
     for (const DrawnBody& body : stage.picture.bodies) {
@@ -54,11 +61,19 @@ void paint_boxes(cairo_t* cairo, const Stage& stage, const ViewMap& map)
         const Aabb box = bounding_box(body.shape, body.pose);
         const Vec2 low = map(box.min);
         const Vec2 high = map(box.max);
-        cairo_rectangle(cairo, low.x(), high.y(), high.x() - low.x(), low.y() - high.y());
+        const Vec2 middle = 0.5 * (low + high);
+        const double width = std::round(high.x() - low.x());
+        const double height = std::round(low.y() - high.y());
+        if (width < 2.0 || height < 2.0 || !in_sight(stage, middle, 0.5 * std::max(width, height))) continue;
+        const double left = std::round(low.x());
+        const double top = std::round(high.y());
+        cairo_rectangle(cairo, left, top, width, 1.0);
+        cairo_rectangle(cairo, left, top + height - 1.0, width, 1.0);
+        cairo_rectangle(cairo, left, top + 1.0, 1.0, height - 2.0);
+        cairo_rectangle(cairo, left + width - 1.0, top + 1.0, 1.0, height - 2.0);
     }
     brush::use(cairo, brush::k_blue, 0.9);
-    cairo_set_line_width(cairo, 1.0);
-    cairo_stroke(cairo);
+    cairo_fill(cairo);
 }
 
 /// Bodies of one island are tied together; each island has a colour of its own.
@@ -68,103 +83,127 @@ void paint_islands(cairo_t* cairo, const Stage& stage, const ViewMap& map, const
     const World& world = stage.run.world();
     const std::vector<int> groups = islands(world, contacts);
     const int count = world.body_count();
-    const auto colour_of = [&](int body) { return colours[static_cast<std::size_t>(groups[static_cast<std::size_t>(body)]) % std::size(colours)]; };
+    const auto group = [&](int body) { return body < count ? groups[static_cast<std::size_t>(body)] : -1; };
     cairo_set_line_width(cairo, 3.0);
-    for (const LeaningContact& contact : contacts) {
-        if (contact.a >= count || contact.b >= count) continue;
-        const int group_a = groups[static_cast<std::size_t>(contact.a)];
-        const int group_b = groups[static_cast<std::size_t>(contact.b)];
-        if (group_a < 0 || group_a != group_b) continue;
-        line(cairo, map(world.state(contact.a).position), map(world.state(contact.b).position));
-        brush::use(cairo, colour_of(contact.a));
+    for (int number = 0; number < static_cast<int>(std::size(colours)); ++number) {
+        const auto has_this_colour = [&](int body) { return group(body) >= 0 && group(body) % static_cast<int>(std::size(colours)) == number; };
+        brush::use(cairo, colours[number]);
+        for (const LeaningContact& contact : contacts) {
+            if (!has_this_colour(contact.a) || group(contact.a) != group(contact.b)) continue;
+            line(cairo, map(world.state(contact.a).position), map(world.state(contact.b).position));
+        }
         cairo_stroke(cairo);
-    }
-    for (int k = 0; k < count; ++k) {
-        if (groups[static_cast<std::size_t>(k)] < 0 || stage.run.world().is_static(k)) continue;
-        brush::use(cairo, colour_of(k));
-        brush::dot(cairo, map(stage.run.world().state(k).position), 5.0);
+        for (int k = 0; k < count; ++k) {
+            if (has_this_colour(k) && !world.is_static(k)) brush::add_dot(cairo, map(world.state(k).position), 5.0);
+        }
+        cairo_fill(cairo);
     }
 }
 
 void paint_centroids(cairo_t* cairo, const Stage& stage, const ViewMap& map, const Theme& theme)
 {
+    constexpr double k_line = 1.5; // [pixels]
     const World& world = stage.run.world();
     for (int k = 0; k < world.body_count(); ++k) {
         const Vec2 at = map(world.state(k).position);
-        line(cairo, at - Vec2(5.0, 0.0), at + Vec2(5.0, 0.0));
-        line(cairo, at - Vec2(0.0, 5.0), at + Vec2(0.0, 5.0));
         const Inertia& inertia = stage.run.inertia(k);
-        if (inertia.inv_moment_of_inertia == 0.0) continue;
+        const bool turns = inertia.inv_moment_of_inertia > 0.0;
         // Radius of gyration: a ring of the same mass and inertia
-        const double radius = std::sqrt(inertia.inv_mass / inertia.inv_moment_of_inertia) * map.scale;
-        cairo_new_sub_path(cairo);
-        cairo_arc(cairo, at.x(), at.y(), radius, 0.0, 2.0 * std::numbers::pi);
+        const double radius = turns ? std::sqrt(inertia.inv_mass / inertia.inv_moment_of_inertia) * map.scale : 0.0;
+        if (!in_sight(stage, at, radius + 5.0)) continue;
+        cairo_rectangle(cairo, at.x() - 5.0, at.y() - 0.5 * k_line, 10.0, k_line);
+        cairo_rectangle(cairo, at.x() - 0.5 * k_line, at.y() - 5.0, k_line, 10.0);
+        if (turns) brush::add_circle(cairo, at, radius, k_line);
     }
     brush::use(cairo, theme.ink, 0.9);
-    cairo_set_line_width(cairo, 1.5);
-    cairo_stroke(cairo);
+    cairo_fill(cairo);
 }
 
 void paint_velocities(cairo_t* cairo, const Stage& stage, const ViewMap& map, const Theme& theme)
 {
     const World& world = stage.run.world();
-    brush::use(cairo, theme.ink, 0.85);
     for (int k = 0; k < world.body_count(); ++k) {
         if (world.is_static(k)) continue;
         const BodyState body = world.state(k);
-        brush::arrow(cairo, map(body.position), map(body.position + k_seconds_of_arrow * body.velocity), 2.0);
+        brush::add_arrow(cairo, map(body.position), map(body.position + k_seconds_of_arrow * body.velocity), 2.0);
     }
+    brush::use(cairo, theme.ink, 0.85);
+    cairo_fill(cairo);
 }
 
 /// A push as an arrow, as long as the root of its size: small and large ones are both seen.
-void paint_push(cairo_t* cairo, const Vec2& at, const Vec2& push, double full)
+void add_push(cairo_t* cairo, const Vec2& at, const Vec2& push, double full)
 {
     const double size = push.norm();
     if (!(size > 0.0) || !(full > 0.0)) return;
     const double length = std::min(90.0, 70.0 * std::sqrt(size / full));
-    brush::arrow(cairo, at, at + length / size * Vec2(push.x(), -push.y()), 3.0);
+    brush::add_arrow(cairo, at, at + length / size * Vec2(push.x(), -push.y()), 3.0);
 }
 
-void paint_contacts(cairo_t* cairo, const Stage& stage, const ViewMap& map, const std::vector<LeaningContact>& contacts)
+/// What one layer shows of all contacts is one fill.
+void paint_contacts(cairo_t* cairo, const Look& look, const ViewMap& map, const std::vector<LeaningContact>& contacts)
 {
-    const Look& look = stage.look;
-    double greatest_force = 0.0;
-    for (const LeaningContact& contact : contacts) greatest_force = std::max(greatest_force, contact.normal_force);
-    double greatest_push = 0.0;
-    for (const SeenImpact& impact : stage.watch.impacts) greatest_push = std::max(greatest_push, impact.push.norm());
-
-    for (const LeaningContact& contact : contacts) {
-        const Vec2 at = map(contact.point);
-        const Vec2 along(contact.normal.x(), -contact.normal.y());
-        if (look.shows(Layer::normals)) {
-            brush::use(cairo, brush::k_green);
-            brush::arrow(cairo, at, at + k_normal * along, 2.0);
+    if (look.shows(Layer::normals)) {
+        for (const LeaningContact& contact : contacts) {
+            const Vec2 at = map(contact.point);
+            brush::add_arrow(cairo, at, at + k_normal * Vec2(contact.normal.x(), -contact.normal.y()), 2.0);
         }
-        if (look.shows(Layer::impulses)) {
-            brush::use(cairo, brush::k_vermilion);
-            paint_push(cairo, at, contact.normal_force * contact.normal + contact.tangent_force * perp(contact.normal), greatest_force);
-        }
-        if (look.shows(Layer::contacts)) {
-            brush::use(cairo, contact.normal_force > 0.0 ? brush::k_vermilion : brush::k_sky);
-            brush::dot(cairo, at, 3.5);
-        }
+        brush::use(cairo, brush::k_green);
+        cairo_fill(cairo);
     }
-    for (const SeenImpact& impact : stage.watch.impacts) {
-        const double left = 1.0 - (stage.now - impact.seen) / k_impact_fades;
-        if (left <= 0.0) continue;
-        const Vec2 at = map(impact.point);
-        const double size = impact.push.norm();
-        if (look.shows(Layer::normals) && size > 0.0) {
+    if (look.shows(Layer::impulses)) {
+        double greatest = 0.0;
+        for (const LeaningContact& contact : contacts) greatest = std::max(greatest, contact.normal_force);
+        for (const LeaningContact& contact : contacts) {
+            const Vec2 force = contact.normal_force * contact.normal + contact.tangent_force * perp(contact.normal);
+            add_push(cairo, map(contact.point), force, greatest);
+        }
+        brush::use(cairo, brush::k_vermilion);
+        cairo_fill(cairo);
+    }
+    if (!look.shows(Layer::contacts)) return;
+    for (const bool bears : {false, true}) {
+        for (const LeaningContact& contact : contacts) {
+            if ((contact.normal_force > 0.0) == bears) brush::add_dot(cairo, map(contact.point), 3.5);
+        }
+        brush::use(cairo, bears ? brush::k_vermilion : brush::k_sky);
+        cairo_fill(cairo);
+    }
+}
+
+/// Impacts fade in a few steps, so that what one layer shows of all that have faded as far is one fill.
+void paint_impacts(cairo_t* cairo, const Stage& stage, const ViewMap& map)
+{
+    constexpr int k_shades = 8;
+    const Look& look = stage.look;
+    double greatest = 0.0;
+    for (const SeenImpact& impact : stage.watch.impacts) greatest = std::max(greatest, impact.push.norm());
+    for (int shade = 1; shade <= k_shades; ++shade) {
+        std::vector<const SeenImpact*> impacts;
+        for (const SeenImpact& impact : stage.watch.impacts) {
+            const double left = 1.0 - (stage.now - impact.seen) / k_impact_fades;
+            if (std::ceil(k_shades * left) == shade) impacts.push_back(&impact);
+        }
+        if (impacts.empty()) continue;
+        const double left = static_cast<double>(shade) / k_shades;
+        if (look.shows(Layer::normals)) {
+            for (const SeenImpact* impact : impacts) {
+                const Vec2 at = map(impact->point);
+                const double size = impact->push.norm();
+                if (size > 0.0) brush::add_arrow(cairo, at, at + k_normal / size * Vec2(impact->push.x(), -impact->push.y()), 2.0);
+            }
             brush::use(cairo, brush::k_green, left);
-            brush::arrow(cairo, at, at + k_normal / size * Vec2(impact.push.x(), -impact.push.y()), 2.0);
+            cairo_fill(cairo);
         }
         if (look.shows(Layer::impulses)) {
+            for (const SeenImpact* impact : impacts) add_push(cairo, map(impact->point), impact->push, greatest);
             brush::use(cairo, brush::k_vermilion, left);
-            paint_push(cairo, at, impact.push, greatest_push);
+            cairo_fill(cairo);
         }
         if (look.shows(Layer::contacts)) {
+            for (const SeenImpact* impact : impacts) brush::add_dot(cairo, map(impact->point), 3.0 + 4.0 * left);
             brush::use(cairo, brush::k_purple, left);
-            brush::dot(cairo, at, 3.0 + 4.0 * left);
+            cairo_fill(cairo);
         }
     }
 }
@@ -203,17 +242,18 @@ void paint_labels(cairo_t* cairo, const Stage& stage, const ViewMap& map, const 
 {
     const World& world = stage.run.world();
     brush::letters(cairo, 12.0);
+    brush::Writing writing(cairo);
     for (int k = 0; k < world.body_count(); ++k) {
-        const std::string& name = world.scene().bodies[static_cast<std::size_t>(k)].name;
-        const std::string text = name.empty() ? std::to_string(k) : name;
         const Vec2 at = map(world.state(k).position);
-        const double width = brush::text_width(cairo, text);
-        brush::rounded(cairo, {at.x() - 0.5 * width - 4.0, at.y() - 9.0, at.x() + 0.5 * width + 4.0, at.y() + 7.0}, 4.0);
-        brush::use(cairo, theme.paper, 0.75);
-        cairo_fill(cairo);
-        brush::use(cairo, theme.ink);
-        brush::text(cairo, at.x() - 0.5 * width, at.y() + 4.0, text);
+        if (!in_sight(stage, at, 60.0)) continue;
+        const std::string& name = world.scene().bodies[static_cast<std::size_t>(k)].name;
+        const double width = writing.add_about(at.x(), at.y() + 4.0, name.empty() ? std::to_string(k) : name);
+        cairo_rectangle(cairo, at.x() - 0.5 * width - 3.0, at.y() - 8.0, width + 6.0, 15.0);
     }
+    brush::use(cairo, theme.paper, 0.75);
+    cairo_fill(cairo);
+    brush::use(cairo, theme.ink);
+    writing.show();
 }
 
 /// The ship's arrow, and its flame as arcs behind it.
@@ -254,13 +294,16 @@ void paint_layers(cairo_t* cairo, const Stage& stage, const ViewMap& map, const 
 {
     const Look& look = stage.look;
     const std::vector<LeaningContact>& contacts = stage.watch.contacts;
+    smooth_edges(cairo, stage.picture.bodies.size());
+    cairo_set_fill_rule(cairo, CAIRO_FILL_RULE_WINDING); // of many in one path, none cuts out another
     if (look.shows(Layer::cells)) paint_cells(cairo, stage, map, theme);
     if (look.shows(Layer::boxes)) paint_boxes(cairo, stage, map);
     if (look.shows(Layer::islands)) paint_islands(cairo, stage, map, contacts);
     if (look.shows(Layer::centroids)) paint_centroids(cairo, stage, map, theme);
     if (look.shows(Layer::arrows)) paint_velocities(cairo, stage, map, theme);
     paint_ship(cairo, stage, map, theme);
-    paint_contacts(cairo, stage, map, contacts);
+    paint_contacts(cairo, look, map, contacts);
+    paint_impacts(cairo, stage, map);
     if (look.shows(Layer::next)) paint_next(cairo, stage, map, theme);
     if (look.shows(Layer::labels)) paint_labels(cairo, stage, map, theme);
 }

@@ -145,11 +145,6 @@ void paint_help(cairo_t* cairo, SurfaceSize size, const Theme& theme)
     for (const Binding& binding : bindings()) {
         if (!binding.what.empty()) rows.push_back(&binding);
     }
-    // As many columns as it takes
-    const double line = 21.0;
-    const std::size_t most = static_cast<std::size_t>(std::max(4.0, (size.height - 100.0) / line));
-    const std::size_t columns = (rows.size() + most - 1) / most;
-    const std::size_t per_column = (rows.size() + columns - 1) / columns;
     brush::letters(cairo, 13.0);
     double keys = 0.0;
     double words = 0.0;
@@ -157,10 +152,30 @@ void paint_help(cairo_t* cairo, SurfaceSize size, const Theme& theme)
         keys = std::max(keys, brush::text_width(cairo, row->shown));
         words = std::max(words, brush::text_width(cairo, row->what));
     }
+
+    // The columns with which letters can be the largest; in a small window all shrink
+    const double line = 21.0;
     const double column = keys + words + 40.0;
-    const double width = static_cast<double>(columns) * column + 2.0 * k_inside;
-    const double height = line * static_cast<double>(per_column) + 30.0;
-    const PixelBox box{0.5 * (size.width - width), 0.5 * (size.height - height), 0.5 * (size.width + width), 0.5 * (size.height + height)};
+    std::size_t per_column = rows.size();
+    double scale = 0.0;
+    double width = 0.0;
+    double height = 0.0;
+    for (std::size_t columns = 1; columns <= 5; ++columns) {
+        const std::size_t longest = (rows.size() + columns - 1) / columns;
+        const double wide = static_cast<double>(columns) * column + 2.0 * k_inside;
+        const double high = line * static_cast<double>(longest) + 30.0;
+        const double fits = std::min({1.0, (size.width - 8.0) / wide, (size.height - 8.0) / high});
+        if (fits <= scale) continue;
+        scale = fits;
+        per_column = longest;
+        width = wide;
+        height = high;
+    }
+    if (!(scale > 0.0)) return;
+    cairo_save(cairo);
+    cairo_translate(cairo, 0.5 * size.width, 0.5 * size.height);
+    cairo_scale(cairo, scale, scale);
+    const PixelBox box{-0.5 * width, -0.5 * height, 0.5 * width, 0.5 * height};
     brush::panel(cairo, box, theme);
     for (std::size_t k = 0; k < rows.size(); ++k) {
         const double x = box.left + 2.0 * k_inside + static_cast<double>(k / per_column) * column;
@@ -172,6 +187,7 @@ void paint_help(cairo_t* cairo, SurfaceSize size, const Theme& theme)
         brush::use(cairo, theme.ink, 0.85);
         brush::text(cairo, x + keys + 16.0, y, rows[k]->what);
     }
+    cairo_restore(cairo);
 }
 
 } // namespace

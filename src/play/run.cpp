@@ -6,7 +6,6 @@
 
 #include "play/inside.hpp"
 #include "play/make_room.hpp"
-#include "world/memory.hpp"
 
 namespace flying {
 
@@ -19,8 +18,6 @@ constexpr std::size_t k_most_bodies_held = 400000;
 constexpr double k_slight = 0.05;
 /// [bounding radii] Where bodies are moved on purpose.
 constexpr double k_far = 1e6;
-/// [steps] A clock that is no farther from the end of a step stands at it.
-constexpr double k_same_moment = 1e-9;
 
 } // namespace
 
@@ -78,10 +75,7 @@ void PlayRun::forget_some()
 Scene PlayRun::scene_now()
 {
     // Within a step, bodies that lean are on interpolated ways, which may overlap
-    const Snapshot snapshot = world_.snapshot();
-    const Hybrid::Memory& memory = snapshot.engines->hybrid;
-    const bool is_within = memory.resting && world_.time() - memory.resting->time > k_same_moment * options_.step;
-    if (is_within && memory.step_ends > world_.time()) (void)world_.advance(memory.step_ends);
+    if (const std::optional<double> end = world_.step_end()) (void)world_.advance(*end);
 
     Scene scene = world_.scene();
     for (int k = 0; k < world_.body_count(); ++k) {

@@ -21,7 +21,8 @@ constexpr double k_plan_every = 0.5;  ///< [s]
 constexpr double k_touch = 1e-6;      ///< [sizes] gap of bodies that have just met
 constexpr double k_unlike = 1e-9;     ///< [speeds] a change that is no rounding
 constexpr double k_next_rest = 4.0;   ///< between two searches for next impacts, in times that the last one took
-constexpr double k_next_first = 0x1p-10; ///< a search looks so far ahead at first, then four times as far ... [s]
+/// A search looks so far ahead at first, or a quarter as far as the last one did, then four times as far ... [s]
+constexpr double k_next_first = 0x1p-10;
 constexpr double k_next_within = 1.0; ///< ... as far as this [s]
 constexpr double k_next_budget = 0.003; ///< a search that has found some and taken so long looks no farther [s]
 constexpr std::size_t k_most_next = 24;
@@ -125,8 +126,10 @@ void watch_present(Watch& watch, const PlayRun& run, const Look& look, double no
     // crowd that is all that can be shown, and looking a second ahead would try most pairs
     if (watch.next_asked >= 0.0 && now <= watch.next_asked + k_next_rest * watch.next_took) return;
     const double started = seconds_now();
-    for (double within = k_next_first; within <= k_next_within; within *= 4.0) {
+    const double first = std::clamp(0.25 * watch.next_within, k_next_first, k_next_within);
+    for (double within = first; within <= k_next_within; within *= 4.0) {
         watch.next = next_impacts(run.world(), watch.inside, k_most_next, within);
+        watch.next_within = within;
         watch.next_took = seconds_now() - started;
         if (watch.next.size() == k_most_next || (watch.next_took > k_next_budget && !watch.next.empty())) break;
     }

@@ -63,6 +63,7 @@ struct Watch
     int next_of = -1;          ///< generation of the run that `next` belongs to
     double next_asked = -1.0;  ///< on the stage's own clock [s]
     double next_took = 0.0;    ///< to find `next` [s]
+    double next_within = 0.0;  ///< how far ahead the last search looked [s]
 
     // What impacts are told from
     std::int64_t known_collisions = 0;

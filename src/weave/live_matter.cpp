@@ -119,9 +119,12 @@ std::string live_script(const Folders& folders, const ChapterEntry& entry)
 
 std::string front_figure()
 {
-    return "<figure class=\"live front\" data-trace=\"front\" data-recorded=\"no\"><img class=\"still\" "
-           "src=\"images/balls-and-polygons.png\" alt=\"Balls and polygons fly about in a box between fixed wedges\">"
-           "<canvas role=\"img\" aria-label=\"Balls and polygons fly about in a box between fixed wedges, moved by the "
+    // The picture is for readers without scripts or engine only: it weighs as much as all letters of a page
+    return "<figure class=\"live front\" data-trace=\"front\" data-recorded=\"no\" "
+           "data-still=\"images/balls-and-polygons.png\">"
+           "<noscript><img class=\"still\" src=\"images/balls-and-polygons.png\" alt=\"Balls and polygons fly about in "
+           "a box between fixed wedges\"><style>figure.front canvas { display: none; }</style></noscript><canvas "
+           "role=\"img\" aria-label=\"Balls and polygons fly about in a box between fixed wedges, moved by the "
            "course's own engine\"></canvas><figcaption>The simulator that this course explains, running in your "
            "browser. Grab a body and throw it.</figcaption></figure>"
            "<script src=\"live/front-scene.js\" defer></script><script src=\"live/front.js\" defer></script>";

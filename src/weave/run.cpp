@@ -129,18 +129,19 @@ void copy_theme(const Folders& folders, const fs::path& html, Problems& problems
         {"sans-bold", inter + "SemiBold.otf"}, {"mono", mono + "Regular.ttf"},
         {"mono-italic", mono + "Italic.ttf"}};
     for (const auto& [name, source] : fonts) {
-        const fs::path made = folders.build / "fonts" / (name + ".woff2");
+        const fs::path made = folders.build / "letters" / (name + ".woff2");
         std::error_code error;
         fs::create_directories(made.parent_path(), error);
         if (!fs::exists(made) &&
-            !run(
-                fmt::format("/usr/bin/python3 -m fontTools.subset {} --flavor=woff2 "
-                            "--layout-features='kern,liga,mark,mkmk,tnum,onum,lnum' "
-                            "--unicodes='U+20-17F,U+2BC,U+300-302,U+391-3D6,U+2000-2044,U+20AC,U+2190-21FF,U+2200-22FF,"
-                            "U+2500-25FF,U+2713,U+27E8,U+27E9,U+2261' --output-file={}",
-                            source, quoted(made)),
-                folders.build / "fonts.log")) {
-            problems.add({source, 0}, "a font that can't be made small: " + tail(folders.build / "fonts.log"),
+            !run(fmt::format(
+                     "/usr/bin/python3 -m fontTools.subset {} --flavor=woff2 "
+                     "--layout-features='kern,liga,tnum,lnum' --no-hinting "
+                     "--unicodes='U+20-7E,U+A0-17F,U+2BC,U+2C9,U+391-3D6,U+2000-2044,U+2070-208E,U+20AC,U+2190-2194,"
+                     "U+2208,U+2211,U+2212,U+221A,U+221E,U+222B,U+2248,U+2260,U+2261,U+2264,U+2265,U+22C5,"
+                     "U+2500-2502,U+25B6,U+25CF,U+25D0,U+2713,U+27E8,U+27E9' --output-file={}",
+                     source, quoted(made)),
+                 folders.build / "letters.log")) {
+            problems.add({source, 0}, "a font that can't be made small: " + tail(folders.build / "letters.log"),
                          "fonts-sil-charis, fonts-inter, fonts-jetbrains-mono, python3-fonttools, python3-brotli");
             return;
         }
@@ -164,9 +165,11 @@ void copy_matter(const Woven& woven, const Folders& folders, const fs::path& htm
         for (const ChapterText* text : texts_of(chapter)) {
             for (const Block& block : text->blocks) {
                 const std::string name = chapter.entry.name + "/" + block.name;
-                if (block.kind == BlockKind::figure)
-                    copy(drawn_file(woven.material, chapter, block.name + ".svg"), html / "figures" / (name + ".svg"),
-                         problems);
+                if (block.kind != BlockKind::figure) continue;
+                const fs::path drawn = drawn_file(woven.material, chapter, block.name + ".svg");
+                const fs::path made = html / "figures" / (name + ".svg");
+                if (!write_file(made, lighter_svg(read_file(drawn).value_or(""))))
+                    problems.add({made.string(), 0}, "can't be written", "a figure of the book");
             }
         }
     }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 
 #include "files/interrupt.hpp"
 #include "play/keys.hpp"
@@ -48,7 +49,8 @@ MainWindow::MainWindow(Stage& stage, const WindowOptions& options)
     row_.append(panel_);
     set_child(row_);
     panel_.set_visible(options.has_panel);
-    panel_.show_scene(options.scene);
+    scene_words_ = std::filesystem::path(options.scene).stem().string();
+    panel_.show_scene(options.scene, scene_words_);
     if (!options.face.empty()) load_face(options.face);
 
     listen_to_keys();

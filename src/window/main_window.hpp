@@ -32,7 +32,8 @@ private:
 
     void choose_scene(int index);
     void open_path(const std::string& path);
-    void play_scene(Expected<Scene> scene, const std::string& name);
+    /// name  its path, or the name of its kind;  words  what the list of scenes calls it
+    void play_scene(Expected<Scene> scene, const std::string& name, const std::string& words);
     void load_face(const std::string& path);
     void save_scene(const std::string& path);
     void report(const Expected<std::string>& outcome);
@@ -40,6 +41,7 @@ private:
 
     Stage& stage_;
     WindowOptions options_;
+    std::string scene_words_; ///< what the list of scenes calls the one that is played
     Gtk::Box row_{Gtk::Orientation::HORIZONTAL, 0};
     Canvas canvas_;
     Panel panel_;

@@ -102,16 +102,17 @@ void MainWindow::choose_scene(int index)
     if (kind < 0 || kind >= static_cast<int>(kinds.size())) return;
     GenerateOptions options;
     options.seed = 1 + static_cast<std::uint64_t>(1e3 * seconds_now()) % 1000000;
-    play_scene(generate(kinds[static_cast<std::size_t>(kind)].name, options), kinds[static_cast<std::size_t>(kind)].name);
+    const std::string& name = kinds[static_cast<std::size_t>(kind)].name;
+    play_scene(generate(name, options), name, fmt::format("{}, seed {}", name, options.seed));
 }
 
 void MainWindow::open_path(const std::string& path)
 {
     if (path.ends_with(".png") || path.ends_with(".PNG")) load_face(path);
-    else play_scene(read_scene_file(path), path);
+    else play_scene(read_scene_file(path), path, std::filesystem::path(path).stem().string());
 }
 
-void MainWindow::play_scene(Expected<Scene> scene, const std::string& name)
+void MainWindow::play_scene(Expected<Scene> scene, const std::string& name, const std::string& words)
 {
     Faults faults;
     if (scene) {
@@ -125,6 +126,7 @@ void MainWindow::play_scene(Expected<Scene> scene, const std::string& name)
             fresh.size = stage_.size;
             stage_ = std::move(fresh);
             options_.scene = name;
+            scene_words_ = words;
             set_title("Flying Polygons: " + name);
             stage_.say(stage_.run.scene().title.empty() ? name : stage_.run.scene().title);
         } else {
@@ -137,7 +139,7 @@ void MainWindow::play_scene(Expected<Scene> scene, const std::string& name)
         const std::string more = faults.size() > 1 ? fmt::format(" (and {} faults more)", faults.size() - 1) : "";
         stage_.say(format_fault(faults.front()) + more, true);
     }
-    panel_.show_scene(options_.scene);
+    panel_.show_scene(options_.scene, scene_words_);
     touch();
 }
 

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <gtkmm/label.h>
-#include <gtkmm/stringlist.h>
 
 #include <algorithm>
 #include <cmath>
@@ -114,16 +113,15 @@ void Panel::add_scene_part(const std::vector<std::string>& scenes)
     std::vector<Glib::ustring> names;
     for (const std::string& path : scenes) names.emplace_back(std::filesystem::path(path).stem().string());
     scenes_ = scenes;
-    for (const GeneratorKind& kind : generator_kinds()) {
-        names.emplace_back("new: " + kind.name);
-        scenes_.push_back(kind.name);
-    }
-    scene_ = make_choice(names);
+    for (const GeneratorKind& kind : generator_kinds()) names.emplace_back("new: " + kind.name);
+    scene_names_ = Gtk::StringList::create(names);
+    scene_ = Gtk::make_managed<Gtk::DropDown>(scene_names_);
     scene_->set_tooltip_text("Scenes to open, and kinds to be generated anew");
     scene_->property_selected().signal_changed().connect([this] {
         const guint index = scene_->get_selected();
-        if (index == GTK_INVALID_LIST_POSITION) return;
-        act([&] { chosen_(static_cast<int>(index)); });
+        const guint first = has_own_entry_ ? 1 : 0;
+        if (index == GTK_INVALID_LIST_POSITION || index < first) return;
+        act([&] { chosen_(static_cast<int>(index - first)); });
     });
     controls_.emplace_back("scene", scene_);
     column_.append(*scene_);
@@ -250,11 +248,14 @@ std::string Panel::places(Gtk::Widget& within) const
     return out + "}";
 }
 
-void Panel::show_scene(const std::string& scene)
+void Panel::show_scene(const std::string& scene, const std::string& words)
 {
     is_syncing_ = true;
     const auto place = std::find(scenes_.begin(), scenes_.end(), scene);
-    scene_->set_selected(place == scenes_.end() ? GTK_INVALID_LIST_POSITION : static_cast<guint>(place - scenes_.begin()));
+    const bool is_listed = place != scenes_.end();
+    scene_names_->splice(0, has_own_entry_ ? 1 : 0, is_listed ? std::vector<Glib::ustring>{} : std::vector<Glib::ustring>{words});
+    has_own_entry_ = !is_listed;
+    scene_->set_selected(is_listed ? static_cast<guint>(place - scenes_.begin()) : 0);
     is_syncing_ = false;
 }
 

@@ -13,6 +13,7 @@
 #include <gtkmm/grid.h>
 #include <gtkmm/scale.h>
 #include <gtkmm/scrolledwindow.h>
+#include <gtkmm/stringlist.h>
 #include <gtkmm/togglebutton.h>
 
 #include "play/stage.hpp"
@@ -33,8 +34,11 @@ public:
     /// Where the controls are, as JSON by their texts: {"Pause": [x, y], ...}, for who plays by a program.
     /// within  the widget whose pixels these are
     [[nodiscard]] std::string places(Gtk::Widget& within) const;
-    /// The scene that is shown as chosen, by its path or the name of its kind; none where the list hasn't got it.
-    void show_scene(const std::string& scene);
+    /// The scene that is shown as chosen, by its path. One that the list hasn't got, a file from elsewhere or a scene
+    /// generated anew, gets an entry of its own at the top, until another is played.
+    ///
+    /// words  what that entry says
+    void show_scene(const std::string& scene, const std::string& words);
 
 private:
     void add_heading(const char* text);
@@ -55,7 +59,9 @@ private:
     std::function<void()> touched_;
     std::function<void(int)> chosen_;
     bool is_syncing_ = false;
-    std::vector<std::string> scenes_; ///< to choose from: paths, then kinds
+    std::vector<std::string> scenes_; ///< to choose from, by their paths
+    Glib::RefPtr<Gtk::StringList> scene_names_;
+    bool has_own_entry_ = false; ///< what is played stands above the scenes
     std::vector<std::pair<std::string, Gtk::Widget*>> controls_; ///< by what is written on them
     Gtk::Box column_{Gtk::Orientation::VERTICAL, 5};
     Gtk::DropDown* scene_ = nullptr;

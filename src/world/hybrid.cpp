@@ -420,8 +420,14 @@ bool Hybrid::is_within_step(int body) const
 {
     const BodyMover mover = movers_.of(body);
     const bool leans = mover == BodyMover::rest || mover == BodyMover::asleep; // a step may wake it
-    if (!leans || !step_ends_) return false;
-    return clock_ - resting_->time() > k_same_moment * tolerance::k_epsilon * std::abs(clock_);
+    return leans && step_end().has_value();
+}
+
+std::optional<double> Hybrid::step_end() const
+{
+    const bool is_under_way =
+        step_ends_ && clock_ - resting_->time() > k_same_moment * tolerance::k_epsilon * std::abs(clock_);
+    return is_under_way ? step_ends_ : std::nullopt;
 }
 
 BodyState Hybrid::state(int body)

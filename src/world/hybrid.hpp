@@ -72,6 +72,8 @@ public:
     [[nodiscard]] BodyMover mover(int body) const { return movers_.of(body); }
     /// The clock stands between the ends of a step that moves the body.
     [[nodiscard]] bool is_within_step(int body) const;
+    /// The end of the step that the clock stands within; none where no step is under way.  [s]
+    [[nodiscard]] std::optional<double> step_end() const;
 
     [[nodiscard]] const EventEngine& flying() const { return flying_; }
     /// Null as long as no body ever leant on anything.

@@ -230,6 +230,7 @@ double World::time() const { return parts_->hybrid.clock(); }
 int World::body_count() const { return static_cast<int>(parts_->scene.bodies.size()); }
 BodyState World::state(int index) const { return parts_->hybrid.state(index); }
 World::Mover World::mover(int index) const { return parts_->hybrid.mover(index); }
+std::optional<double> World::step_end() const { return parts_->hybrid.step_end(); }
 
 std::vector<BodyView> World::Parts::view()
 {

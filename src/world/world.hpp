@@ -84,6 +84,9 @@ public:
     /// What moves a body at the clock.
     using Mover = BodyMover;
     [[nodiscard]] Mover mover(int index) const;
+    /// The end of the step that the clock stands within, where bodies that lean are asked on the way to it; none where
+    /// no step is under way. A world made anew from the bodies' states does best to begin there.  [s]
+    [[nodiscard]] std::optional<double> step_end() const;
     [[nodiscard]] std::uint64_t log_hash() const; ///< of all events so far
     [[nodiscard]] Report report();                ///< measures overlap anew, changes nothing else
 

@@ -1,6 +1,8 @@
 #include <cairo.h>
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 #include "draw/image.hpp"
 #include "draw/layout.hpp"
 
@@ -118,4 +120,45 @@ TEST_CASE("a scale bar has a round length that people can read")
     CHECK(image_format("a.PNG") == ImageFormat::png);
     CHECK(!image_format("png"));
     CHECK(!image_format("a.jpg"));
+}
+
+TEST_CASE("a trail has one shade everywhere, along straight ways, round bends, and where it turns back over itself")
+{
+    Picture picture = frame_with_hole();
+    picture.bodies.clear();
+    const Theme theme = paper_theme();
+    Trail trail{0, 1.0, {}};
+    const auto go = [&](const Vec2& to) {
+        const Vec2 from = trail.points.empty() ? to : trail.points.back();
+        for (int k = 1; k <= 8; ++k) trail.points.push_back(from + k / 8.0 * (to - from));
+    };
+    go(Vec2(-4, -4));
+    go(Vec2(4, -4));                // straight ...
+    go(Vec2(4, 0));                 // ... round a corner ...
+    for (int k = 1; k <= 24; ++k) { // ... round a bend ...
+        const double turn = k / 24.0 * 3.141592653589793;
+        trail.points.push_back(Vec2(2.0 + 2.0 * std::cos(turn), 2.0 * std::sin(turn)));
+    }
+    go(Vec2(0, -3));
+    go(Vec2(0, 1)); // ... and back
+    picture.trails = {trail};
+    const unsigned shade = code(mixed(theme.paper, body_colour(0, theme), 0.22));
+    const auto near_shade = [&](const Vec2& at) {
+        const unsigned found = colour_at(picture, at);
+        for (int part = 0; part < 24; part += 8) {
+            const int off = static_cast<int>(found >> part & 0xffu) - static_cast<int>(shade >> part & 0xffu);
+            if (off < -2 || off > 2) return false;
+        }
+        return true;
+    };
+    // Within it, and at most as much beside it as the widest place is wide
+    for (const Vec2& at : {Vec2(1, -4), Vec2(3.9, -3.9), Vec2(4, -2), Vec2(2, 2),
+                           Vec2(2 + std::sqrt(2.0), std::sqrt(2.0)), Vec2(0, -1), Vec2(0, 0.9)}) {
+        CAPTURE(at.transpose());
+        CHECK(near_shade(at));
+    }
+    for (const Vec2& at : {Vec2(1, -3.2), Vec2(2, 0), Vec2(2, -2), Vec2(-4, -3.5), Vec2(-1, 0)}) {
+        CAPTURE(at.transpose());
+        CHECK(colour_at(picture, at) == code(theme.paper));
+    }
 }

@@ -43,5 +43,20 @@
         return make('label', { class: 'range' }, name, input, shown);
     }
 
-    home.FlyingControls = { make, knob };
+    // What stands in a legend before its words: a picture of what is drawn, in its colour
+    const SIGNS = {
+        body: '<circle cx="11" cy="7" r="5.5" fill="currentColor"/>',
+        ghost: '<circle cx="11" cy="7" r="5.5" fill="none" stroke="currentColor" stroke-width="1.6" stroke-dasharray="3.2 2.4"/>',
+        line: '<path d="M1 7H21" stroke="currentColor" stroke-width="2.6"/>',
+        dashes: '<path d="M1 7H21" stroke="currentColor" stroke-width="1.8" stroke-dasharray="5 3.5"/>',
+        dot: '<circle cx="11" cy="7" r="3.4" fill="currentColor"/>',
+        arrow: '<path d="M1 7H15" stroke="currentColor" stroke-width="2.4"/><path d="M21 7L13 2.6V11.4Z" fill="currentColor"/>'
+    };
+    function sign(kind) {
+        const of = make('span', { class: 'sign' });
+        of.innerHTML = `<svg viewBox="0 0 22 14" width="22" height="14">${SIGNS[kind]}</svg>`;
+        return of;
+    }
+
+    home.FlyingControls = { make, knob, sign };
 })(globalThis);

@@ -11,7 +11,7 @@
 //       next: (t, state, p, run) => t,          // optional: where the button for one step leads
 //       draw: (stage, t, state, p, run) => {},
 //       readout: (t, state, p, run) => [['impulse', '1.2 N s']],
-//       legend: [['body', 0, 'the ball'], ['ghost', 'ink', 'closed form'], ['line', 1, 'path']],
+//       legend: [['body', 0, 'the ball'], ['ghost', 'ink', 'closed form'], ['line', 1, 'path']], // also dashes, dot, arrow
 //       strip: {label: 'energy', value: (t, state, p, run) => 0},
 //       trails: (t, state, p, run) => [[x, y], ...],
 //       handles: (p, kept) => [[x, y], ...], move: (k, point, p, kept) => {}, start: () => kept,
@@ -25,7 +25,7 @@
 
 (function (home) {
     const { Stage, Strip } = home.FlyingStage;
-    const { make, knob } = home.FlyingControls;
+    const { make, knob, sign } = home.FlyingControls;
     const FRAME = 1 / 60;
     const MOST_STRIDES = 400;
     const BITE = 400; // events or steps between two looks at the clock
@@ -62,8 +62,6 @@
         })();
         return engine;
     }
-
-    const KIND = { body: '\u25cf', ghost: '\u254c', line: '\u2501', dot: '\u2022', arrow: '\u279d' };
 
     class Figure {
         constructor(figure, experiment, module) {
@@ -313,9 +311,9 @@
             if (this.strip) this.strip.draw(Number.isFinite(this.until()) ? this.until() : 0);
             if (this.legend && !this.legend.firstChild)
                 for (const [kind, colour, text] of experiment.legend) {
-                    const sign = make('span', { class: 'sign' }, KIND[kind]);
-                    sign.style.color = colour === 'ink' ? '' : colour === 'fixed' ? 'var(--live-soft)' : stage.colour(colour);
-                    this.legend.append(make('span', {}, sign, ' ' + text));
+                    const of = sign(kind);
+                    of.style.color = colour === 'ink' ? '' : colour === 'fixed' ? 'var(--live-soft)' : stage.colour(colour);
+                    this.legend.append(make('span', {}, of, text));
                 }
             const rows = experiment.readout ? experiment.readout(time, state, p, run, this.kept) : [];
             this.show(rows);
@@ -377,7 +375,10 @@
             if (!module) {
                 if (figure.dataset.recorded !== 'no') {
                     load(`traces/${figure.dataset.trace}.js`).then(() => home.FlyingRecording.start(figure), () => {});
-                } else if (!figure.querySelector('.still')) {
+                } else if (figure.dataset.still) {
+                    const canvas = figure.querySelector('canvas');
+                    canvas.before(make('img', { class: 'still', src: figure.dataset.still, alt: canvas.getAttribute('aria-label') }));
+                } else {
                     figure.querySelector('canvas').replaceWith(make('p', { class: 'fault', role: 'alert' }, `The engine can't run here: ${figure.dataset.why}.`));
                 }
                 continue;

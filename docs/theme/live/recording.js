@@ -6,7 +6,6 @@
 
 (function () {
     const colours = ['#1f6fb4', '#c8501e', '#3d8b4f', '#8a4fa3', '#b58a00', '#158b94', '#b03a5b', '#5f6b77'];
-    const ghostColour = '#20262c';
 
     function outline(context, shape, [x, y, angle], spoke) {
         context.save();
@@ -80,6 +79,9 @@
             canvas.style.height = height + 'px';
             const scale = 0.96 * Math.min(canvas.width / (view[2] - view[0]), canvas.height / (view[3] - view[1]));
             const context = canvas.getContext('2d');
+            const style = getComputedStyle(canvas);
+            const ink = style.getPropertyValue('--live-ink').trim() || '#20262c';
+            const fixed = style.getPropertyValue('--live-fixed').trim() || '#b9bfc6';
             context.setTransform(scale, 0, 0, -scale, canvas.width / 2 - scale * (view[0] + view[2]) / 2,
                 canvas.height / 2 + scale * (view[1] + view[3]) / 2);
             context.lineWidth = 1.6 * dots / scale;
@@ -93,16 +95,17 @@
             const share = b.time > a.time ? Math.min((time - a.time) / (b.time - a.time), 1) : 0;
             a.bodies.forEach((body, n) => {
                 outline(context, header.shapes[n], between(body, b.bodies[n], share), true);
-                context.fillStyle = header.fixed && header.fixed[n] ? '#b9bfc6' : colours[n % colours.length];
+                context.fillStyle = header.fixed && header.fixed[n] ? fixed : colours[n % colours.length];
                 context.globalAlpha = 0.88;
                 context.fill('evenodd');
-                context.globalAlpha = 1;
-                context.strokeStyle = 'rgba(0, 0, 0, .45)';
+                context.globalAlpha = 0.5;
+                context.strokeStyle = ink;
                 context.stroke();
+                context.globalAlpha = 1;
             });
             if (a.ghosts && ghost.checked) {
                 context.setLineDash([5 * dots / scale, 4 * dots / scale]);
-                context.strokeStyle = ghostColour;
+                context.strokeStyle = ink;
                 a.ghosts.forEach((body, n) => {
                     outline(context, header.shapes[n], between(body, b.ghosts[n], share), false);
                     context.stroke();
@@ -127,28 +130,46 @@
             if (playing) requestAnimationFrame(tick);
         }
 
-        play.onclick = () => {
-            playing = !playing;
+        function go(isOn) {
+            if (isOn === playing) return;
+            playing = isOn;
             if (playing && time >= last) time = first;
             before = performance.now();
             if (playing) requestAnimationFrame(tick);
             draw();
+        }
+        play.onclick = () => {
+            wantsToPlay = !playing;
+            go(wantsToPlay);
         };
         step.onclick = () => {
-            playing = false;
+            playing = wantsToPlay = false;
             const next = frames.find((frame) => frame.time > time + 1e-12);
             time = next ? next.time : first;
             draw();
         };
         slider.oninput = () => {
-            playing = false;
+            playing = wantsToPlay = false;
             time = first + (last - first) * slider.value;
             draw();
         };
         if (ghost) ghost.onchange = draw;
         new ResizeObserver(draw).observe(figure);
+        new MutationObserver(draw).observe(document.documentElement, { attributes: true, attributeFilter: ['class'] });
         const at = new URLSearchParams(location.search).get('at');
         if (at !== null) time = first + (last - first) * Number(at);
+
+        // As figures on the engine do: it starts once in view, unless the reader asked for less motion, and rests out of view
+        let wantsToPlay = at === null && !window.matchMedia('(prefers-reduced-motion: reduce)').matches;
+        new IntersectionObserver(([entry]) => {
+            if (!entry.isIntersecting) {
+                wantsToPlay = wantsToPlay || playing;
+                go(false);
+            } else if (wantsToPlay) {
+                wantsToPlay = false;
+                go(true);
+            }
+        }, { threshold: 0.35 }).observe(canvas);
         draw();
     }
 

@@ -216,25 +216,32 @@
         draw(until) {
             const stage = new Stage(this.canvas, [0, 0, 1, 1]);
             const width = this.canvas.clientWidth;
-            const height = 58;
             const dots = home.devicePixelRatio || 1;
-            this.canvas.width = Math.round(width * dots);
-            this.canvas.height = Math.round(height * dots);
-            this.canvas.style.height = height + 'px';
             const c = stage.context;
-            c.setTransform(dots, 0, 0, dots, 0, 0);
-            const style = getComputedStyle(this.canvas);
-            const soft = style.getPropertyValue('--live-soft').trim() || '#7c8791';
+            const font = '12.5px system-ui, "Segoe UI", Roboto, "Noto Sans", sans-serif';
             const { points } = this;
-            const first = points.length ? points[0][0] : 0;
-            const last = Math.max(until || 0, points.length ? points[points.length - 1][0] : 1, first + 1e-9);
             const values = points.map((point) => point[1]);
             let low = Math.min(...values, this.zero ? 0 : Infinity);
             let high = Math.max(...values, this.zero ? 0 : -Infinity);
             if (!points.length) [low, high] = [0, 1];
+
+            // On a narrow page the greatest value is written under the label, and the strip is higher
+            const size = points.length ? 'up to ' + short(Math.abs(high) > Math.abs(low) ? high : low) : '';
             if (high - low < 1e-300) high = low + 1;
+            c.font = font;
+            const isNarrow = c.measureText(this.label).width + c.measureText('up to \u2212' + short(1.1e-10)).width + 24 > width;
+            const above = isNarrow ? 36 : 20;
+            const height = 38 + above;
+            this.canvas.width = Math.round(width * dots);
+            this.canvas.height = Math.round(height * dots);
+            this.canvas.style.height = height + 'px';
+            c.setTransform(dots, 0, 0, dots, 0, 0);
+            const style = getComputedStyle(this.canvas);
+            const soft = style.getPropertyValue('--live-soft').trim() || '#7c8791';
+            const first = points.length ? points[0][0] : 0;
+            const last = Math.max(until || 0, points.length ? points[points.length - 1][0] : 1, first + 1e-9);
             const x = (time) => 6 + ((width - 12) * (time - first)) / (last - first);
-            const y = (value) => height - 8 - ((height - 28) * (value - low)) / (high - low);
+            const y = (value) => height - 8 - ((height - above - 8) * (value - low)) / (high - low);
             c.beginPath();
             c.moveTo(6, y(Math.max(low, Math.min(0, high))));
             c.lineTo(width - 6, y(Math.max(low, Math.min(0, high))));
@@ -242,13 +249,13 @@
             c.beginPath();
             points.forEach(([time, value], k) => c[k ? 'lineTo' : 'moveTo'](x(time), y(value)));
             stage.stroke(stage.colour(this.colour), { width: 1.8 });
-            c.font = '12.5px system-ui, "Segoe UI", Roboto, "Noto Sans", sans-serif';
+            c.font = font;
             c.fillStyle = soft;
             c.textBaseline = 'top';
             c.textAlign = 'left';
             c.fillText(this.label, 6, 2);
-            c.textAlign = 'right';
-            if (points.length) c.fillText('up to ' + short(Math.abs(high) > Math.abs(low) ? high : low), width - 6, 2);
+            c.textAlign = isNarrow ? 'left' : 'right';
+            c.fillText(size, isNarrow ? 6 : width - 6, isNarrow ? 18 : 2);
         }
     }
 

@@ -1,5 +1,5 @@
 // The book as a page to read: language, headings, names of what can be pressed, words for pictures, contrast by day and by
-// night, the keyboard, widths from telephone to screen, and a search that finds what a student types.
+// night, the keyboard, widths from telephone to screen, what a page weighs, and a search that finds what a student types.
 //
 //   node tests/differential/live/check_reading.js BOOK/html
 //
@@ -8,6 +8,7 @@
 
 const fs = require('node:fs');
 const path = require('node:path');
+const zlib = require('node:zlib');
 const { Browser } = require('../../../docs/browser.js');
 
 const html = path.resolve(process.argv[2]);
@@ -104,6 +105,24 @@ function inspect() {
     return [...found, ...pale];
 }
 
+// What a page loads, its pictures included, as a server sends it: text packed by gzip, the rest as it is. Half of the bound is
+// the engine: whoever makes a page heavier than the heaviest is today should know it. [kB]
+const HEAVIEST = 900;
+const packed = new Map();
+async function weigh(browser) {
+    const pictures = await browser.ask('[...document.images].map((image) => image.src)');
+    let sum = 0;
+    for (const address of new Set([...browser.loaded, ...pictures.map((one) => one.replace(/[?#].*/, ''))])) {
+        if (!address.startsWith('file://')) continue;
+        if (!packed.has(address)) {
+            const bytes = fs.readFileSync(decodeURIComponent(address.slice(7)));
+            packed.set(address, /\.(woff2|png)$/.test(address) ? bytes.length : zlib.gzipSync(bytes).length);
+        }
+        sum += packed.get(address) / 1000;
+    }
+    return Math.round(sum);
+}
+
 // What students type, and where it must lead: one of the first three places
 const WORDS = [
     ['restitution', /chapter_18|Material/], ['inertia', /chapter_0[234]/], ['moment of inertia', /chapter_0[234]/], ['parallel axes', /chapter_02/],
@@ -166,6 +185,7 @@ async function main() {
     const pages = [...all, ...sources.map((name) => 'manual/' + name)];
     const browser = new Browser();
     await browser.open();
+    let heaviest = [0, ''];
     for (const page of pages) {
         await browser.go('file://' + path.join(html, page));
         for (const [width, shade] of [[1280, 'light'], [1280, 'dark'], [390, 'dark'], [390, 'light']]) {
@@ -179,6 +199,10 @@ async function main() {
             }
             for (const fault of await browser.ask(`(${inspect})()`)) complain(place, fault);
         }
+        await browser.until("!document.querySelector('figure.live') || document.documentElement.dataset.live === 'ready'");
+        const weight = await weigh(browser);
+        if (weight > heaviest[0]) heaviest = [weight, page];
+        if (weight > HEAVIEST) complain(page, `${weight} kB to load, expected ${HEAVIEST} at most`);
     }
     await browser.media({});
     await checkKeyboard(browser);
@@ -186,6 +210,7 @@ async function main() {
     await browser.close();
     for (const fault of faults) console.log(fault);
     console.log(`${words} of ${WORDS.length} words found`);
+    console.log(`the heaviest page is ${heaviest[1]}: ${heaviest[0]} kB to load, packed`);
     console.log(`${pages.length} pages read, ${faults.length} faults`);
     process.exitCode = faults.length ? 1 : 0;
 }

@@ -115,6 +115,11 @@ TEST_CASE("a polygon is drawn point by point, concave too; one whose sides cross
     CHECK(stage.run.world().body_count() == 3);
     CHECK(stage.notice.is_fault);
     press(stage, "escape");
+    for (const Vec2& point : {Vec2(3, 5), Vec2(5.123456, 7), Vec2(3, 7), Vec2(5, 4)}) click(stage, point);
+    press_button(stage, Button::right);
+    CHECK(
+        stage.notice.text.starts_with("No polygon yet: edge 0 of vertices, from (3, 5) to (5.123, 7) crosses edge 2"));
+    press(stage, "escape");
     CHECK(stage.hand.points.empty());
 
     for (const Vec2& point : {Vec2(3, 5), Vec2(5, 5), Vec2(5, 7), Vec2(9, 9)}) click(stage, point);

@@ -184,3 +184,26 @@ TEST_CASE("a block that is struck off its stack flies, and is the event engine's
     CHECK(world.mover(2) == World::Mover::asleep);
     CHECK(world.state(1).position.y() == doctest::Approx(0.5).epsilon(1e-3));
 }
+
+TEST_CASE("a world says when the step under way ends, and nothing where no step is under way")
+{
+    constexpr double k_step = 1.0 / 60.0;
+    World world = world_of(ball_beside_stack(true));
+    CHECK_FALSE(world.step_end().has_value());
+    for (const double share : {0.25, 0.75}) {
+        REQUIRE_FALSE(world.advance(share * k_step));
+        REQUIRE(world.step_end().has_value());
+        CHECK(*world.step_end() == k_step);
+    }
+    REQUIRE_FALSE(world.advance(k_step));
+    CHECK_FALSE(world.step_end().has_value());
+
+    // The stack sleeps, and the ball flies on
+    REQUIRE_FALSE(world.advance(600.5 * k_step));
+    REQUIRE(world.mover(1) == World::Mover::asleep);
+    CHECK_FALSE(world.step_end().has_value());
+
+    World alone = world_of(ball_beside_stack(false));
+    REQUIRE_FALSE(alone.advance(7.5 * k_step));
+    CHECK_FALSE(alone.step_end().has_value());
+}
