@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <optional>
 #include <utility>
 
@@ -99,7 +97,6 @@ bool place(Random& random, const RestScene& scene, const std::vector<CollisionSh
 class Run
 {
 public:
-    [[nodiscard]] static Scene as_scene(const RestScene& from);
     Run(const RestScene& scene, Integrator integrator) : scene_(scene)
     {
         if (integrator == Integrator::rest) {
@@ -129,13 +126,13 @@ public:
         if (rest_) rest_->step();
         return rest_ || !world_->advance((number + 1) * scene_.step);
     }
-    int mover(int k) const { return rest_ || k < k_walls ? -1 : int(world_->mover(k - k_walls)); }
     [[nodiscard]] RestAccount account()
     {
         return rest_ ? RestAccount{} : world_->report().rest.value_or(RestAccount{});
     }
 
 private:
+    [[nodiscard]] static Scene as_scene(const RestScene& from);
 
     const RestScene& scene_;
     std::optional<RestEngine> rest_;
@@ -225,7 +222,6 @@ void measure_overlap(const Run& engine, const Measured& measured, int step, Rest
             const double gap = separation(measured.shapes[a], pose_of(state_a), measured.shapes[b], pose_of(state_b));
             const double depth = -gap / std::min(measured.radius[a], measured.radius[b]);
             findings.end_overlap = std::max(findings.end_overlap, depth);
-            if (getenv("DBG") && depth > 1e-3) printf("step %d pair %d %d depth %g movers %d %d spins %g %g speeds %g %g mass %g %g radius %g %g\n", step, a, b, depth, engine.mover(a), engine.mover(b), state_a.spin, state_b.spin, state_a.velocity.norm(), state_b.velocity.norm(), 1/engine.body(a).inertia.inv_mass, 1/engine.body(b).inertia.inv_mass, measured.radius[a], measured.radius[b]);
             if (!(depth > findings.overlap)) continue;
             findings.overlap = depth;
             findings.overlap_step = step;
@@ -236,8 +232,6 @@ void measure_overlap(const Run& engine, const Measured& measured, int step, Rest
 }
 
 } // namespace
-
-Scene as_scene_of(const RestScene& from) { return Run::as_scene(from); }
 
 RestScene make_rest_scene(std::uint64_t seed)
 {
@@ -321,14 +315,13 @@ RestFindings run_rest_scene(const RestScene& scene, int look_every, Integrator i
             findings.finite = false;
             return findings;
         }
-        if (getenv("DBG")) printf("step %d energy %.17g rise %g\n", k, now, (now - least)/scale);
         const double rise = scale > 0.0 ? (now - least) / scale : 0.0;
         if (rise > findings.rise) {
             findings.rise = rise;
             findings.rise_step = k;
         }
         least = std::min(least, now);
-        if (getenv("DBG") || k % look_every == 0 || k + 1 == scene.steps) measure_overlap(engine, measured, k, findings);
+        if (k % look_every == 0 || k + 1 == scene.steps) measure_overlap(engine, measured, k, findings);
     }
     findings.rest = engine.account();
     for (int k = 0; k < engine.body_count(); ++k) {
