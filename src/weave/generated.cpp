@@ -255,9 +255,9 @@ std::string told(const Material& material, const Counts& counts)
         out += fmt::format("| [{}]({}.html) | {} | {} | {:.0f} % | {:.0f} % |\n", page_title(*entry), entry->page(),
                            share.lines, share.told, 100.0 * share.part(), 100.0 * entry->told);
     }
-    return out + fmt::format("\n{} formulas only define. {} numbers of the text are given, not computed. {} "
-                             "chapters are planned and not written yet.\n",
-                             definitions, counts.given, planned);
+    const std::string later = planned == 0 ? "" : fmt::format(" {} chapters are planned and not written yet.", planned);
+    return out + fmt::format("\n{} formulas only define. {} numbers of the text are given, not computed.{}\n",
+                             definitions, counts.given, later);
 }
 
 } // namespace

@@ -8,7 +8,6 @@
 
 #include "weave/claims.hpp"
 #include "weave/inline.hpp"
-#include "weave/ledger.hpp"
 
 namespace flying::weave {
 
@@ -87,6 +86,14 @@ Tally tally_of(const Material& material, const Chapter& chapter)
         }
     }
     return tally;
+}
+
+/// `2e-16` as a formula.
+std::string rounded(double value)
+{
+    const std::string digits = fmt::format("{:.0e}", value);
+    const std::size_t e = digits.find('e');
+    return fmt::format("${} \\cdot 10^{{{}}}$", digits.substr(0, e), std::stoi(digits.substr(e + 1)));
 }
 
 std::string told_percent(const Tally& tally)
@@ -177,7 +184,7 @@ std::string tally_tables(const std::vector<Tally>& tallies)
         "| Chapter | By an oracle | Measured | Same expression | Derivations | Definitions | Worst error | in |\n"
         "|:--|--:|--:|--:|--:|--:|--:|:--|\n";
     const auto row = [&](const std::string& title, const Tally& t) {
-        const std::string worst = t.worst_name.empty() ? "0" : format_value(t.worst, "%.0e").value_or("");
+        const std::string worst = t.worst_name.empty() ? "0" : rounded(t.worst);
         const std::string where = t.worst_name.empty() ? "" : fmt::format("{{{{eq:{}}}}}", t.worst_name);
         checks += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} |\n", title, t.oracle, t.measured, t.same,
                               t.derivations, t.definitions, worst, where);

@@ -59,12 +59,36 @@ std::size_t longest_line(std::string_view text)
     return longest;
 }
 
+/// The equation says no more than the derivation's last line does: the same left side, the same end.
+bool is_last_line(const Block& derivation, const Block& equation)
+{
+    if (derivation.kind != BlockKind::derivation || equation.kind != BlockKind::equation) return false;
+    const std::vector<Step> steps = steps_of(derivation);
+    if (steps.size() < 2) return false;
+    const auto bare = [](std::string tex) {
+        for (const char* sign : {"\\left", "\\right", "\\,", " "}) tex = replace_all(std::move(tex), sign, "");
+        return tex;
+    };
+    const std::string first = bare(steps.front().tex);
+    const std::string last = bare(steps.back().tex);
+    return last.rfind('=', 0) == 0 && bare(formula_of(equation)) == first.substr(0, first.find('=')) + last;
+}
+
 } // namespace
 
 std::string TextWriter::blocks(const Chapter& chapter, const ChapterText& text)
 {
     std::string out;
-    for (const Block& b : text.blocks) out += block(chapter, b);
+    for (std::size_t k = 0; k < text.blocks.size(); ++k) {
+        const Block& b = text.blocks[k];
+        const Block* const next = k + 1 < text.blocks.size() ? &text.blocks[k + 1] : nullptr;
+        if (next != nullptr && is_last_line(b, *next)) {
+            out += derivation(b, next);
+            ++k;
+        } else {
+            out += block(chapter, b);
+        }
+    }
     return out;
 }
 
@@ -100,7 +124,7 @@ std::string TextWriter::block(const Chapter& chapter, const Block& b)
     case BlockKind::definition:
         return formula(b);
     case BlockKind::derivation:
-        return derivation(b);
+        return derivation(b, nullptr);
     case BlockKind::figure:
         return figure(chapter, b);
     case BlockKind::output:
@@ -360,13 +384,17 @@ std::string TextWriter::formula(const Block& block)
         directive_word(block.kind), numbered.anchor, tex, numbered.number, receipt_note(material_, numbered))));
 }
 
-std::string TextWriter::derivation(const Block& block)
+std::string TextWriter::derivation(const Block& block, const Block* result)
 {
     const auto found = material_.numbered.find(block.name);
     if (found == material_.numbered.end()) return ""; // of an exercise that is never posed, which is a problem already
     const Numbered& numbered = found->second;
+    const auto last = result == nullptr ? material_.numbered.end() : material_.numbered.find(result->name);
+    const bool has_result = last != material_.numbered.end();
     std::string rows;
-    for (const Step& step : steps_of(block)) {
+    const std::vector<Step> steps = steps_of(block);
+    for (const Step& step : steps) {
+        const bool is_result = has_result && &step == &steps.back();
         // Set the left side, then the rest from its first sign of equality on
         const Place place{block.place.file, step.line};
         std::size_t sign = std::string::npos;
@@ -379,10 +407,15 @@ std::string TextWriter::derivation(const Block& block)
         }
         const std::string left(trim(step.tex.substr(0, sign == std::string::npos ? 0 : sign)));
         const std::string right = sign == std::string::npos ? step.tex : "{}" + step.tex.substr(sign);
-        rows += fmt::format("<div class=\"left\">{}</div><div class=\"right\">{}</div><div class=\"reason\">{}</div>",
-                            left.empty() ? "" : fragments_.add_formula(left, true, place),
-                            fragments_.add_formula(right, true, place),
-                            step.reason.empty() ? "" : inline_text({{step.line, step.reason}}, block.place.file));
+        const std::string number = is_result ? fmt::format("<a class=\"number\" id=\"{0}\" href=\"#{0}\">({1})</a>",
+                                                           last->second.anchor, last->second.number)
+                                             : "";
+        rows +=
+            fmt::format("<div class=\"left\">{}</div><div class=\"right{}\">{}{}</div><div class=\"reason\">{}{}</div>",
+                        left.empty() ? "" : fragments_.add_formula(left, true, place), is_result ? " result" : "",
+                        fragments_.add_formula(right, true, place), number,
+                        step.reason.empty() ? "" : inline_text({{step.line, step.reason}}, block.place.file),
+                        is_result ? receipt_note(material_, last->second) : "");
     }
     return block_token(fragments_.add_html(fmt::format(
         "<div class=\"formula derivation\" id=\"{0}\"><div class=\"sheet steps\">{1}</div><a class=\"number\" "

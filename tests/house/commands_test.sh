@@ -160,5 +160,16 @@ while IFS=: read -r file line path; do
     [[ -e $path || $path =~ (NN|NAME|MODULE|YOUR) || $path == out/* ]] || fault "$file:$line" "$path" "no such file"
 done < <(grep -n -o -E '`(src|chapters|tests|docs)/[A-Za-z0-9_./-]+`' "${texts[@]}")
 
+# README lists the chapters as book.toml has them
+listed=$(sed -n 's/^| \([0-9A-Z]*\) | \(.*\) | \(.*\) |$/\1: \2: \3/p' README.md | sed 's/^\([0-9]\):/0\1:/')
+expected=$(awk '
+    function say() { if (title != "") print (label == "" ? sprintf("%02d", ++count) : label) ": " title ": " asks }
+    /^\[\[chapter\]\]/ { say(); label = title = asks = "" }
+    /^(appendix|title|question) = / { split($0, part, "\""); if (/^a/) label = part[2]; else if (/^t/) title = part[2]; else asks = part[2] }
+    /^title = / && !inside { inside = 1; title = "" }
+    END { say() }' chapters/book.toml | sort)
+diff <(sort <<<"$listed") <(printf '%s\n' "$expected") >"$work/listed" ||
+    fault README.md "the table of chapters" "other chapters or questions than book.toml: $(head -n 3 "$work/listed" | tr '\n' ' ')"
+
 ((count > 50 && ran > 10)) || { echo "only $count commands found, $ran run: is the text where it was?"; failures=1; }
 ((failures == 0)) && echo "$count commands, $ran of them run"
