@@ -78,15 +78,18 @@ bool is_last_line(const Block& derivation, const Block& equation)
 
 std::string TextWriter::blocks(const Chapter& chapter, const ChapterText& text)
 {
+    const auto is_blank = [](const Block& block) {
+        return block.kind == BlockKind::text && std::all_of(block.lines.begin(), block.lines.end(),
+                                                            [](const auto& line) { return trim(line.second).empty(); });
+    };
     std::string out;
-    for (std::size_t k = 0; k < text.blocks.size(); ++k) {
-        const Block& b = text.blocks[k];
-        const Block* const next = k + 1 < text.blocks.size() ? &text.blocks[k + 1] : nullptr;
-        if (next != nullptr && is_last_line(b, *next)) {
-            out += derivation(b, next);
-            ++k;
+    for (auto b = text.blocks.begin(); b != text.blocks.end(); ++b) {
+        const auto next = std::find_if_not(b + 1, text.blocks.end(), is_blank);
+        if (next != text.blocks.end() && is_last_line(*b, *next)) {
+            out += derivation(*b, &*next);
+            b = next;
         } else {
-            out += block(chapter, b);
+            out += block(chapter, *b);
         }
     }
     return out;
