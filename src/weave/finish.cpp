@@ -261,20 +261,24 @@ std::map<std::string, std::string> chapter_notes(const Material& material)
     return notes;
 }
 
-/// Doxygen's pages have neither language nor landmarks; those who read by ear or by keyboard need both.
+/// Doxygen's pages have neither language nor landmarks, and arrows that only a pointer can press; those who read by ear
+/// or by keyboard need more.
 std::string with_landmarks(std::string page)
 {
-    static const std::pair<const char*, const char*> k_additions[] = {
-        {"<html xmlns=\"http://www.w3.org/1999/xhtml\"", " lang=\"en-GB\""},
-        {"<div id=\"top\"", " role=\"banner\""},
-        {"<div id=\"side-nav\"", " role=\"navigation\" aria-label=\"The manual\""},
-        {"<div id=\"nav-path\"", " role=\"navigation\" aria-label=\"Where this page is\""},
-        {"<div id=\"doc-content\"", " role=\"main\""},
-        {"<div class=\"title\"", " role=\"heading\" aria-level=\"1\""},
+    if (page.find("<div id=\"doc-content\">") == std::string::npos) return page;
+    const std::string key = "tabindex=\"0\" role=\"button\" onkeydown=\"if (event.key === 'Enter') this.click()\" ";
+    const std::pair<std::string, std::string> better_words[] = {
+        {"<html xmlns=\"http://www.w3.org/1999/xhtml\">",
+         "<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"en-GB\">"},
+        {"<div id=\"top\">", "<div id=\"top\" role=\"banner\">"},
+        {"<div id=\"side-nav\" ", "<div id=\"side-nav\" role=\"navigation\" aria-label=\"The manual\" "},
+        {"<div id=\"nav-path\" ", "<div id=\"nav-path\" role=\"navigation\" aria-label=\"Where this page is\" "},
+        {"<div id=\"doc-content\">", "<div id=\"doc-content\" role=\"main\">"},
+        {"<div class=\"title\">", "<div class=\"title\" role=\"heading\" aria-level=\"1\">"},
+        {"onclick=\"javascript:toggleLevel(", key + "onclick=\"javascript:toggleLevel("},
+        {"onclick=\"toggleFolder(", key + "aria-label=\"Open or close\" onclick=\"toggleFolder("},
     };
-    for (const auto& [start, addition] : k_additions)
-        if (page.find(std::string(start) + addition) == std::string::npos)
-            page = replace_all(std::move(page), start, std::string(start) + addition);
+    for (const auto& [found, better] : better_words) page = replace_all(std::move(page), found, better);
     return page;
 }
 

@@ -394,10 +394,23 @@ std::string TextWriter::derivation(const Block& block, const Block* result)
     const Numbered& numbered = found->second;
     const auto last = result == nullptr ? material_.numbered.end() : material_.numbered.find(result->name);
     const bool has_result = last != material_.numbered.end();
+    const auto number_of = [](const Numbered& n, const char* attribute) {
+        return fmt::format("<a class=\"number\"{1} href=\"#{0}\">({2})</a>", n.anchor,
+                           attribute == nullptr ? "" : fmt::format(" {}=\"{}\"", attribute, n.anchor), n.number);
+    };
     std::string rows;
     const std::vector<Step> steps = steps_of(block);
     for (const Step& step : steps) {
-        const bool is_result = has_result && &step == &steps.back();
+        // With a result, the chain's number stands at its first line and the result's at its last
+        std::string number;
+        std::string receipt;
+        if (has_result && &step == &steps.front()) {
+            number = number_of(numbered, nullptr);
+            receipt = receipt_note(material_, numbered);
+        } else if (has_result && &step == &steps.back()) {
+            number = number_of(last->second, "id");
+            receipt = receipt_note(material_, last->second);
+        }
         // Set the left side, then the rest from its first sign of equality on
         const Place place{block.place.file, step.line};
         std::size_t sign = std::string::npos;
@@ -410,20 +423,16 @@ std::string TextWriter::derivation(const Block& block, const Block* result)
         }
         const std::string left(trim(step.tex.substr(0, sign == std::string::npos ? 0 : sign)));
         const std::string right = sign == std::string::npos ? step.tex : "{}" + step.tex.substr(sign);
-        const std::string number = is_result ? fmt::format("<a class=\"number\" id=\"{0}\" href=\"#{0}\">({1})</a>",
-                                                           last->second.anchor, last->second.number)
-                                             : "";
         rows +=
             fmt::format("<div class=\"left\">{}</div><div class=\"right{}\">{}{}</div><div class=\"reason\">{}{}</div>",
-                        left.empty() ? "" : fragments_.add_formula(left, true, place), is_result ? " result" : "",
-                        fragments_.add_formula(right, true, place), number,
-                        step.reason.empty() ? "" : inline_text({{step.line, step.reason}}, block.place.file),
-                        is_result ? receipt_note(material_, last->second) : "");
+                        left.empty() ? "" : fragments_.add_formula(left, true, place),
+                        number.empty() ? "" : " numbered", fragments_.add_formula(right, true, place), number,
+                        step.reason.empty() ? "" : inline_text({{step.line, step.reason}}, block.place.file), receipt);
     }
-    return block_token(fragments_.add_html(fmt::format(
-        "<div class=\"formula derivation\" id=\"{0}\"><div class=\"sheet steps\">{1}</div><a class=\"number\" "
-        "href=\"#{0}\">({2})</a>{3}</div>",
-        numbered.anchor, rows, numbered.number, receipt_note(material_, numbered))));
+    const std::string foot = has_result ? "" : number_of(numbered, nullptr) + receipt_note(material_, numbered);
+    return block_token(fragments_.add_html(
+        fmt::format("<div class=\"formula derivation{}\" id=\"{}\"><div class=\"sheet steps\">{}</div>{}</div>",
+                    has_result ? " joined" : "", numbered.anchor, rows, foot)));
 }
 
 std::string TextWriter::caption(const Chapter& chapter, const Block& block)
