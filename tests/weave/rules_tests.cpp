@@ -139,6 +139,13 @@ TEST_CASE("a derivation that nothing checks fails the book")
     check_one(tree, k_chapter, "::derivation", "derivation hinge.steps that nothing checks");
 }
 
+TEST_CASE("a line of a derivation without a reason fails the book")
+{
+    const ExampleTree tree;
+    tree.replace(k_chapter, "          % the integral of a square", "");
+    check_one(tree, k_chapter, "\\frac{\\lambda l^3}{3}", "a line of a derivation without a reason");
+}
+
 TEST_CASE("a derivation checked in a test has as many lines as the test")
 {
     const ExampleTree tree;
