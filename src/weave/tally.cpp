@@ -96,10 +96,11 @@ std::string rounded(double value)
     return fmt::format("${} \\cdot 10^{{{}}}$", digits.substr(0, e), std::stoi(digits.substr(e + 1)));
 }
 
+/// Of one chapter; a sum has none, and neither has a chapter without files.
 std::string told_percent(const Tally& tally)
 {
-    return tally.chapter != nullptr && tally.chapter->entry.files.empty() ? ""
-                                                                          : fmt::format("{:.0f} %", 100.0 * tally.told);
+    if (tally.chapter == nullptr || tally.chapter->entry.files.empty()) return "";
+    return fmt::format("{:.0f} %", 100.0 * tally.told);
 }
 
 std::string counts_row(const std::string& title, const Tally& t)
