@@ -10,7 +10,7 @@
 #include "broadphase/sweep.hpp"
 #include "math/random.hpp"
 
-/// Boxes in random places, and every way of this chapter to find those that overlap.
+// Boxes in random places, and every way of this chapter to find those that overlap.
 namespace flying {
 
 using Pairs = std::vector<std::pair<int, int>>;

@@ -2,7 +2,7 @@
 
 #include "boxes.hpp"
 
-/// How many boxes each way compares in one look.
+// How many boxes each way compares in one look.
 namespace flying {
 
 

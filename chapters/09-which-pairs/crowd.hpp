@@ -5,8 +5,8 @@
 
 #include "boxes.hpp"
 
-/// Equal discs that move by small steps and exchange their speeds where they are found to
-/// overlap.
+// Equal discs that move by small steps and exchange their speeds where they are found to
+// overlap.
 namespace flying {
 
 

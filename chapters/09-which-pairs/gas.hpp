@@ -6,7 +6,7 @@
 #include "events/event_engine.hpp"
 #include "math/random.hpp"
 
-/// A gas of discs in a box, run by the event engine that the next chapter explains.
+// A gas of discs in a box, run by the event engine that the next chapter explains.
 namespace flying {
 
 

@@ -13,8 +13,8 @@
 #include "math/roots.hpp"
 #include "toi/predict.hpp"
 
-/// An event engine on one page: every pair anew after every impact, with one skip that can
-/// be spoilt.
+// An event engine on one page: every pair anew after every impact, with one skip that can
+// be spoilt.
 namespace flying {
 
 

@@ -7,7 +7,7 @@
 #include "scene/read.hpp"
 #include "world/world.hpp"
 
-/// Runs of the course's scenes with some work left out, and what they counted.
+// Runs of the course's scenes with some work left out, and what they counted.
 namespace flying {
 
 

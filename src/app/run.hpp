@@ -9,7 +9,7 @@
 
 namespace flying {
 
-/// Who looks on while a world runs; each may be absent.
+/// What is recorded while a world runs; each recorder may be absent.
 struct Recorders
 {
     std::optional<TraceRecorder> trace;

@@ -4,7 +4,7 @@
 
 namespace flying {
 
-/// A body as those see it who look for pairs.
+/// A body as the search for pairs sees it.
 struct BoxedBody
 {
     int body = 0; ///< its id

@@ -86,8 +86,8 @@ public:
 
 
 
-    /// Write down the bodies in the nine cells about this one, in the order of `for_each_near`: who is there can't be
-    /// guessed, and so nothing here waits for a guess, but in cells that hold more than two.
+    /// Write down the bodies in the nine cells about this one, in the order of `for_each_near`. What a cell holds
+    /// can't be guessed, and so nothing here waits for a guess, but in cells that hold more than two.
     /// near  room for one more than all bodies. Returns the end of the list.
     [[nodiscard]] int* gather_near(const Cell& cell, int* near) const
     {

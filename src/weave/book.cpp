@@ -119,6 +119,9 @@ Book read_book(const std::filesystem::path& source, Problems& problems)
     if (const toml::array* chapters = table["chapter"].as_array())
         for (const toml::node& node : *chapters)
             if (const toml::table* chapter = node.as_table()) book.chapters.push_back(read_chapter(*chapter, problems));
+    if (const toml::table* least = table["exercises"].as_table())
+        book.least_exercises = {(*least)["least"].value_or(0), (*least)["in_code"].value_or(0),
+                                (*least)["hard"].value_or(0), (*least)["changes"].value_or(0)};
     if (const toml::table* modules = table["modules"].as_table())
         for (const auto& [name, says] : *modules) book.modules[std::string(name.str())] = says.value_or(std::string());
     std::stable_sort(book.chapters.begin(), book.chapters.end(),

@@ -49,15 +49,30 @@ struct ChapterEntry
     [[nodiscard]] std::string folder() const { return "chapters/" + name; }
 };
 
+/// The exercises of a chapter, or how many of them it has to have.
+struct ExerciseCount
+{
+    int all = 0;
+    int in_code = 0;
+    int hard = 0;    ///< their titles end in "(hard)"
+    int changes = 0; ///< name a source to change, in task or hint: `src/...`, or a file of a chapter
+
+    [[nodiscard]] bool has(const ExerciseCount& least) const
+    {
+        return all >= least.all && in_code >= least.in_code && hard >= least.hard && changes >= least.changes;
+    }
+};
+
 /// The table of contents.
 struct Book
 {
     std::string title;
-    std::string brief;       ///< what it is, in a few words; under the title of the manual
-    std::string front;       ///< what its first page says, above the contents; Markdown
+    std::string brief;        ///< what it is, in a few words; under the title of the manual
+    std::string front;        ///< what its first page says, above the contents; Markdown
     bool is_playable = false; ///< it runs scenes of this project's engine: a playground, and a figure on the first page
-    std::string version;                ///< of the project, as CMakeLists.txt has it; empty where it has none
+    std::string version;      ///< of the project, as CMakeLists.txt has it; empty where it has none
     std::vector<ChapterEntry> chapters; ///< in the order of the file, then the appendices by their letters
+    ExerciseCount least_exercises; ///< that each chapter has; nothing is asked for where book.toml has no `[exercises]`
     std::map<std::string, std::string> modules; ///< what each module of src does, in a line
 
     /// The chapter of that number, or null.

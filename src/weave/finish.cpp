@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 #include <set>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -260,6 +261,27 @@ std::map<std::string, std::string> chapter_notes(const Material& material)
     return notes;
 }
 
+/// Doxygen's pages have neither language nor landmarks, and arrows that only a pointer can press; those who read by ear
+/// or by keyboard need more.
+std::string with_landmarks(std::string page)
+{
+    if (page.find("<div id=\"doc-content\">") == std::string::npos) return page;
+    const std::string key = "tabindex=\"0\" role=\"button\" onkeydown=\"if (event.key === 'Enter') this.click()\" ";
+    const std::pair<std::string, std::string> better_words[] = {
+        {"<html xmlns=\"http://www.w3.org/1999/xhtml\">",
+         "<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"en-GB\">"},
+        {"<div id=\"top\">", "<div id=\"top\" role=\"banner\">"},
+        {"<div id=\"side-nav\" ", "<div id=\"side-nav\" role=\"navigation\" aria-label=\"The manual\" "},
+        {"<div id=\"nav-path\" ", "<div id=\"nav-path\" role=\"navigation\" aria-label=\"Where this page is\" "},
+        {"<div id=\"doc-content\">", "<div id=\"doc-content\" role=\"main\">"},
+        {"<div class=\"title\">", "<div class=\"title\" role=\"heading\" aria-level=\"1\">"},
+        {"onclick=\"javascript:toggleLevel(", key + "onclick=\"javascript:toggleLevel("},
+        {"onclick=\"toggleFolder(", key + "aria-label=\"Open or close\" onclick=\"toggleFolder("},
+    };
+    for (const auto& [found, better] : better_words) page = replace_all(std::move(page), found, better);
+    return page;
+}
+
 /// Doxygen's row of links over a page names lists that it leaves out: those links go.
 std::string with_true_row(std::string page)
 {
@@ -286,7 +308,6 @@ std::string with_true_row(std::string page)
 /// beside the page stays shut: such variables get a letter in front, and so does the one place that looks for them.
 void mend_tree_scripts(const fs::path& html, Problems& problems)
 {
-    static const std::string k_asks = "eval(n.replace(/\\-/g,'_'))";
     const auto rewrite = [&](const fs::path& path, const std::string& text) {
         if (!write_file(path, text))
             problems.add({path.filename().string(), 0}, "a script that can't be written", "a folder to write to");
@@ -299,10 +320,13 @@ void mend_tree_scripts(const fs::path& html, Problems& problems)
         const std::string text = read_file(path).value_or("");
         if (text.rfind("var ", 0) == 0 && text.rfind("var _", 0) != 0) rewrite(path, "var _" + text.substr(4));
     }
-    const std::string tree = read_file(html / "navtree.js").value_or("");
-    if (tree.find(k_asks) != std::string::npos)
-        rewrite(html / "navtree.js",
-                replace_all(tree, k_asks, "eval(n.replace(/\\-/g,'_').replace(/^(?=[0-9])/,'_'))"));
+    const std::tuple<const char*, std::string, std::string> k_mended[] = {
+        {"navtree.js", "eval(n.replace(/\\-/g,'_'))", "eval(n.replace(/\\-/g,'_').replace(/^(?=[0-9])/,'_'))"},
+        {"menu.js", "id=\"MSearchField\"", "id=\"MSearchField\" aria-label=\"Search the manual\""}};
+    for (const auto& [name, found, better] : k_mended) {
+        const std::string script = read_file(html / name).value_or("");
+        if (script.find(found) != std::string::npos) rewrite(html / name, replace_all(script, found, better));
+    }
 }
 
 std::string with_note(std::string page, const std::string& note)
@@ -415,7 +439,7 @@ void finish_pages(const Material& material, const Pages& pages, const std::vecto
                 if (finished.find("href=\"" + page + "\"", end) != std::string::npos) note = by_page.find(page);
         }
         if (note != by_page.end()) finished = with_note(finished, note->second);
-        finished = with_true_row(finished);
+        finished = with_landmarks(with_true_row(finished));
         if (finished != text) write(path, finished);
     }
     mend_tree_scripts(html / "manual", problems);

@@ -59,12 +59,16 @@ std::string book_list(const Material& material, const Page& page, const std::str
         if (name == std::string_view("glossary")) out += entry(page, "terms", "", "Index", root);
     }
     out += "</ol><p>Reference</p><ol>";
-    const std::pair<const char*, const char*> others[] = {
-        {"playground", "Playground"}, {"equations", "Equations and receipts"},
-        {"symbols", "Symbols"},       {"told", "What is told, and what is not"},
-        {"sources", "The sources"},   {"manual/index", "Manual of the code"}};
+    const std::pair<const char*, const char*> others[] = {{"playground", "Playground"},
+                                                          {"equations", "Equations and receipts"},
+                                                          {"symbols", "Symbols"},
+                                                          {"told", "What is told, and what is not"},
+                                                          {"numbers", "The book in numbers"},
+                                                          {"sources", "The sources"},
+                                                          {"manual/index", "Manual of the code"}};
     for (const auto& [name, title] : others)
-        if (material.book.is_playable || std::string_view(name) != "playground") out += entry(page, name, "", title, root);
+        if (material.book.is_playable || std::string_view(name) != "playground")
+            out += entry(page, name, "", title, root);
     return out + "</ol>";
 }
 

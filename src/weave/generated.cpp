@@ -10,6 +10,7 @@
 #include "weave/live_matter.hpp"
 #include "weave/pages.hpp"
 #include "weave/receipts.hpp"
+#include "weave/tally.hpp"
 #include "weave/text.hpp"
 
 namespace flying::weave {
@@ -127,12 +128,12 @@ std::string contents(const Material& material)
         const std::string title = escape_html(entry.title);
         std::string needs;
         for (const int need : entry.needs) needs += (needs.empty() ? "builds on " : ", ") + material.book.label(need);
-        out += fmt::format(
-            "<li value=\"{}\">{} <span class=\"question\">{}</span> <span class=\"needs\">{}{}</span></li>",
-            entry.appendix.empty() ? entry.place : entry.appendix[0] - 'A' + 1,
-            entry.written ? fmt::format("<a href=\"{}.html\">{}</a>", entry.page(), title) : title,
-            escape_html(entry.question), needs,
-            entry.written ? "" : (needs.empty() ? "" : "; ") + std::string("not written yet"));
+        out +=
+            fmt::format("<li value=\"{}\">{} <span class=\"question\">{}</span> <span class=\"needs\">{}{}</span></li>",
+                        entry.appendix.empty() ? entry.place : entry.appendix[0] - 'A' + 1,
+                        entry.written ? fmt::format("<a href=\"{}.html\">{}</a>", entry.page(), title) : title,
+                        escape_html(entry.question), needs,
+                        entry.written ? "" : (needs.empty() ? "" : "; ") + std::string("not written yet"));
     }
     return "<div class=\"contents-list\">" + out + "</ol></div>";
 }
@@ -148,7 +149,8 @@ std::string equation_index(const Material& material, Fragments& fragments)
             const std::size_t dot = n->number.find('.');
             const std::string label = n->number.substr(0, dot);
             const bool is_appendix = label.find_first_not_of("0123456789") != std::string::npos;
-            return std::tuple(is_appendix, is_appendix ? label[0] : std::stoi(label), std::stoi(n->number.substr(dot + 1)));
+            return std::tuple(is_appendix, is_appendix ? label[0] : std::stoi(label),
+                              std::stoi(n->number.substr(dot + 1)));
         };
         return place(a) < place(b);
     });
@@ -253,9 +255,9 @@ std::string told(const Material& material, const Counts& counts)
         out += fmt::format("| [{}]({}.html) | {} | {} | {:.0f} % | {:.0f} % |\n", page_title(*entry), entry->page(),
                            share.lines, share.told, 100.0 * share.part(), 100.0 * entry->told);
     }
-    return out + fmt::format("\n{} formulas only define. {} numbers of the text are given, not computed. {} "
-                             "chapters are planned and not written yet.\n",
-                             definitions, counts.given, planned);
+    const std::string later = planned == 0 ? "" : fmt::format(" {} chapters are planned and not written yet.", planned);
+    return out + fmt::format("\n{} formulas only define. {} numbers of the text are given, not computed.{}\n",
+                             definitions, counts.given, later);
 }
 
 } // namespace
@@ -293,6 +295,10 @@ void add_generated_pages(const Material& material, const Counts& counts, TextWri
                 fragments.add_html(playground_figure())));
     add("equations", "Equations and their receipts", fragments.add_html(equation_index(material, fragments)) + "\n");
     add("symbols", "Symbols", symbol_table(material, writer));
+    std::vector<std::pair<int, std::string>> lines;
+    for (const std::string& line : split_lines(tally_tables(tallies(material, counts.coverage))))
+        lines.emplace_back(0, line);
+    add("numbers", "The book in numbers", writer.inline_text(lines, "numbers"));
     add("told", "What is told, and what is not", told(material, counts));
 }
 

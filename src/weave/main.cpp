@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "weave/run.hpp"
+#include "weave/tally.hpp"
 #include "weave/text.hpp"
 
 namespace weave = flying::weave;
@@ -47,7 +48,9 @@ int main(int argc, char** argv)
         command->add_option("--project", project, "folder that holds chapters, src and docs")
             ->check(CLI::ExistingDirectory);
         command->add_option("--build", build, "folder with receipts, outputs and figures, and for what is made");
-        command->add_option("--kit", kit, "folder with the theme and Doxyfile.in; without it, the one that came with weave")
+        command
+            ->add_option("--kit", kit,
+                         "folder with the theme and Doxyfile.in; without it, the one that came with weave")
             ->check(CLI::ExistingDirectory);
         command->add_option("--node", tools.node, "the program node");
         command->add_option("--doxygen", tools.doxygen, "the program doxygen");
@@ -74,9 +77,7 @@ int main(int argc, char** argv)
     weave::Problems problems;
     if (check->parsed()) {
         const weave::Woven woven = weave::weave_pages(folders, tools, problems);
-        for (const weave::Share& share : woven.counts.coverage.shares)
-            fmt::print("{}: {} of {} lines told, {:.1f} %\n", share.called, share.told, share.lines,
-                       100.0 * share.part());
+        fmt::print("{}", weave::tally_lines(weave::tallies(woven.material, woven.counts.coverage)));
         return conclude(problems, fmt::format("{} pages, no problem", woven.pages.list.size()));
     }
     weave::make_book(folders, tools, problems);

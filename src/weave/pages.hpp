@@ -82,7 +82,8 @@ private:
     /// Its lines without what lies folded in it; `longest` grows to the longest of them.
     [[nodiscard]] std::string region_lines(const Region& region, const Place& place, std::size_t& longest);
     [[nodiscard]] std::string formula(const Block& block);
-    [[nodiscard]] std::string derivation(const Block& block);
+    /// `result` is the equation behind it that only numbers its last line, or null.
+    [[nodiscard]] std::string derivation(const Block& block, const Block* result);
     [[nodiscard]] std::string figure(const Chapter& chapter, const Block& block);
     [[nodiscard]] std::string live(const Chapter& chapter, const Block& block);
     [[nodiscard]] std::string output(const Chapter& chapter, const Block& block);

@@ -256,8 +256,12 @@ int check_prose(const Material& material, Problems& problems)
                 if (!words.empty()) check_text(block, Lines{{block.place.line, words}}, given, problems);
             if (block.kind == BlockKind::fence) check_fence(block, problems);
             if (block.kind != BlockKind::derivation) continue;
-            for (const Step& step : steps_of(block))
+            for (const Step& step : steps_of(block)) {
                 check_text(block, Lines{{step.line, step.reason}}, given, problems);
+                if (step.reason.empty())
+                    problems.add({block.place.file, step.line}, "a line of a derivation without a reason",
+                                 "`% why it follows` after it");
+            }
         }
     };
     for (const auto& [name, text] : material.extras) check(text);

@@ -35,6 +35,7 @@ struct Coverage
 [[nodiscard]] Coverage check_coverage(const Material& material, Problems& problems);
 
 /// No decimal number is typed, no larger number in words; no formula or code stands where the build can't see it.
+/// Each line of a derivation has a reason.
 /// Returns how many numbers were declared as given.
 int check_prose(const Material& material, Problems& problems);
 

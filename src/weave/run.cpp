@@ -15,6 +15,7 @@
 #include "weave/receipts.hpp"
 #include "weave/rules.hpp"
 #include "weave/search_index.hpp"
+#include "weave/tally.hpp"
 #include "weave/text.hpp"
 
 namespace flying::weave {
@@ -202,8 +203,7 @@ std::vector<std::string> render_formulas(const Fragments& fragments, const Folde
                                      .c_str()) == 0;
         const json result = json::parse(read_file(answer).value_or(""), nullptr, false);
         if (!answered || !result.is_object()) {
-            problems.add({"formulas.js", 0}, "formulas that could not be rendered",
-                         "node, and KaTeX (Debian: katex)");
+            problems.add({"formulas.js", 0}, "formulas that could not be rendered", "node, and KaTeX (Debian: katex)");
             return std::vector<std::string>(list.size());
         }
         known.update(result.at("html"));
@@ -231,6 +231,7 @@ Woven weave_pages(const Folders& folders, const Tools& tools, Problems& problems
     woven.counts.coverage = check_coverage(woven.material, problems);
     woven.counts.given = check_prose(woven.material, problems);
     check_completeness(woven.material, problems);
+    check_exercises(woven.material, problems);
     check_needs(woven.material, problems);
     woven.pages = make_pages(woven.material, woven.counts, problems);
     woven.formulas = render_formulas(woven.pages.fragments, folders, tools, problems);

@@ -59,12 +59,39 @@ std::size_t longest_line(std::string_view text)
     return longest;
 }
 
+/// The equation says no more than the derivation's last line does: the same left side, the same end.
+bool is_last_line(const Block& derivation, const Block& equation)
+{
+    if (derivation.kind != BlockKind::derivation || equation.kind != BlockKind::equation) return false;
+    const std::vector<Step> steps = steps_of(derivation);
+    if (steps.size() < 2) return false;
+    const auto bare = [](std::string tex) {
+        for (const char* sign : {"\\left", "\\right", "\\,", " "}) tex = replace_all(std::move(tex), sign, "");
+        return tex;
+    };
+    const std::string first = bare(steps.front().tex);
+    const std::string last = bare(steps.back().tex);
+    return last.rfind('=', 0) == 0 && bare(formula_of(equation)) == first.substr(0, first.find('=')) + last;
+}
+
 } // namespace
 
 std::string TextWriter::blocks(const Chapter& chapter, const ChapterText& text)
 {
+    const auto is_blank = [](const Block& block) {
+        return block.kind == BlockKind::text && std::all_of(block.lines.begin(), block.lines.end(),
+                                                            [](const auto& line) { return trim(line.second).empty(); });
+    };
     std::string out;
-    for (const Block& b : text.blocks) out += block(chapter, b);
+    for (auto b = text.blocks.begin(); b != text.blocks.end(); ++b) {
+        const auto next = std::find_if_not(b + 1, text.blocks.end(), is_blank);
+        if (next != text.blocks.end() && is_last_line(*b, *next)) {
+            out += derivation(*b, &*next);
+            b = next;
+        } else {
+            out += block(chapter, *b);
+        }
+    }
     return out;
 }
 
@@ -100,7 +127,7 @@ std::string TextWriter::block(const Chapter& chapter, const Block& b)
     case BlockKind::definition:
         return formula(b);
     case BlockKind::derivation:
-        return derivation(b);
+        return derivation(b, nullptr);
     case BlockKind::figure:
         return figure(chapter, b);
     case BlockKind::output:
@@ -360,13 +387,30 @@ std::string TextWriter::formula(const Block& block)
         directive_word(block.kind), numbered.anchor, tex, numbered.number, receipt_note(material_, numbered))));
 }
 
-std::string TextWriter::derivation(const Block& block)
+std::string TextWriter::derivation(const Block& block, const Block* result)
 {
     const auto found = material_.numbered.find(block.name);
     if (found == material_.numbered.end()) return ""; // of an exercise that is never posed, which is a problem already
     const Numbered& numbered = found->second;
+    const auto last = result == nullptr ? material_.numbered.end() : material_.numbered.find(result->name);
+    const bool has_result = last != material_.numbered.end();
+    const auto number_of = [](const Numbered& n, const char* attribute) {
+        return fmt::format("<a class=\"number\"{1} href=\"#{0}\">({2})</a>", n.anchor,
+                           attribute == nullptr ? "" : fmt::format(" {}=\"{}\"", attribute, n.anchor), n.number);
+    };
     std::string rows;
-    for (const Step& step : steps_of(block)) {
+    const std::vector<Step> steps = steps_of(block);
+    for (const Step& step : steps) {
+        // With a result, the chain's number stands at its first line and the result's at its last
+        std::string number;
+        std::string receipt;
+        if (has_result && &step == &steps.front()) {
+            number = number_of(numbered, nullptr);
+            receipt = receipt_note(material_, numbered);
+        } else if (has_result && &step == &steps.back()) {
+            number = number_of(last->second, "id");
+            receipt = receipt_note(material_, last->second);
+        }
         // Set the left side, then the rest from its first sign of equality on
         const Place place{block.place.file, step.line};
         std::size_t sign = std::string::npos;
@@ -379,15 +423,16 @@ std::string TextWriter::derivation(const Block& block)
         }
         const std::string left(trim(step.tex.substr(0, sign == std::string::npos ? 0 : sign)));
         const std::string right = sign == std::string::npos ? step.tex : "{}" + step.tex.substr(sign);
-        rows += fmt::format("<div class=\"left\">{}</div><div class=\"right\">{}</div><div class=\"reason\">{}</div>",
-                            left.empty() ? "" : fragments_.add_formula(left, true, place),
-                            fragments_.add_formula(right, true, place),
-                            step.reason.empty() ? "" : inline_text({{step.line, step.reason}}, block.place.file));
+        rows +=
+            fmt::format("<div class=\"left\">{}</div><div class=\"right{}\">{}{}</div><div class=\"reason\">{}{}</div>",
+                        left.empty() ? "" : fragments_.add_formula(left, true, place),
+                        number.empty() ? "" : " numbered", fragments_.add_formula(right, true, place), number,
+                        step.reason.empty() ? "" : inline_text({{step.line, step.reason}}, block.place.file), receipt);
     }
-    return block_token(fragments_.add_html(fmt::format(
-        "<div class=\"formula derivation\" id=\"{0}\"><div class=\"sheet steps\">{1}</div><a class=\"number\" "
-        "href=\"#{0}\">({2})</a>{3}</div>",
-        numbered.anchor, rows, numbered.number, receipt_note(material_, numbered))));
+    const std::string foot = has_result ? "" : number_of(numbered, nullptr) + receipt_note(material_, numbered);
+    return block_token(fragments_.add_html(
+        fmt::format("<div class=\"formula derivation{}\" id=\"{}\"><div class=\"sheet steps\">{}</div>{}</div>",
+                    has_result ? " joined" : "", numbered.anchor, rows, foot)));
 }
 
 std::string TextWriter::caption(const Chapter& chapter, const Block& block)

@@ -31,7 +31,7 @@ public:
 
     /// Bring all controls up to the stage.
     void sync(bool is_filming, bool is_tracing);
-    /// Where the controls are, as JSON by their texts: {"Pause": [x, y], ...}, for who plays by a program.
+    /// Where the controls are, as JSON by their texts: {"Pause": [x, y], ...}, for a program that plays.
     /// within  the widget whose pixels these are
     [[nodiscard]] std::string places(Gtk::Widget& within) const;
     /// The scene that is shown as chosen, by its path. One that the list hasn't got, a file from elsewhere or a scene

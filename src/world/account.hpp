@@ -10,7 +10,7 @@
 #include "world/report.hpp"
 #include "world/world.hpp"
 
-/// What a report says, worked out from the engine's bodies and counts.
+// What a report says, worked out from the engine's bodies and counts.
 namespace flying {
 
 /// One body at one moment, by whichever integrator it moves.

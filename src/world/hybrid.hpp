@@ -143,7 +143,7 @@ private:
 
     Setting setting_;
     double (*seconds_)() = nullptr;          // a clock, lent; or null
-    double seconds_between_steps_ = 0.0;     // spent on who has which body
+    double seconds_between_steps_ = 0.0;     // spent on which integrator has which body
     double clock_ = 0.0;                     // [s]
     EventEngine flying_;
     std::optional<RestEngine> resting_;

@@ -5,7 +5,7 @@
 
 namespace flying {
 
-/// What the integrators need to go on with the same bits, beside the bodies' flights: for who keeps a snapshot elsewhere.
+/// What the integrators need to go on with the same bits, beside the bodies' flights: for a snapshot that is kept elsewhere.
 struct EngineMemory
 {
     Hybrid::Memory hybrid;

@@ -1,5 +1,7 @@
 #include "example_tree.hpp"
 
+#include "weave/tally.hpp"
+
 // Each rule of the book, broken one at a time in the example chapter: the message names the place, what was found, and
 // what was expected.
 
@@ -137,6 +139,13 @@ TEST_CASE("a derivation that nothing checks fails the book")
     check_one(tree, k_chapter, "::derivation", "derivation hinge.steps that nothing checks");
 }
 
+TEST_CASE("a line of a derivation without a reason fails the book")
+{
+    const ExampleTree tree;
+    tree.replace(k_chapter, "          % the integral of a square", "");
+    check_one(tree, k_chapter, "\\frac{\\lambda l^3}{3}", "a line of a derivation without a reason");
+}
+
 TEST_CASE("a derivation checked in a test has as many lines as the test")
 {
     const ExampleTree tree;
@@ -189,8 +198,9 @@ TEST_CASE("marks that no listing needs fail the book")
     const ExampleTree tree;
     mark(tree, "    return m * l * l / 12.0;\n", "rod.middle");
     // At the first of the two
-    CHECK(tree.problems() == "src/rods/rod.hpp:16: marks of `rod.middle`, which no listing shows; expected no marks, or a "
-                             "::listing\n");
+    CHECK(tree.problems() ==
+          "src/rods/rod.hpp:16: marks of `rod.middle`, which no listing shows; expected no marks, or a "
+          "::listing\n");
 }
 
 TEST_CASE("a line shown twice as new fails the book, and once more as again does not")
@@ -318,7 +328,8 @@ TEST_CASE("a value that nothing computes, a reference to nothing and an unknown 
 TEST_CASE("a larger number in words fails the book in a caption, and in the text where it is a rough result")
 {
     const ExampleTree tree;
-    tree.replace(k_chapter, "A door weighs as much as you do", "Of a hundred doors, some thirty weigh as much as you do");
+    tree.replace(k_chapter, "A door weighs as much as you do",
+                 "Of a hundred doors, some thirty weigh as much as you do");
     check_one(tree, k_chapter, "Of a hundred doors", "a number in words, `some thirty`");
     tree.replace(k_chapter, "some thirty weigh", "{{given:some thirty}} weigh");
     CHECK(tree.problems() == "");
@@ -409,6 +420,48 @@ TEST_CASE("a chapter without hours and goals, or with other needs than it names,
     const std::string report = tree.problems();
     CAPTURE(report);
     CHECK(report.find("links to the chapters 1; expected none, as `needs` of chapter 1") != std::string::npos);
+}
+
+TEST_CASE("a chapter has the exercises that book.toml asks for")
+{
+    const ExampleTree tree;
+    const auto ask = [&](const std::string& least) {
+        const std::string book = tree.read("chapters/book.toml");
+        tree.write("chapters/book.toml", book.substr(0, book.find("\n[exercises]")) + "\n[exercises]\n" + least);
+        return tree.problems();
+    };
+    CHECK(ask("least = 1\nin_code = 1\n").empty());
+    for (const char* more : {"least = 2\n", "in_code = 2\n", "hard = 1\n", "changes = 1\n"}) {
+        const std::string report = ask(more);
+        CAPTURE(more);
+        CAPTURE(report);
+        CHECK(report.find("1 exercises, 1 in code, 0 hard, 0 that change a source; expected") != std::string::npos);
+    }
+    tree.replace("chapters/01-hinge/exercises/e1/text.md", "# The other end\n",
+                 "# The other end (hard)\n\nIn `src/rods/rod.hpp` break something.\n");
+    CHECK(ask("hard = 1\nchanges = 1\n").empty());
+}
+
+TEST_CASE("a chapter is counted: words without formulas, equations by the kind of their receipts")
+{
+    const ExampleTree tree;
+    flying::weave::Problems problems;
+    const flying::weave::Woven woven = tree.weave(problems);
+    const std::vector<flying::weave::Tally> all = flying::weave::tallies(woven.material, woven.counts.coverage);
+    REQUIRE(all.size() == 1);
+    const flying::weave::Tally& tally = all.front();
+    CHECK(tally.oracle == 1);
+    CHECK(tally.measured + tally.same == 0);
+    CHECK(tally.worst == 2e-16);
+    CHECK(tally.worst_name == "hinge.end");
+    CHECK(tally.figures == 1);
+    CHECK(tally.exercises.in_code == 1);
+
+    // Formulas, code, inserts and listings are no words
+    const int words = tally.words;
+    tree.replace(k_chapter, "## Symbols", "Four words of text, $m = 2 l$, `code` {{given:7}}.\n\n## Symbols");
+    const flying::weave::Woven more = tree.weave(problems);
+    CHECK(flying::weave::tallies(more.material, more.counts.coverage).front().words == words + 4);
 }
 
 TEST_CASE("a book whose chapters need later ones or have no number fails")

@@ -108,10 +108,41 @@ TEST_CASE("a chapter's page loads its experiments where it has any")
     CHECK(page_loads());
 }
 
+TEST_CASE("an equation right behind a derivation that ends with it is the number of the last line")
+{
+    const ExampleTree tree;
+    const auto formulas = [&] {
+        Problems problems;
+        const Woven woven = tree.weave(problems);
+        CHECK(problems.report() == "");
+        std::string all;
+        for (const Fragment& fragment : woven.pages.fragments.list()) all += fragment.text + "\n";
+        return all;
+    };
+    const std::string k_box = "<div class=\"formula equation\" id=\"eq-hinge-end\">";
+    const std::string k_line = "<a class=\"number\" id=\"eq-hinge-end\"";
+    const std::string apart = formulas();
+    CHECK(apart.find(k_box) != std::string::npos);
+    CHECK(apart.find(k_line) == std::string::npos);
+
+    // Without the words and the listing between the two; one formula less is set, its receipt stays
+    const std::string chapter = "chapters/01-hinge/chapter.md";
+    tree.replace(chapter, "## The code\n\n::listing rods/rod.hpp:rod_about_end\n\nIt implements\n\n", "");
+    tree.replace(chapter, "## The demo", "## The code\n\n::listing rods/rod.hpp:rod_about_end\n\n## The demo");
+    const std::string joined = formulas();
+    CHECK(joined.find(k_box) == std::string::npos);
+    CHECK(joined.find(k_line) != std::string::npos);
+
+    // Another end is another formula
+    tree.replace(chapter, "```tex\nI = \\frac{m l^2}{3}", "```tex\nI = \\frac{l^2 m}{3}");
+    CHECK(formulas().find(k_box) != std::string::npos);
+}
+
 TEST_CASE("a live figure needs a recording for where the engine can't run")
 {
     const ExampleTree tree;
-    tree.replace("chapters/01-hinge/chapter.md", "## Summary", "::live swing \"The rod swings about its hinge\"\n\n## Summary");
+    tree.replace("chapters/01-hinge/chapter.md", "## Summary",
+                 "::live swing \"The rod swings about its hinge\"\n\n## Summary");
     CHECK(tree.problems().find("::live swing without swing.ndjson") != std::string::npos);
     tree.write("build/figures/01-hinge/swing.ndjson", "{\"shapes\": []}\n");
     CHECK(tree.problems() == "");
