@@ -11,7 +11,7 @@
 #include "scene/read.hpp"
 #include "world/world.hpp"
 
-/// Whole scenes, run, looked at, and gone on with in a right way and in a wrong one.
+// Whole scenes, run, looked at, and gone on with in a right way and in a wrong one.
 namespace flying {
 
 

@@ -10,7 +10,7 @@
 #include "world/make_shape.hpp"
 #include "world/scene.hpp"
 
-/// The same scene with bodies weighed in two ways.
+// The same scene with bodies weighed in two ways.
 namespace flying {
 
 enum class Scales
