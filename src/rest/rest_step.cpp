@@ -200,8 +200,9 @@ bool RestEngine::list_what_impacts_reach()
     farthest_.resize(data_.motion.reach.size());
     for (const int k : moved_) farthest_[k] = data_.motion.reach[k];
     for (const Island& island : islands_.all()) {
+        // Only steps that are made in parts look again
         const auto closes = [](const ContactPoint& c) { return std::isfinite(c.closes_at); };
-        if (std::none_of(island.points.begin(), island.points.end(), closes)) continue;
+        if (is_heap(island) || std::none_of(island.points.begin(), island.points.end(), closes)) continue;
         const double thrown = data_.motion.span * 2.0 * top_speed(data_, island);
         for (const int member : island.members) farthest_[member] = std::max(farthest_[member], thrown);
     }

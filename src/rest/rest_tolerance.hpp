@@ -99,7 +99,7 @@ inline constexpr int k_path_share = 2;
 inline constexpr std::size_t k_most_from_nothing = 256;
 
 /// [points] Pieces of one that begins with nothing; it rarely takes more than three.
-inline constexpr int k_path_pieces = 16;
+inline constexpr int k_path_pieces = 4;
 
 // ---- Impacts in rounds (impact)
 // ---- Interior point (interior_point, island_solver)
