@@ -41,7 +41,7 @@ struct ViewMap
 /// The map that `paint` uses for this picture on a surface of this size.
 [[nodiscard]] ViewMap view_map(const Picture& picture, SurfaceSize size);
 
-/// How finely edges are smoothed: where so many things are drawn that nobody looks at one, coarsely, in half the time.
+/// How finely edges are smoothed: coarsely, in half the time, where there are many things to draw.
 void smooth_edges(cairo_t* cairo, std::size_t things);
 
 /// Draw the whole picture, ground and all, on a surface of this size.

@@ -200,12 +200,12 @@ void limit_energy(RestData& data, const Island& island)
     ++data.counts.limited;
     data.counts.energy_limited += gain.gained;
     const RigidMotion rigid = free_motion(data, island, data.motion.now);
+    const bool is_held = static_hold(data, island.points).directions > 0;
     // Round a centre the field's work isn't in proportion to the way, so that it takes more than one round
     for (int round = 0; round < rest_tolerance::k_quick_rounds && gain.gained > rounding; ++round) {
         double left = slow_down(data, island, rigid, gain.gained);
         if (left > rounding) left = rise_less(data, island, free_way(data, island), left);
         // What slides up a slope has its friction, too, to hold it
-        const bool is_held = static_hold(data, island.points).directions > 0;
         if (left > rounding && is_held) (void)rise_less(data, island, RigidMotion{}, left);
         gain = gain_of(data, island);
     }

@@ -172,7 +172,6 @@ private:
     void note_again(const Island& island, Again& again);
     void find_pairs_of(Again& again, std::span<const int> pairs);
     void make_parts(int depth);
-    void scale_loads(std::span<const int> pairs, double factor);
     void scale_loads_awake(double factor);
     [[nodiscard]] bool stood_alike(int member) const;
     void move_island(const Island& island);

@@ -75,6 +75,12 @@ void find_places(RestData& data, const Island& island)
     }
 }
 
+/// What pairs bear, for another length of time.
+void scale_loads(RestData& data, std::span<const int> pairs, double factor)
+{
+    for (const int k : pairs) data.pairs.pairs()[k].scale(factor);
+}
+
 } // namespace
 
 void RestEngine::step()
@@ -398,7 +404,7 @@ void RestEngine::make_parts(int depth)
             data_.motion.span = length;
             left -= length;
             data_.motion.after = after_whole + left;
-            scale_loads(pairs, length / before);
+            scale_loads(data_, pairs, length / before);
             before = length;
             measure_reach(members);
             found_.clear();
@@ -410,15 +416,10 @@ void RestEngine::make_parts(int depth)
         }
         data_.motion.span = whole;
         data_.motion.after = after_whole;
-        scale_loads(pairs, whole / before);
+        scale_loads(data_, pairs, whole / before);
         ++data_.counts.parts;
     }
     again_[depth].parts.clear();
-}
-
-void RestEngine::scale_loads(std::span<const int> pairs, double factor)
-{
-    for (const int k : pairs) data_.pairs.pairs()[k].scale(factor);
 }
 
 } // namespace flying
