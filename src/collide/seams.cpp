@@ -1,5 +1,6 @@
 #include "collide/seams.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -213,10 +214,13 @@ void mend_at_seams(const Polygon& part, const Pose& world_from_part, std::span<c
             if (seam.bend == Seam::Bend::hollow && seam.is_loose && std::holds_alternative<Polygon>(other) &&
                 from_corner.squaredNorm() > near * near)
                 continue;
+            // What lies well below the surface, and not in the polygon, is beside both, not on them
+            const double height = instead.dot(from_corner);
+            if (height < std::min(contact.separation, 0.0) - near) continue;
             const double over = from_corner.dot(seam.onwards);
-            if (over > seam.crack && seam.bend != Seam::Bend::hollow) return false;
+            if (over > seam.crack && seam.bend != Seam::Bend::hollow && !seam.is_loose) return false;
             if (over < -seam.crack && seam.bend == Seam::Bend::none && is_no_corner) return false;
-            contact.separation = instead.dot(from_corner);
+            contact.separation = height;
             contact.normal = world_from_part.rotation * Vec2(sign * instead);
             contact.point = world_from_part * Vec2(nearest.point - 0.5 * contact.separation * instead);
             contact.feature = (owner == Owner::a ? 1u : 0u) | static_cast<std::uint32_t>(nearest.vertex) << 1 |

@@ -14,7 +14,8 @@ namespace {
 using Side = Outline::Side;
 using Corner = Outline::Corner;
 
-/// The corner of a body looks at a side of another: along one of its own sides, or with its tip.
+/// The corner of a body looks at a side of another: along one of its own sides, or with its tip. (Two that pass by each
+/// other's sides, each with its tip along the other, would leave a thin wall by its far side.)
 ///
 /// corner, normal  in one frame
 [[nodiscard]] bool faces(const Corner& corner, const Vec2& normal)
@@ -22,7 +23,7 @@ using Corner = Outline::Corner;
     if (corner.radius > 0.0) return true;
     const double before = corner.before.dot(normal);
     const double after = corner.after.dot(normal);
-    return before + after < 0.0 || std::min(before, after) < -rest_tolerance::k_one_face;
+    return before + after < -rest_tolerance::k_same_normal || std::min(before, after) < -rest_tolerance::k_one_face;
 }
 
 [[nodiscard]] Corner seen_from(const Pose& here_from_there, const Corner& corner)
