@@ -65,8 +65,7 @@ void set_mean_lines(ContactPoint& mean, const ContactPoint& start, const Contact
 [[nodiscard]] bool may_bend(const RestData& data, const Island& island)
 {
     // A few that move
-    if (island.point_count() > rest_tolerance::k_most_followed || strikes_at_start(island) || !island.is_solved)
-        return false;
+    if (island.point_count() > rest_tolerance::k_most_followed || is_heap(island) || !island.is_solved) return false;
     const std::span<const ContactPoint> points = island.points;
 
     // Where nothing may be lost, a contact that hops leaves as it came, and not along the surfaces
@@ -313,7 +312,8 @@ bool CurvedWays::end_velocities(RestData& data, Island& island)
     }
     const bool content =
         data.solver.solve(data.motion.now, members, at_end_, rest_tolerance::k_residual * top_speed(data, island));
-    if (!std::all_of(at_end_.begin(), at_end_.end(), lasts)) return false; // what lets go within the step isn't followed
+    if (!std::all_of(at_end_.begin(), at_end_.end(), lasts))
+        return false; // what lets go within the step isn't followed
     auto end = at_end_.begin();
     for (std::size_t k = 0; k < bent_.size(); ++k) {
         ContactPoint& c = bent_[k];

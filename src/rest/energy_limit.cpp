@@ -39,6 +39,20 @@ double kinetic_energy(const Island& island, std::span<const Mover> movers)
     return sum;
 }
 
+double work_of_contacts(const RestData& data, const Island& island)
+{
+    double work = 0.0;
+    for (const ContactPoint& c : island.points) {
+        const auto power = [&](const std::vector<Mover>& movers) {
+            const Mover& a = movers[c.a];
+            const Mover& b = movers[c.b];
+            return c.normal * normal_speed(c, a, b) + c.tangent * tangent_speed(c, a, b);
+        };
+        work += 0.5 * (power(data.motion.before) + power(data.motion.now));
+    }
+    return work;
+}
+
 bool is_lossless(const Island& island)
 {
     return std::all_of(island.points.begin(), island.points.end(),
@@ -165,9 +179,8 @@ struct RigidMotion
     return by - ((energy + mixed) - (energy * share + mixed) * share);
 }
 
-/// Takes energy out of the rise of an island's bodies relative to a way that it goes as one rigid body, as much as there
-/// is. What remains to be taken.  [J]
-/// by  what is to be taken [J]
+/// Takes energy out of the rise of an island's bodies relative to a way that it goes as one rigid body, as much as
+/// there is. What remains to be taken.  [J] by  what is to be taken [J]
 [[nodiscard]] double rise_less(RestData& data, const Island& island, const RigidMotion& rigid, double by)
 {
     const auto way_of = [&](int member) {
@@ -205,8 +218,9 @@ void limit_energy(RestData& data, const Island& island)
     for (int round = 0; round < rest_tolerance::k_quick_rounds && gain.gained > rounding; ++round) {
         double left = slow_down(data, island, rigid, gain.gained);
         if (left > rounding) left = rise_less(data, island, free_way(data, island), left);
-        // What slides up a slope has its friction, too, to hold it
-        if (left > rounding && is_held) (void)rise_less(data, island, RigidMotion{}, left);
+        // What slides along something static has its friction, too, to hold it
+        if (left > rounding && is_held) left = rise_less(data, island, RigidMotion{}, left);
+        if (left > rounding && is_held) (void)slow_down(data, island, RigidMotion{}, left);
         gain = gain_of(data, island);
     }
 }

@@ -17,6 +17,10 @@ struct EnergyGain
 /// Kinetic energy of an island's bodies with some velocities.  [J]
 [[nodiscard]] double kinetic_energy(const Island& island, std::span<const Mover> movers);
 
+/// What the forces of an island's contacts do where all its bodies move by the mean of their velocities before and
+/// after. [J]
+[[nodiscard]] double work_of_contacts(const RestData& data, const Island& island);
+
 /// Nothing may take energy from an island: none of its contacts loses any, by impact or by friction.
 [[nodiscard]] bool is_lossless(const Island& island);
 

@@ -7,6 +7,7 @@
 #include "rest/energy_limit.hpp"
 #include "rest/rest_tolerance.hpp"
 #include "rest/step_field.hpp"
+#include "rest/sweeps.hpp"
 
 namespace flying {
 namespace {
@@ -23,7 +24,19 @@ namespace {
 
 } // namespace
 
-/// A group too large to be solved whole: each step goes on with the sweeps of the last.
+bool HeapSweeps::sweep_small(RestData& data, Island& island)
+{
+    if (island.member_count() > rest_tolerance::k_most_whole) return false;
+    kept_.assign(island.points.begin(), island.points.end());
+    set_free(data, island, data.motion.before, data.motion.span);
+    sweep_velocities(data, island, data.motion.now, island.points);
+    if (worst_residual(island.points, data.motion.now) <= rest_tolerance::k_nearly_right * field_speed(data, island) &&
+        work_of_contacts(data, island) <= 0.0)
+        return true;
+    std::copy(kept_.begin(), kept_.end(), island.points.begin());
+    return false;
+}
+
 void HeapSweeps::sweep_large(RestData& data, Island& island)
 {
     island.is_exact = false;
@@ -41,27 +54,9 @@ void HeapSweeps::sweep_large(RestData& data, Island& island)
     plan.far_from_closing = rest_tolerance::k_far * std::max(before, field);
     plan.tolerance = rest_tolerance::k_blow * field;
     sweeps_.sweep(data.motion.now, members, points, plan, data.solver.counts());
-    if (island.member_count() <= rest_tolerance::k_most_swept_on) {
-        const double most =
-            before > rest_tolerance::k_standing * field ? rest_tolerance::k_deep : rest_tolerance::k_slow_approach;
-        double enough = most;
-        if (const double left = approaches_left(data, points); left > most) {
-            enough = std::max(most, rest_tolerance::k_gets_on * left);
-            // Sweeps take the longer the more masses differ: what these leave is swept on, and then ended all at once
-            plan.sweeps = plan.most_sweeps = rest_tolerance::k_more_sweeps;
-            plan.tolerance = 0.0;
-            set_free(data, island, data.motion.before, data.motion.span);
-            sweeps_.sweep(data.motion.now, members, points, plan, data.solver.counts());
-        }
-        if (approaches_left(data, points) > enough) {
-            set_free(data, island, data.motion.before, data.motion.span);
-            const double tolerance = rest_tolerance::k_residual * top_speed(data, island);
-            if (!data.solver.solve(data.motion.now, members, points, tolerance)) {
-                set_free(data, island, data.motion.before, data.motion.span);
-                data.solver.end_approaches(data.motion.now, members, points);
-            }
-        }
-    }
+    const bool is_slow = before <= rest_tolerance::k_standing * field;
+    const double most = is_slow ? rest_tolerance::k_slow_approach : rest_tolerance::k_deep;
+    sweep_on(data, island, data.motion.now, points, most / data.motion.span);
 
     // What hardly moves comes to rest
     const double after = greatest_speed(data.motion.now, data.bodies.radius, members);
@@ -79,13 +74,38 @@ void HeapSweeps::sweep_large(RestData& data, Island& island)
     }
 }
 
-/// How much deeper points come to overlap in the step than they may.  [sizes]
-double HeapSweeps::approaches_left(const RestData& data, std::span<const ContactPoint> points) const
+/// Sweeps take the longer the more masses differ: ever more of them, as long as any point misses its bound by more than
+/// `most`; and where the most of them leave that, the direct solve, if it can.  [sizes/s; sizes, where places are
+/// swept]
+void HeapSweeps::sweep_on(RestData& data, const Island& island, std::span<Mover> movers, std::span<ContactPoint> points,
+                          double most)
+{
+    const auto take_back = [&] {
+        for (const ContactPoint& c : points) push(c, -c.normal, -c.tangent, movers[c.a], movers[c.b]);
+    };
+    SweepPlan plan;
+    for (int sweeps = rest_tolerance::k_more_sweeps; sweeps <= rest_tolerance::k_most_sweeps; sweeps *= 2) {
+        if (worst_missed(data, movers, points) <= most) return;
+        plan.sweeps = sweeps;
+        plan.tolerance = 0.0;
+        take_back();
+        sweeps_.sweep(movers, island.members, points, plan, data.solver.counts());
+    }
+    if (island.member_count() > rest_tolerance::k_most_whole || worst_missed(data, movers, points) <= most) return;
+    take_back();
+    if (!data.solver.solve(movers, island.members, points, rest_tolerance::k_residual * top_speed(data, island))) {
+        take_back();
+        data.solver.end_approaches(movers, island.members, points);
+    }
+}
+
+/// By how much the worst point misses the least normal velocity that it may end with.  [sizes/s]
+double HeapSweeps::worst_missed(const RestData& data, std::span<const Mover> movers,
+                                std::span<const ContactPoint> points) const
 {
     double worst = 0.0;
     for (const ContactPoint& c : points) {
-        const double missed =
-            data.motion.span * (c.bound - normal_speed(c, data.motion.now[c.a], data.motion.now[c.b]));
+        const double missed = c.bound - normal_speed(c, movers[c.a], movers[c.b]);
         worst = std::max(worst, missed / std::min(data.bodies.radius[c.a], data.bodies.radius[c.b]));
     }
     return worst;
@@ -146,18 +166,28 @@ void HeapSweeps::set_velocity_bias_swept(const RestData& data, const Island& isl
     }
 }
 
-/// Sweeps over what the direct solve rarely finds where a heap moves, for all its factorisations.
-///
-/// tolerance  where no point asks for a greater change, impulses stay as they are; below 0 they never do [m/s]
-void HeapSweeps::sweep_heap(RestData& data, const Island& island, std::span<Mover> movers,
-                            std::span<ContactPoint> points, double tolerance)
+void HeapSweeps::sweep_velocities(RestData& data, const Island& island, std::span<Mover> velocities,
+                                  std::span<ContactPoint> points)
 {
-    const std::span<const int> members = island.members;
+    sweep(data, island, velocities, points, rest_tolerance::k_deep / data.motion.span, -1.0);
+}
+
+void HeapSweeps::sweep_places(RestData& data, const Island& island, std::span<Mover> pushes,
+                              std::span<ContactPoint> points, double tolerance)
+{
+    sweep(data, island, pushes, points, rest_tolerance::k_deep, tolerance);
+}
+
+/// tolerance  where no point asks for a greater change, impulses stay as they are; below 0 they never do
+void HeapSweeps::sweep(RestData& data, const Island& island, std::span<Mover> movers, std::span<ContactPoint> points,
+                       double most, double tolerance)
+{
     SweepPlan plan;
     plan.is_warm = data.options.warm_starts;
     plan.sweeps = rest_tolerance::k_heap_sweeps;
     plan.tolerance = tolerance;
-    sweeps_.sweep(movers, members, points, plan, data.solver.counts());
+    sweeps_.sweep(movers, island.members, points, plan, data.solver.counts());
+    sweep_on(data, island, movers, points, most);
 }
 
 } // namespace flying

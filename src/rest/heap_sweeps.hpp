@@ -1,31 +1,43 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "rest/island.hpp"
 #include "rest/island_sweeps.hpp"
 
 namespace flying {
 
-/// Islands that are too large to be solved whole: each step goes on with the sweeps of the last.
+/// Islands whose impulses the direct solve doesn't find at once: each step goes on with the sweeps of the last.
 class HeapSweeps
 {
 public:
-    /// The step of such an island: impulses, velocities, and the ways that it leads.
+    /// Looks for the impulses of an island that is not too large, as the direct solve would. True where they are nearly
+    /// right and do no work; else they are as they were, and don't act.
+    [[nodiscard]] bool sweep_small(RestData& data, Island& island);
+    /// The step of an island of any size, of first order: impulses, velocities, and the ways that it leads.
     void sweep_large(RestData& data, Island& island);
     /// Sweeps over what the direct solve rarely finds where a heap moves, for all its factorisations.
-    ///
     /// velocities  of all bodies, to be changed
-    /// tolerance   where no point asks for a greater change, impulses stay as they are; below 0 they never do [m/s]
-    void sweep_heap(RestData& data, const Island& island, std::span<Mover> velocities, std::span<ContactPoint> points,
-                    double tolerance = -1.0);
+    void sweep_velocities(RestData& data, const Island& island, std::span<Mover> velocities,
+                          std::span<ContactPoint> points);
+    /// The same for places: pushes that take off overlap.
+    /// tolerance  where no point asks for a greater change, pushes stay as they are [m]
+    void sweep_places(RestData& data, const Island& island, std::span<Mover> pushes, std::span<ContactPoint> points,
+                      double tolerance);
 
 private:
     void set_velocity_bias_swept(const RestData& data, const Island& island, bool is_calm) const;
-    [[nodiscard]] double approaches_left(const RestData& data, std::span<const ContactPoint> points) const;
+    void sweep(RestData& data, const Island& island, std::span<Mover> movers, std::span<ContactPoint> points,
+               double most, double tolerance);
+    void sweep_on(RestData& data, const Island& island, std::span<Mover> movers, std::span<ContactPoint> points,
+                  double most);
+    [[nodiscard]] double worst_missed(const RestData& data, std::span<const Mover> movers,
+                                      std::span<const ContactPoint> points) const;
     void scale_impulses_to_energy(RestData& data, const Island& island);
 
     IslandSweeps sweeps_;
+    std::vector<ContactPoint> kept_;
 };
 
 } // namespace flying

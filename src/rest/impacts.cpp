@@ -120,7 +120,7 @@ bool Impacts::strike(RestData& data, Island& island, HeapSweeps& sweeps)
 void Impacts::end_approaches(RestData& data, const Island& island, HeapSweeps& sweeps)
 {
     const std::span<const int> members = island.members;
-    if (is_heap(island)) sweeps.sweep_heap(data, island, data.motion.before, struck_);
+    if (is_heap(island)) sweeps.sweep_velocities(data, island, data.motion.before, struck_);
     else data.solver.solve(data.motion.before, members, struck_, rest_tolerance::k_residual * top_speed(data, island));
 }
 

@@ -3,22 +3,21 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rest/energy_limit.hpp"
 #include "rest/rest_tolerance.hpp"
 
 namespace flying {
 
 bool is_heap(const Island& island)
 {
-    return island.member_count() > rest_tolerance::k_most_whole;
-}
-
-bool strikes_at_start(const Island& island)
-{
-    return island.member_count() > rest_tolerance::k_most_in_detail;
+    const int most = is_lossless(island) ? rest_tolerance::k_most_whole : rest_tolerance::k_most_in_detail;
+    return island.member_count() > most;
 }
 
 bool is_solved_whole(const RestData& data, const Island& island)
 {
+    if (island.member_count() <= std::min(rest_tolerance::k_most_whole, data.options.most_solved)) return true;
+    if (top_speed(data, island) > rest_tolerance::k_standing * field_speed(data, island)) return false;
     if (island.member_count() <= data.options.most_solved) return true;
     int pairs = 0;
     int last = -1;
@@ -26,8 +25,7 @@ bool is_solved_whole(const RestData& data, const Island& island)
         if (c.pair != last) ++pairs;
         last = c.pair;
     }
-    const bool is_tall = pairs <= rest_tolerance::k_tall * island.member_count();
-    return is_tall && top_speed(data, island) <= rest_tolerance::k_standing * field_speed(data, island);
+    return pairs <= rest_tolerance::k_tall * island.member_count();
 }
 
 double greatest_speed(std::span<const Mover> movers, std::span<const double> radius, std::span<const int> members)

@@ -22,12 +22,12 @@ struct Island
     [[nodiscard]] int point_count() const { return static_cast<int>(points.size()); }
 };
 
-/// Too large to be solved whole however it moves, and whatever it takes.
+/// So large that all impacts which a step brings come at its start, and that it is swept where the direct solve doesn't
+/// find its impulses at once.
 [[nodiscard]] bool is_heap(const Island& island);
-/// So large that all impacts which a step brings come at its start.
-[[nodiscard]] bool strikes_at_start(const Island& island);
-/// All its impulses are found at once, to rounding: small islands; and tall ones in which each body leans on hardly
-/// more than one other, whose equations stay sparse, as long as they stand or begin to fall.
+/// All its impulses are looked for at once, to rounding: in islands that are not too large, in larger ones that stand
+/// or begin to fall, and in tall ones of any height, in which each body leans on hardly more than one other: their
+/// equations stay sparse.
 [[nodiscard]] bool is_solved_whole(const RestData& data, const Island& island);
 
 /// The greatest velocity of any of these bodies, its rim's included.  [m/s]

@@ -55,7 +55,7 @@ bool IslandSolver::solve(std::span<Mover> movers, std::span<const int> members, 
     kept_.assign(points.begin(), points.end());
     bool content = improve(island, From::here);
     for (const From from : {From::sweeps, From::within, From::nothing}) {
-        if (content || effort == Effort::brief) break;
+        if (content || (effort == Effort::brief && from != From::sweeps)) break;
         if (from == From::nothing && points.size() > rest_tolerance::k_most_from_nothing) break;
         go_back_to_best(island);
         content = improve(island, from);

@@ -129,13 +129,16 @@ double Projection::measure_overlap(RestData& data, const Island& island)
 double Projection::measure_overlap_swept(RestData& data, const Island& island)
 {
     set_end_poses(data, island);
+    list_pairs_of(data, island.points);
     double worst = 0.0;
-    const std::span<const ContactPoint> all = island.points;
-    for (std::size_t first = 0, end = 0; first < all.size(); first = end) {
-        while (end < all.size() && all[end].pair == all[first].pair) ++end;
-        const std::span<const ContactPoint> points = all.subspan(first, end - first);
-        if (may_be_unfair(data, points)) {
-            worst = std::max(worst, find_overlap_of_pair(data, points.front().pair));
+    std::size_t first = 0;
+    for (const int pair : pairs_near_) {
+        std::size_t end = first;
+        while (end < island.points.size() && island.points[end].pair == pair) ++end;
+        const std::span<const ContactPoint> points = island.points.subspan(first, end - first);
+        first = end;
+        if (points.empty() || may_be_unfair(data, points)) {
+            worst = std::max(worst, find_overlap_of_pair(data, pair));
             continue;
         }
         for (const ContactPoint& c : points) {
@@ -227,17 +230,18 @@ void Projection::put_apart(RestData& data, const Island& island, double overlap,
         // [rest.projection.round]
         find_pushes(data, island, 0.125 * touch, sweeps);
         // A heap hangs in the air if all its motion goes to lift it
-        const double share = island.is_exact ? 1.0 : share_that_is_paid(data, island);
-        bool too_far = false;
+        const bool is_free = island.is_exact || overlap > rest_tolerance::k_most_overlap;
+        const double share = is_free ? 1.0 : share_that_is_paid(data, island);
         for (const int member : members) {
             const Mover& mover = pushes_[member];
             const double push =
                 std::abs(mover.v_x) + std::abs(mover.v_y) + std::abs(mover.spin) * data.bodies.radius[member];
-            too_far = too_far || !(push <= rest_tolerance::k_most_push * data.bodies.radius[member]);
-            data.motion.shift[member] += share * Vec2(mover.v_x, mover.v_y);
-            data.motion.turn[member] += share * mover.spin;
+            const double most = rest_tolerance::k_most_push * data.bodies.radius[member];
+            const double part = share * push > most ? most / push : share;
+            data.motion.shift[member] += part * Vec2(mover.v_x, mover.v_y);
+            data.motion.turn[member] += part * mover.spin;
         }
-        const double after = too_far ? overlap : measure_overlap(data, island);
+        const double after = measure_overlap(data, island);
         if (!(after < overlap)) {
             for (const int member : members) {
                 data.motion.shift[member] = shift_before_[member];
@@ -284,7 +288,7 @@ void Projection::find_pushes(RestData& data, const Island& island, double tolera
                                              b.inv_moment * (c.normal_arm_b * c.normal_arm_b)));
         }
     }
-    if (is_heap(island)) sweeps.sweep_heap(data, island, pushes_, points_, tolerance);
+    if (is_heap(island)) sweeps.sweep_places(data, island, pushes_, points_, tolerance);
     else data.solver.solve(pushes_, members, points_, tolerance);
 }
 

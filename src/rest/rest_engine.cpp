@@ -19,10 +19,11 @@ RestEngine::RestEngine(std::vector<RestBody> bodies, const RestOptions& options,
 RestEngine::RestEngine(std::vector<RestBody> bodies, const RestOptions& options, double time, std::vector<int> order)
     : data_(options, RestBodies(std::move(bodies), std::move(order), time)),
       start_(time),
+      farthest_(data_.bodies.list.size(), 0.0),
       sleepers_(data_.bodies.count()),
       still_(data_.bodies.list.size(), 0),
       awake_(data_.bodies.count()),
-      saved_(data_.bodies.list.size()),
+      before_(data_.bodies.list.size()),
       clear_(data_.bodies.list.size(), 0),
       part_of_(data_.bodies.list.size(), -1)
 {
@@ -151,8 +152,8 @@ void RestEngine::step_by(double length, double end)
         scale_loads_awake(whole / length);
         for (const int k : moved_) {
             if (tells) break;
-            data_.motion.pull[k] = saved_[k].pull;
-            data_.motion.expected_angular_acceleration[k] = saved_[k].expected_angular_acceleration;
+            data_.motion.pull[k] = before_[k].pull;
+            data_.motion.expected_angular_acceleration[k] = before_[k].expected_angular_acceleration;
         }
     }
     start_ = end;

@@ -10,6 +10,7 @@
 #include "rest/heap_sweeps.hpp"
 #include "rest/impacts.hpp"
 #include "rest/islands.hpp"
+#include "rest/meetings.hpp"
 #include "rest/projection.hpp"
 #include "rest/rest_data.hpp"
 #include "rest/rest_way.hpp"
@@ -114,7 +115,7 @@ public:
     template <typename Visit>
     void for_each_moved(Visit&& visit) const
     {
-        for (const int k : moved_) visit(data_.bodies.order[k], saved_[k].state);
+        for (const int k : moved_) visit(data_.bodies.order[k], before_[k].state);
     }
     /// The last step changed nothing of the body.
     [[nodiscard]] bool is_still(int body) const { return still_[data_.bodies.place[body]] != 0; }
@@ -146,19 +147,10 @@ private:
         std::vector<int> members;
         std::vector<int> pairs;
     };
-    /// A body as the step has found it.
-    struct Saved
-    {
-        BodyState state;
-        Vec2 pull = Vec2::Zero();
-        double expected_angular_acceleration = 0.0;
-        char in_large_island = 0;
-    };
-
     void list_awake();
     void begin_awake();
     void measure_reach(std::span<const int> bodies);
-    void find_all_contacts();
+    [[nodiscard]] bool list_pairs();
     [[nodiscard]] bool list_what_impacts_reach();
     [[nodiscard]] bool wake_touched();
     void wake_all_with(int body);
@@ -169,9 +161,9 @@ private:
     [[nodiscard]] double end_early(Island& island, int depth);
     [[nodiscard]] bool may_be_parted(const Island& island, int depth) const;
     [[nodiscard]] bool may_be_halved(const Island& island, int depth) const;
-    void note_again(const Island& island, Again& again);
     void find_pairs_of(Again& again, std::span<const int> pairs);
     void make_parts(int depth);
+    [[nodiscard]] bool go_back();
     void scale_loads_awake(double factor);
     [[nodiscard]] bool stood_alike(int member) const;
     void move_island(const Island& island);
@@ -195,15 +187,15 @@ private:
     Projection projection_;
 
     Sleepers sleepers_;
-    std::vector<char> still_;  // of each body: the last step left it as it was
-    std::vector<int> stirred_; // came or went since the list of those awake was made
-    BodySet awake_;            // and can move
-    std::vector<int> moved_;   // those that the last step was for, ascending
-    std::vector<Saved> saved_; // of those
-    std::vector<char> clear_;  // of each body, while those are found; else 0
-    std::vector<Again> again_; // at each depth of parts within parts
-    int parts_made_ = 0;       // of the step of an island
-    std::vector<int> part_of_; // of each body, while pairs are sorted out; -1 for none
+    std::vector<char> still_;        // of each body: the last step left it as it was
+    std::vector<int> stirred_;       // came or went since the list of those awake was made
+    BodySet awake_;                  // and can move
+    std::vector<int> moved_;         // those that the last step was for, ascending
+    std::vector<BodyBefore> before_; // of those
+    std::vector<char> clear_;        // of each body, while those are found; else 0
+    std::vector<Again> again_;       // at each depth of parts within parts
+    int parts_made_ = 0;             // of the step of an island
+    std::vector<int> part_of_;       // of each body, while pairs are sorted out; -1 for none
     RestSeconds seconds_;
     std::vector<std::vector<Leg>>* legs_ = nullptr; // of each body, as it is known outside, while they are noted
 };

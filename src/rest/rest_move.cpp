@@ -57,7 +57,7 @@ void RestEngine::note_legs(const Island& island)
 /// A body had no motion when the step began either, and what is expected of it now was expected then.
 bool RestEngine::stood_alike(int member) const
 {
-    const Saved& old = saved_[member];
+    const BodyBefore& old = before_[member];
     return old.state.velocity.isZero(0.0) && old.state.spin == 0.0 && old.pull == data_.motion.pull[member] &&
            old.expected_angular_acceleration == data_.motion.expected_angular_acceleration[member] &&
            old.in_large_island == data_.bodies.in_large_island[member];
@@ -83,7 +83,7 @@ void RestEngine::move_island(const Island& island)
 
     // Move
     for (const int member : island.members) {
-        data_.bodies.in_large_island[member] = strikes_at_start(island) ? 1 : 0;
+        data_.bodies.in_large_island[member] = is_heap(island) ? 1 : 0;
         BodyState& state = data_.bodies.list[member].state;
         const Mover& now = data_.motion.now[member];
         const Vec2& way = data_.motion.shift[member];

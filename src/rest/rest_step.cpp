@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 #include "rest/energy_limit.hpp"
 #include "rest/find_contacts.hpp"
@@ -49,7 +50,8 @@ double end_of_load(const RestData& data, const Island& island)
 /// than the limiter may take off.
 bool is_fair(const RestData& data, const Island& island, double overlap)
 {
-    if (overlap > rest_tolerance::k_fair_overlap && overlap > overlap_at_start(data, island)) return false;
+    const double fair = island.is_exact ? rest_tolerance::k_fair_overlap : rest_tolerance::k_most_overlap;
+    if (overlap > fair && overlap > overlap_at_start(data, island)) return false;
     for (const int member : island.members) {
         if (!(std::abs(data.motion.turn[member]) * data.bodies.turning[member] <=
               rest_tolerance::k_fair_turn * data.bodies.radius[member]))
@@ -94,23 +96,28 @@ void RestEngine::step()
         ++data_.counts.steps;
         return;
     }
-    const int boxes =
-        data_.pairs.update(data_.bodies.list, data_.bodies.shapes, data_.bodies.radius, data_.motion.reach, awake_);
-    data_.counts.looks += boxes > 0 ? 1 : 0;
-    data_.counts.boxes += boxes;
+    (void)list_pairs();
     watch.stop(seconds_.pairs);
 
     // [rest.step.find]
-    do find_all_contacts();
-    while (wake_touched() || list_what_impacts_reach());
+    do {
+        found_.clear();
+        const int count = static_cast<int>(data_.pairs.pairs().size());
+        data_.counts.pairs += count;
+        for (int k = 0; k < count; ++k) find_contacts(data_, k, found_);
+    } while (wake_touched() || list_what_impacts_reach());
     watch.stop(seconds_.collide);
     // [rest.step.find]
 
+    for (const Island& island : islands_.all()) {
+        for (const int member : island.members) before_[member].island = island.members.front();
+    }
     parts_made_ = 0;
     solve_islands(0);
     watch.stop(seconds_.solve);
     finish_islands(0, {});
     make_parts(0);
+    if (go_back()) make_parts(0);
     watch.stop(seconds_.move);
     ++steps_;
     ++data_.counts.steps;
@@ -144,10 +151,15 @@ void RestEngine::begin_awake()
     data_.counts.asleep += sleepers_.count();
     moved_.assign(awake_.list().begin(), awake_.list().end());
     for (const int k : moved_) {
-        saved_[k] = {data_.bodies.list[k].state, data_.motion.pull[k], data_.motion.expected_angular_acceleration[k],
-                     data_.bodies.in_large_island[k]};
+        before_[k] = {
+            data_.bodies.list[k].state,     data_.motion.pull[k], data_.motion.expected_angular_acceleration[k], 0.0, k,
+            data_.bodies.in_large_island[k]};
     }
     measure_reach(moved_);
+    for (const int k : moved_) {
+        before_[k].reach = data_.motion.reach[k];
+        farthest_[k] = data_.motion.reach[k];
+    }
 }
 
 /// Islands that something awake comes near wake.
@@ -190,32 +202,33 @@ void RestEngine::measure_reach(std::span<const int> bodies)
     }
 }
 
-void RestEngine::find_all_contacts()
+/// Sees to it that the list of pairs holds whatever bodies may touch that get no further than they may. True where it
+/// is another now.
+bool RestEngine::list_pairs()
 {
-    found_.clear();
-    const int count = static_cast<int>(data_.pairs.pairs().size());
-    data_.counts.pairs += count;
-    for (int k = 0; k < count; ++k) find_contacts(data_, k, found_);
-}
-
-/// Splits the bodies into islands, and sees to it that the list of pairs holds whatever those of them may touch that an
-/// impact throws: it gives none more than twice the speed of the fastest. True where the list is another now.
-bool RestEngine::list_what_impacts_reach()
-{
-    islands_.split(data_, moved_, found_);
-    farthest_.resize(data_.motion.reach.size());
-    for (const int k : moved_) farthest_[k] = data_.motion.reach[k];
-    for (const Island& island : islands_.all()) {
-        // Only steps that are made in parts look again
-        const auto closes = [](const ContactPoint& c) { return std::isfinite(c.closes_at); };
-        if (is_heap(island) || std::none_of(island.points.begin(), island.points.end(), closes)) continue;
-        const double thrown = data_.motion.span * 2.0 * top_speed(data_, island);
-        for (const int member : island.members) farthest_[member] = std::max(farthest_[member], thrown);
-    }
-    const int boxes = data_.pairs.update(data_.bodies.list, data_.bodies.shapes, data_.bodies.radius, farthest_, awake_);
+    const int boxes =
+        data_.pairs.update(data_.bodies.list, data_.bodies.shapes, data_.bodies.radius, farthest_, awake_);
     data_.counts.looks += boxes > 0 ? 1 : 0;
     data_.counts.boxes += boxes;
     return boxes > 0;
+}
+
+/// Splits the bodies into islands, and lists the pairs of those that an impact may throw: it gives none more than twice
+/// the speed of the fastest. (Of a heap few are thrown, and those may go back.) True where the list is another now.
+bool RestEngine::list_what_impacts_reach()
+{
+    islands_.split(data_, moved_, found_);
+    bool any = false;
+    for (const Island& island : islands_.all()) {
+        const auto closes = [](const ContactPoint& c) { return std::isfinite(c.closes_at); };
+        if (is_heap(island) || std::none_of(island.points.begin(), island.points.end(), closes)) continue;
+        const double thrown = data_.motion.span * 2.0 * top_speed(data_, island);
+        for (const int member : island.members) {
+            any = any || thrown > farthest_[member];
+            farthest_[member] = std::max(farthest_[member], thrown);
+        }
+    }
+    return any && list_pairs();
 }
 
 void RestEngine::solve_islands(int depth)
@@ -232,7 +245,7 @@ void RestEngine::solve_island(Island& island, int depth)
         return;
     }
     // Strike, or end the part where the first impact comes; small islands go on from there with another look
-    island.in_turn = may_be_parted(island, depth) && (is_lossless(island) || !strikes_at_start(island));
+    island.in_turn = !is_heap(island) && may_be_parted(island, depth);
     bool is_struck = impacts_.strike(data_, island, sweeps_);
     if (island.in_turn) island.cut_at = is_struck ? data_.motion.span : first_impact(data_, island);
     if (island.cut_at > 0.0) return;
@@ -241,11 +254,7 @@ void RestEngine::solve_island(Island& island, int depth)
         is_struck = impacts_.strike(data_, island, sweeps_);
 
     // Find the forces of the contacts
-    const bool leans = is_heap(island);
-    const auto hardly_moves = [&] {
-        return top_speed(data_, island) <= rest_tolerance::k_standing * field_speed(data_, island);
-    };
-    const bool sweeps = !is_solved_whole(data_, island) || (leans && !hardly_moves());
+    const bool sweeps = !is_solved_whole(data_, island);
     if (is_lossless(island)) {
         find_lossless(island, sweeps);
     } else if (sweeps) {
@@ -254,11 +263,13 @@ void RestEngine::solve_island(Island& island, int depth)
     } else {
         set_velocity_bias(data_, island);
         forces_.find_impulses(data_, island, data_.motion.before, data_.motion.span);
-        if (leans && !island.is_solved) {
+        if (is_heap(island) && !island.is_solved) {
             // It would cost more than it brings to look on; sweeps go on from what bore before
             for (ContactPoint& c : island.points) recall_impulses(data_, c);
-            sweeps_.sweep_large(data_, island);
-            return;
+            if (!sweeps_.sweep_small(data_, island)) {
+                sweeps_.sweep_large(data_, island);
+                return;
+            }
         }
     }
     if (std::none_of(island.points.begin(), island.points.end(), bears)) {
@@ -278,7 +289,7 @@ void RestEngine::find_lossless(Island& island, bool sweeps)
         if (!sweeps) forces_.find_impulses(data_, island, data_.motion.before, data_.motion.span);
         if (is_heap(island) && (sweeps || !island.is_solved)) {
             set_free(data_, island, data_.motion.before, data_.motion.span);
-            sweeps_.sweep_heap(data_, island, data_.motion.now, island.points);
+            sweeps_.sweep_velocities(data_, island, data_.motion.now, island.points);
         }
         scale_to_energy(data_, island);
         if (island.in_turn || !close_missed(data_, island)) return;
@@ -295,7 +306,10 @@ void RestEngine::finish_islands(int depth, std::span<const int> pairs)
     for (Island& island : islands_.all()) {
         if (island.cut_at == 0.0) island.cut_at = end_early(island, depth);
         if (island.cut_at > 0.0) {
-            note_again(island, again);
+            const int part = static_cast<int>(again.parts.size());
+            again.parts.push_back({static_cast<int>(again.members.size()), island.member_count(), 0, 0, island.cut_at});
+            for (const int member : island.members) part_of_[member] = part;
+            again.members.insert(again.members.end(), island.members.begin(), island.members.end());
             continue;
         }
         if (!island.points.empty()) {
@@ -330,26 +344,14 @@ double RestEngine::end_early(Island& island, int depth)
 /// There may be more parts of its step.
 bool RestEngine::may_be_parted(const Island& island, int depth) const
 {
-    const int most = strikes_at_start(island) && !is_lossless(island) ? rest_tolerance::k_quick_rounds
-                                                                      : rest_tolerance::k_most_parts;
-    return island.member_count() <= rest_tolerance::k_most_whole && depth < rest_tolerance::k_most_parts &&
-           parts_made_ < most;
+    const int most = is_heap(island) ? rest_tolerance::k_quick_rounds : rest_tolerance::k_most_parts;
+    return depth < rest_tolerance::k_most_parts && parts_made_ < most;
 }
 
 /// The same where nothing says where to part it.
 bool RestEngine::may_be_halved(const Island& island, int depth) const
 {
     return may_be_parted(island, depth) && data_.motion.span > rest_tolerance::k_shortest_part * data_.options.step;
-}
-
-void RestEngine::note_again(const Island& island, Again& again)
-{
-    const int part = static_cast<int>(again.parts.size());
-    again.parts.push_back({static_cast<int>(again.members.size()), island.member_count(), 0, 0, island.cut_at});
-    for (const int member : island.members) {
-        again.members.push_back(member);
-        part_of_[member] = part;
-    }
 }
 
 void RestEngine::find_pairs_of(Again& again, std::span<const int> pairs)
@@ -420,6 +422,42 @@ void RestEngine::make_parts(int depth)
         ++data_.counts.parts;
     }
     again_[depth].parts.clear();
+}
+
+/// Islands that met, and were not thought to, go back, to make their step in two parts: as the second one begins, all
+/// is looked at again. True where there are any.
+bool RestEngine::go_back()
+{
+    bool any = false;
+    for (const int k : moved_) {
+        const double way = way_since(data_, before_[k], k);
+        if (!(way > before_[k].reach)) continue;
+        farthest_[k] = std::max(farthest_[k], 2.0 * way);
+        any = true;
+    }
+    if (!any) return false;
+    (void)list_pairs();
+    const Meetings meetings = find_meetings(data_, before_, awake_);
+    if (meetings.islands.empty()) return false;
+    Again& again = again_[0];
+    again.parts.assign(1, {0, 0, 0, 0, meetings.first});
+    again.members.clear();
+    for (const int k : moved_) {
+        const BodyBefore& old = before_[k];
+        if (!std::binary_search(meetings.islands.begin(), meetings.islands.end(), old.island)) continue;
+        sleepers_.wake(sleepers_.island_of(k));
+        data_.bodies.list[k].state = old.state;
+        data_.bodies.set_pose(k, pose_of(old.state));
+        data_.bodies.in_large_island[k] = old.in_large_island;
+        data_.motion.pull[k] = old.pull;
+        data_.motion.expected_angular_acceleration[k] = old.expected_angular_acceleration;
+        if (legs_) (*legs_)[data_.bodies.order[k]].clear();
+        again.members.push_back(k);
+        part_of_[k] = 0;
+    }
+    again.parts[0].member_count = static_cast<int>(again.members.size());
+    find_pairs_of(again, {});
+    return true;
 }
 
 } // namespace flying

@@ -56,6 +56,10 @@ inline constexpr double k_watch = 0x1p-6;
 /// these don't help, ways are cut short. A fifth of the hundredth that a user is promised.
 inline constexpr double k_fair_overlap = 0x1p-9;
 
+/// [sizes] Overlap that a step of a heap, or a meeting that nothing foresaw, may leave; where it is more, the step is
+/// made in parts. Three quarters of what a user is promised.
+inline constexpr double k_most_overlap = 0x1p-7;
+
 /// [energies] Rise that rounding explains.
 inline constexpr double k_rounding = 0x1p-46;
 
@@ -223,6 +227,10 @@ inline constexpr double k_shortest_part = 0x1p-10;
 
 // ---- Impacts (impacts)
 // ---- Heaps (heap_sweeps)
+/// [speeds that the field gives in a step] Impulses that sweeps leave no further from right than this are taken for
+/// those of the direct solve.
+inline constexpr double k_nearly_right = 0.125;
+
 /// [speeds that the field gives in a step] An island that was slower and stays so is at rest: what it was about to do
 /// is the price of its sleep. From rest, what accelerates by no more than this share of the field doesn't start.
 inline constexpr double k_rest_speed = 0x1p-8;
@@ -236,13 +244,10 @@ inline constexpr double k_enough = 0x1p-10;
 /// [sizes] Overlap that sweeps may add in one step of a heap that is slow.
 inline constexpr double k_slow_approach = 0x1p-13;
 
-/// Sweeps that go on where more is left, and bodies of the largest island that is worth them.
+/// Sweeps that go on where more is left, twice as many each time, up to the most.
 inline constexpr int k_more_sweeps = 128;
 
-inline constexpr int k_most_swept_on = 1024;
-
-/// [approaches left] Sweeps that leave more don't get on.
-inline constexpr double k_gets_on = 0.25;
+inline constexpr int k_most_sweeps = 1024;
 
 /// Sweeps that end the impacts of a heap, and that take off its overlap.
 inline constexpr int k_heap_sweeps = 16;

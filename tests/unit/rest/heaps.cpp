@@ -189,7 +189,7 @@ TEST_CASE("a tall heap that lands goes on to move until it lies, and isn't crush
     CHECK(mean_overlap(engine) < 0.003);
 }
 
-TEST_CASE("heaps of discs and boxes that are solved whole win no energy, and none lies still to the bit for long and doesn't sleep")
+TEST_CASE("small heaps of discs and boxes win no energy, keep apart, and none lies still to the bit for long and doesn't sleep")
 {
     // In some a disc goes on to roll, and keeps those awake on which it lies
     int awake = 0;
@@ -217,7 +217,7 @@ TEST_CASE("heaps of discs and boxes that are solved whole win no energy, and non
             still = speed == 0.0 ? still + 1 : 0;
         }
         CHECK(worst_rise <= 1e-14 * start);
-        CHECK(engine.max_overlap() < 1e-3);
+        CHECK(engine.max_overlap() < 0.01 * 0.7 * 0.6 * std::numbers::sqrt2 / 2.0); // of the smallest box's size
         awake += still == 180 ? 1 : 0;
     }
     CHECK(awake == 0);

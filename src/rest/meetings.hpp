@@ -1,0 +1,35 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "rest/body_set.hpp"
+#include "rest/rest_data.hpp"
+
+namespace flying {
+
+/// A body as a step has found it.
+struct BodyBefore
+{
+    BodyState state;
+    Vec2 pull = Vec2::Zero();
+    double expected_angular_acceleration = 0.0;
+    double reach = 0.0; ///< how far it was thought to get [m]
+    int island = 0;     ///< its lowest body
+    char in_large_island = 0;
+};
+
+/// How far a step has taken any point of a body.  [m]
+[[nodiscard]] double way_since(const RestData& data, const BodyBefore& before, int body);
+
+/// Meetings that a step didn't foresee: bodies that were thrown further than they were thought to get now overlap what
+/// they were not thought to meet.
+struct Meetings
+{
+    double first = 0.0;       ///< the first of them, after the start of the step [s]
+    std::vector<int> islands; ///< the lowest bodies of the islands that met, ascending, some more than once
+};
+/// before  of each body that the step has moved
+[[nodiscard]] Meetings find_meetings(const RestData& data, std::span<const BodyBefore> before, const BodySet& moved);
+
+} // namespace flying
