@@ -172,7 +172,7 @@ TEST_CASE("a tall heap that lands goes on to move until it lies, and isn't crush
     RestOptions options;
     options.sleeps = false;
     RestEngine engine(heap(1400, false), options);
-    int standing = 0; // steps that have left nobody moving, to this one
+    int standing = 0; // steps that have left no body moving, to this one
     int hung = 0;     // those after which somebody has moved
     for (int k = 0; k < 60 * 8; ++k) {
         engine.step();
