@@ -6,7 +6,7 @@
 #include <fstream>
 #include <sstream>
 
-TEST_CASE("the map in docs/HOUSE.md is what the includes say; ninja module-map draws it")
+TEST_CASE("the map in docs/HOUSE.md is what the includes say: ninja module-map draws it")
 {
     const std::filesystem::path root = FLYING_SOURCE_DIR;
     std::ostringstream text;

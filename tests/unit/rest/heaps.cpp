@@ -78,7 +78,7 @@ double mean_overlap(const RestEngine& engine)
 
 } // namespace
 
-TEST_CASE("a heap that is swept falls asleep soon after it has settled; then steps are no work, and a blow wakes it")
+TEST_CASE("a heap that is swept falls asleep soon after it has settled: then steps are no work, and a blow wakes it")
 {
     // Where rows aren't full, single discs roll along those that lie; they would keep them awake for as long
     struct Heap
