@@ -173,7 +173,7 @@ TEST_CASE("a tall heap that lands goes on to move until it lies, and isn't crush
     options.sleeps = false;
     RestEngine engine(heap(1400, false), options);
     int standing = 0; // steps that have left no body moving, to this one
-    int hung = 0;     // those after which somebody has moved
+    int hung = 0;     // those after which a body has moved
     for (int k = 0; k < 60 * 8; ++k) {
         engine.step();
         bool stands = true;
