@@ -62,14 +62,27 @@ compiler_says() { # log
     grep -E -m 1 -A 3 ': (fatal )?error:' "$1" | sed "s|$root/||g; s/^/    /" || tail -n 8 "$1"
 }
 
+# Formulas as a terminal can show them
+plain_formulas() {
+    sed -E 's/\\t?frac\{([^{}]*)\}\{([^{}]*)\}/\1\/\2/g; s/\\t?frac([0-9])([0-9])/\1\/\2/g; s/\\sqrt ?\{([^{}]*)\}/√(\1)/g; s/\\sqrt ?/√/g
+        s/\\varepsilon/ε/g; s/\\varphi/φ/g; s/\\alpha/α/g; s/\\theta/θ/g; s/\\omega/ω/g; s/\\rho/ρ/g; s/\\tau/τ/g; s/\\pi/π/g; s/\\cdot/·/g
+        s/\\(cos|sin|tan|ln|ldots)/\1/g; s/\\,//g; s/\$//g'
+}
+
 # The hint as a terminal shows it: references by number are only on the page
 hint() { # name
     local file=$root/chapters/$chapter/exercises/$1/hint.md
     [[ -f $file ]] || return 0
     echo
-    sed -E '1d; s/\{\{eq:([^}|]*)\}\}/equation \1/g; s/\{\{ch:([^}|]*)(\|[^}]*)?\}\}/the chapter \1/g; s/\{\{given:([^}]*)\}\}/\1/g' "$file" |
+    sed -E '1d; s/\{\{eq:([^}|]*)\}\}/equation \1/g; s/\{\{ch:([^}|]*)(\|[^}]*)?\}\}/the chapter \1/g; s/\{\{(given|file):([^}]*)\}\}/\2/g' "$file" |
+        plain_formulas |
         sed -e '/./,$!d' -e 's/^/    hint: /;' | sed -E '2,$s/^    hint: /          /'
     echo
+}
+
+# An answer is begun once it differs from what `start` has put there
+is_begun() { # name
+    [[ -f $root/my/$chapter/$1.hpp ]] && ! cmp -s "$root/chapters/$chapter/exercises/$1/stub.hpp" "$root/my/$chapter/$1.hpp"
 }
 
 remember() { # name: that its answer passed as it is now
@@ -80,7 +93,7 @@ remember() { # name: that its answer passed as it is now
 }
 
 check() { # build folder
-    local build=${1:-} answer name status=0 found=0 code target
+    local build=${1:-} answer name status=0 found=0 begun=0 code target
     [[ -f $build/CMakeCache.txt ]] || usage
     log=$(mktemp)
     trap 'rm -f "$log"' EXIT
@@ -91,6 +104,11 @@ check() { # build folder
         name=$(basename "$answer" .hpp)
         target=exercise_${number}_${name}_mine
         echo "$name $(title "$root/chapters/$chapter/exercises/$name/text.md")"
+        if ! is_begun "$name"; then
+            echo "$name: not begun; my/$chapter/$name.hpp is yours to write"
+            continue
+        fi
+        begun=1
         if ! cmake --build "$build" --target "$target" >"$log" 2>&1; then
             compiler_says "$log"
             echo "$name: does not compile"
@@ -119,6 +137,7 @@ check() { # build folder
         fi
     done
     ((found)) || { echo "nothing in my/$chapter; begin with: ./course start $label" >&2; exit 2; }
+    ((begun)) || exit 2
     return "$status"
 }
 
@@ -135,7 +154,7 @@ progress() {
             answer=$root/my/$chapter/$name.hpp
             all=$((all + 1))
             state="-"
-            if [[ -f $answer ]]; then
+            if is_begun "$name"; then
                 state="begun"
                 if grep -qxF "$chapter/$name $(sum_of "$answer")" "$passed" 2>/dev/null; then
                     state="passes"

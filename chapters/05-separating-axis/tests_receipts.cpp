@@ -76,7 +76,7 @@ TEST_CASE("a push along an axis widens its gap by the length of the push")
 }
 
 
-TEST_CASE("where polygons overlap, no direction has a greater gap than the best edge; "
+TEST_CASE("where polygons overlap, no direction has a greater gap than the best edge: "
           "where any has a gap, an edge has")
 {
     Random random(513);
@@ -223,7 +223,7 @@ TEST_CASE("corners miss some of the boxes that overlap, whatever their sides")
 }
 
 // [separating-axis.tests.head_on]
-TEST_CASE("two squares head on bounce off their facing sides; by the nearest edge they "
+TEST_CASE("two squares head on bounce off their facing sides: by the nearest edge they "
           "pass through each other")
 {
     const auto gap_after = [](Rule rule, double higher) {

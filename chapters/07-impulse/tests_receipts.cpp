@@ -305,7 +305,7 @@ TEST_CASE("a block that rocks from one corner to the other keeps what the angle 
 
 
 // [impulse.tests.wrong_two_e]
-TEST_CASE("2 e in place of 1 + e is right at e = 1 alone; at e = 0 the ball goes through "
+TEST_CASE("2 e in place of 1 + e is right at e = 1 alone: at e = 0 the ball goes through "
           "the wall")
 {
     CHECK(flying::impulse_two_e(-1.0, 1.0, 1.0) == flying::newton_impulse(-1.0, 1.0, 1.0));

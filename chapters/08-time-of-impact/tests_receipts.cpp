@@ -173,7 +173,7 @@ TEST_CASE("where a vertex touches without approach, the march goes on by a step 
     }
 }
 
-TEST_CASE("a wave that dips below zero strikes and one that stays above does not; on zero itself either may be said")
+TEST_CASE("a wave that dips below zero strikes and one that stays above does not, and on zero itself either may be said")
 {
     const double noise = 1e-15;
     const MarchBounds bounds{1.0 + 1e-9, k_never, k_never, {1e-13, noise, 1e-15}};

@@ -204,7 +204,7 @@ TEST_CASE("whichever index finds the pairs, energy stays: it can't tell a wrong 
 
 
 
-TEST_CASE("few bodies are compared with all others for less than it takes to keep cells; "
+TEST_CASE("few bodies are compared with all others for less than it takes to keep cells: "
           "many are not")
 {
     CHECK(work(count_work(8, PairFinder::all_pairs)) <

@@ -77,7 +77,7 @@ void draw_corner(const std::string& folder)
     s.formula(Vec2(420, 258), "u");
     s.formula(Vec2(66, 40), "j");
     s.disc(o, 6.0, k_ink, k_none);
-    s.words(Vec2(250, 140), "nobody can be here", Anchor::middle, k_soft, 17.0);
+    s.words(Vec2(250, 140), "not allowed", Anchor::middle, k_soft, 17.0);
 }
 
 /// A contact: two bodies, the point, the normal, the tangent, and the arms of a push.

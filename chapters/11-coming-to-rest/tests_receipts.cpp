@@ -243,7 +243,7 @@ TEST_CASE("bounced after the move, a body at rest sinks for ever")
 // [rest.tests.wrong_bounce]
 
 
-TEST_CASE("pushed out by its overlap a body never lies still; the engine's does, to the bit")
+TEST_CASE("pushed out by its overlap a body never lies still: the engine's does, to the bit")
 {
     const double dt = 1.0 / 60.0;
     Lying body;

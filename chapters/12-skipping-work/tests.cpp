@@ -132,7 +132,7 @@ TEST_CASE("f static bodies save f (f - 1) / 2 pairs")
 
 
 
-TEST_CASE("circles overlap for the chord of their path over the speed; on average, for a "
+TEST_CASE("circles overlap for the chord of their path over the speed: on average, for a "
           "quarter of pi of the longest chord")
 {
     Random random(1211);
@@ -194,7 +194,7 @@ TEST_CASE("a stack that sleeps has the bits of one that is kept awake")
 
 // [skipping-work.tests.spoilt]
 TEST_CASE("a bound that is a hundredth too small is found by the hash of the first impact "
-          "that it spoils; energy sees nothing")
+          "that it spoils: energy sees nothing")
 {
     int found = 0;
     for (std::uint64_t seed = 121; seed < 131; ++seed) {

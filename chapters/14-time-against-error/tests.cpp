@@ -130,7 +130,7 @@ TEST_CASE("quartiles lie where a quarter, half and three quarters of the values 
     CHECK(mean(times) > 5.0);
 }
 
-TEST_CASE("the time at an error is that of the quickest point which is as good; ratios tell where we don't get")
+TEST_CASE("the time at an error is that of the quickest point which is as good: ratios tell where we don't get")
 {
     const std::vector<Point> theirs = {{1.0, 1e-1}, {2.0, 1e-2}, {4.0, 2e-2}, {8.0, 1e-3}};
     CHECK(time_at(theirs, 1e-1).value() == 1.0);
@@ -157,7 +157,7 @@ TEST_CASE("a slope is that of the best straight line, and one point has none")
 }
 
 // [time-against-error.tests.orders]
-TEST_CASE("without walls Verlet is of second order and Euler of first; with walls all are of "
+TEST_CASE("without walls Verlet is of second order and Euler of first: with walls all are of "
           "first, and from wall to wall there is no order at all")
 {
     const double orbit = error_of_orbit(steps::k_verlet, 20000) / error_of_orbit(steps::k_verlet, 40000);

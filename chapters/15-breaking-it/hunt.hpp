@@ -34,7 +34,7 @@ struct Ball
     Vec2 velocity = Vec2::Zero();
 };
 
-/// WRONG, as nearly everybody writes it at first: who is found beyond a wall is turned round.
+/// WRONG, as nearly everybody writes it at first: what is found beyond a wall is turned round.
 inline void step_wrongly(Ball& ball, const Throw& how)
 {
     ball.velocity.y() -= how.g * how.h;

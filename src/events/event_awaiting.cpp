@@ -52,7 +52,7 @@ void EventEngine::await(int body)
     for (std::size_t k = 0; k < foreseen_.size(); ++k) {
         Event& event = foreseen_[k];
         if (k == first || waiting.keep(event)) continue;
-        event.owner = Event::Owner::nobody; // there is no more room beside the body
+        event.owner = Event::Owner::none; // there is no more room beside the body
         queue_.push(event);
     }
     // [events.await.others]

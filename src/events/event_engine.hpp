@@ -223,7 +223,7 @@ private:
     /// It is the first event of its owner: when it is over or overtaken, the next one's turn has come.
     [[nodiscard]] bool is_called(const Event& event) const
     {
-        return event.owner != Event::Owner::nobody && waiting_[owner_of(event)].called == event.time;
+        return event.owner != Event::Owner::none && waiting_[owner_of(event)].called == event.time;
     }
     [[nodiscard]] int owner_of(const Event& event) const
     {

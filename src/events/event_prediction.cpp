@@ -132,7 +132,7 @@ void EventEngine::fetch_ahead()
     }
     if (const Event* event = queue_.upcoming(k_bodies)) {
         if (!is_current(*event)) {
-            if (event->owner != Event::Owner::nobody) __builtin_prefetch(&waiting_[owner_of(*event)]);
+            if (event->owner != Event::Owner::none) __builtin_prefetch(&waiting_[owner_of(*event)]);
         } else {
             for (const int body : {event->a, event->b}) {
                 if (body < 0) continue;
@@ -319,7 +319,7 @@ void EventEngine::handle_look(const Event& event)
     const StageTimer timer(options_.seconds, seconds_.look);
     ++counts_.looks;
     predict_general(row_of(event.a), row_of(event.b), event.time, 1);
-    if (event.owner == Event::Owner::nobody) call_all();
+    if (event.owner == Event::Owner::none) call_all();
     else await(owner_of(event));
 }
 

@@ -15,14 +15,14 @@ struct Event
         look,   ///< the pair must be looked at again
         impact, ///< the pair meets
     };
-    enum class Owner : std::uint8_t { nobody, a, b }; ///< whose first event it is
+    enum class Owner : std::uint8_t { none, a, b }; ///< whose first event it is
 
     double time = 0.0;       ///< [s]
     int a = -1;              ///< lower id
     int b = -1;              ///< higher id; below 0 for a cell: -1 - its side
     std::uint32_t stamp = 0; ///< how often both had been pushed when this was foreseen
     Kind kind = Kind::impact;
-    Owner owner = Owner::nobody;
+    Owner owner = Owner::none;
 };
 
 

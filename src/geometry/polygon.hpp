@@ -33,7 +33,9 @@ public:
     /// turning as said above [m]
     explicit Polygon(const std::vector<std::vector<Vec2>>& rings);
 
+    /// Of all rings, one ring after the other.  [m]
     [[nodiscard]] std::span<const Vec2> vertices() const { return vertices_; }
+    /// As many as vertices: edge k leads from vertex k to the next of its ring.
     [[nodiscard]] std::span<const Edge> edges() const { return edges_; }
 
     /// Index of the first vertex of each ring, and the number of all vertices at the end:

@@ -144,7 +144,7 @@ void paint_legend(cairo_t* cairo, SurfaceSize size, const Theme& theme)
 {
     const char* words[] = {"by events", "by steps", "asleep", "static"};
     const Colour colours[] = {mover_colour(BodyMover::events, theme), mover_colour(BodyMover::rest, theme),
-                              mover_colour(BodyMover::asleep, theme), mover_colour(BodyMover::nobody, theme)};
+                              mover_colour(BodyMover::asleep, theme), mover_colour(BodyMover::none, theme)};
     brush::letters(cairo, k_letters);
     double width = 10.0;
     for (const char* word : words) width += 20.0 + brush::text_width(cairo, word) + 12.0;

@@ -75,7 +75,7 @@ Colour mover_colour(BodyMover mover, const Theme& theme)
     case BodyMover::events: return {0.337, 0.706, 0.914};
     case BodyMover::rest: return {0.902, 0.560, 0.0};
     case BodyMover::asleep: return {0.0, 0.30, 0.48};
-    case BodyMover::nobody: break;
+    case BodyMover::none: break;
     }
     return theme.body_static;
 }

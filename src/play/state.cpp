@@ -39,7 +39,7 @@ std::string field_json(const Field& field)
 
 std::string bodies_json(const World& world)
 {
-    constexpr const char* movers[] = {"nobody", "events", "rest", "asleep"};
+    constexpr const char* movers[] = {"none", "events", "rest", "asleep"};
     std::string out = "[";
     for (int k = 0; k < world.body_count(); ++k) {
         const BodyState s = world.state(k);

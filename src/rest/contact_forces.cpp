@@ -63,12 +63,12 @@ void ContactForces::find_impulses(RestData& data, Island& island, std::span<cons
     const Effort effort = is_heap(island) && !is_new ? Effort::brief : Effort::full;
     island.is_solved = data.solver.solve(data.motion.now, island.members, points,
                                          rest_tolerance::k_residual * top_speed(data, island), effort);
-    if (!island.is_solved && !is_heap(island)) {
-        if (stood(data, island)) keep_loads(data, island, start, time);
-        else {
-            set_free(data, island, start, time);
-            data.solver.end_approaches(data.motion.now, island.members, points);
-        }
+    if (island.is_solved) return;
+    if (stood(data, island) && island.member_count() <= rest_tolerance::k_most_whole) {
+        keep_loads(data, island, start, time);
+    } else if (!is_heap(island)) {
+        set_free(data, island, start, time);
+        data.solver.end_approaches(data.motion.now, island.members, points);
     }
 }
 

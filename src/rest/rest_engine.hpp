@@ -37,29 +37,40 @@ struct RestContact
 /// the velocities before and after. An impact acts at its own moment within the step. Pushes end an approach or hold a
 /// load and never do work, so that energy doesn't rise; overlap that the turning of bodies brings is taken off by
 /// moving them apart, which adds no velocity.
+///
+/// A `body` is a place in the list that the engine was made of, from 0, and is not checked. An engine belongs to one
+/// thread at a time.
 class RestEngine
 {
 public:
-    /// bodies  not overlapping, beyond touching
-    /// time    of their states [s]
+    /// An engine whose next step begins at `time`.
+    /// bodies   with finite states and masses, as `World` makes them; not checked
+    /// options  lengths and limits, as `RestOptions` explains them
+    /// time     of the bodies' states [s]
     explicit RestEngine(std::vector<RestBody> bodies, const RestOptions& options = {}, double time = 0.0);
 
-    /// Step as long as whole steps fit before `time`.  [s]
+    /// Make steps as long as whole ones fit before `time` [s].
     void advance(double time);
+    /// Make one step of the length that the options say.
     void step();
 
-    /// One step of another length, which ends at a moment that is known better than as a sum.  [s]
+    /// Make one step of another length.
+    /// length  > 0 [s]
+    /// end     the moment at which it ends, which the caller knows better than as a sum [s]
     void step_by(double length, double end);
     /// The ways on which such a step would lead, of each body that is awake. Nothing is changed by it.
     [[nodiscard]] std::vector<std::vector<Leg>> foresee(double length, double end);
-    /// The moment at which the next step begins, where all bodies that are here sleep.  [s]
+    /// Let the next step begin at `time` [s]; for an engine in which all bodies sleep.
     void set_time(double time);
 
-    /// Moment that the steps have reached.  [s]
+    /// The moment that the steps have reached [s].
     [[nodiscard]] double time() const { return start_ + static_cast<double>(steps_) * data_.options.step; }
 
+    /// Those that the engine was made of, active or not.
     [[nodiscard]] int body_count() const { return data_.bodies.count(); }
+    /// Its shape, mass, material and motion as the last step has left them.
     [[nodiscard]] const RestBody& body(int body) const { return data_.bodies.list[data_.bodies.place[body]]; }
+    /// Where it is and how it moves at `time()`.
     [[nodiscard]] BodyState state(int body) const
     {
         BodyState state = data_.bodies.list[data_.bodies.place[body]].state;
@@ -72,8 +83,8 @@ public:
     /// Take a body out, or put it back where its state says.
     void set_active(int body, bool active);
 
-    /// The bodies that are awake, bear no load, and that nothing will touch for so long if all goes on as it does;
-    /// ascending.  [s]
+    /// The bodies that are awake, bear no load, and that nothing will touch for the time `within` [s] if all goes on as
+    /// it does; ascending.
     [[nodiscard]] std::vector<int> find_clear(double within);
 
     /// What the engine knows beside shapes and inertia: all that the next step depends on.
@@ -95,7 +106,10 @@ public:
         std::vector<RestPair> pairs;
         double max_overlap = 0.0;
     };
+    /// What `go_on_from` needs.
     [[nodiscard]] Memory memory() const;
+    /// Put back what `memory` of an engine of the same bodies and options has said: the next step has the same bits as
+    /// it would have had there.
     void go_on_from(const Memory& memory);
 
     /// Contacts of the last step, in the order of (a, b); those of sleeping groups included.
@@ -103,6 +117,7 @@ public:
     /// For each body, the number of its group: bodies that touch, by whatever chain of moving bodies, share one, which
     /// is its lowest body. -1 for static bodies and those not active.
     [[nodiscard]] std::vector<int> groups() const;
+    /// Steps leave it out, since one of them has changed nothing of its island.
     [[nodiscard]] bool is_asleep(int body) const { return sleepers_.is_asleep(data_.bodies.place[body]); }
     /// Those that are awake, as they lie in memory.
     template <typename Visit>
@@ -120,11 +135,15 @@ public:
     /// The last step changed nothing of the body.
     [[nodiscard]] bool is_still(int body) const { return still_[data_.bodies.place[body]] != 0; }
 
+    /// The work done so far.
     [[nodiscard]] const RestCounts& counts() const { return data_.counts; }
+    /// How the searches for impulses have ended so far.
     [[nodiscard]] const SolveCounts& solve_counts() const { return data_.solver.counts(); }
+    /// The time spent in each stage, where a clock was lent.
     [[nodiscard]] const RestSeconds& seconds() const { return seconds_; }
+    /// clock  only goes forward [s]; null to stop measuring
     void set_clock(double (*clock)()) { data_.options.seconds = clock; }
-    /// Deepest overlap that any step has begun with.  [m]
+    /// The deepest overlap that any step has begun with [m].
     [[nodiscard]] double max_overlap() const { return data_.max_overlap; }
     /// Fingerprint of all states.
     [[nodiscard]] std::uint64_t hash() const;

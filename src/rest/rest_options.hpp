@@ -7,6 +7,8 @@
 
 namespace flying {
 
+/// How the resting engine moves bodies: the length of its steps, and how much work goes into the forces. The defaults
+/// are those that `World` runs with.
 struct RestOptions
 {
     double step = 1.0 / 60.0; ///< > 0 [s]

@@ -56,6 +56,19 @@ ChapterEntry read_chapter(const toml::table& table, Problems& problems)
     return entry;
 }
 
+/// The library sorts keys by name; the order of the file is the reader's.
+std::vector<Module> read_modules(const toml::table& book)
+{
+    std::vector<std::pair<int, Module>> by_line;
+    if (const toml::table* modules = book["modules"].as_table())
+        for (const auto& [name, says] : *modules)
+            by_line.push_back({line_of(says), {std::string(name.str()), says.value_or(std::string())}});
+    std::sort(by_line.begin(), by_line.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<Module> list;
+    for (auto& [line, module] : by_line) list.push_back(std::move(module));
+    return list;
+}
+
 } // namespace
 
 std::string ChapterEntry::called() const
@@ -91,6 +104,13 @@ std::string Book::label(int number) const
     return entry == nullptr ? std::to_string(number) : entry->label();
 }
 
+std::string Book::says_of(const std::string& module) const
+{
+    const auto found =
+        std::find_if(modules.begin(), modules.end(), [&](const Module& one) { return one.name == module; });
+    return found == modules.end() ? "" : found->says;
+}
+
 Book read_book(const std::filesystem::path& source, Problems& problems)
 {
     Book book;
@@ -122,8 +142,10 @@ Book read_book(const std::filesystem::path& source, Problems& problems)
     if (const toml::table* least = table["exercises"].as_table())
         book.least_exercises = {(*least)["least"].value_or(0), (*least)["in_code"].value_or(0),
                                 (*least)["hard"].value_or(0), (*least)["changes"].value_or(0)};
-    if (const toml::table* modules = table["modules"].as_table())
-        for (const auto& [name, says] : *modules) book.modules[std::string(name.str())] = says.value_or(std::string());
+    book.modules = read_modules(table);
+    const auto manual = table["manual"];
+    book.manual = {manual["says"].value_or(std::string()), manual["example"].value_or(std::string()),
+                   manual["fence"].value_or(std::string()), manual["next"].value_or(std::string())};
     std::stable_sort(book.chapters.begin(), book.chapters.end(),
                      [](const ChapterEntry& a, const ChapterEntry& b) { return a.appendix < b.appendix; });
     int place = 0;

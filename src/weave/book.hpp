@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -63,6 +62,22 @@ struct ExerciseCount
     }
 };
 
+/// A folder of `src`.
+struct Module
+{
+    std::string name;
+    std::string says; ///< what it does, in a line
+};
+
+/// The first page of the manual of the code.
+struct ManualFront
+{
+    std::string says;    ///< above the example; Markdown, as Doxygen reads it
+    std::string example; ///< a text of the project that has the example, such as `docs/USING.md`
+    std::string fence;   ///< the words behind its backquotes, such as `cpp example`: the first block with them is shown
+    std::string next;    ///< below the modules
+};
+
 /// The table of contents.
 struct Book
 {
@@ -73,12 +88,15 @@ struct Book
     std::string version;      ///< of the project, as CMakeLists.txt has it; empty where it has none
     std::vector<ChapterEntry> chapters; ///< in the order of the file, then the appendices by their letters
     ExerciseCount least_exercises; ///< that each chapter has; nothing is asked for where book.toml has no `[exercises]`
-    std::map<std::string, std::string> modules; ///< what each module of src does, in a line
+    std::vector<Module> modules;   ///< of src, in the order of the file
+    ManualFront manual;
 
     /// The chapter of that number, or null.
     [[nodiscard]] const ChapterEntry* chapter(int number) const;
     /// Its label, or the number where there is no such chapter.
     [[nodiscard]] std::string label(int number) const;
+    /// What the module does; empty where the book has no word for it.
+    [[nodiscard]] std::string says_of(const std::string& module) const;
 };
 
 /// Reads `chapters/book.toml` of the project in `source`. What is wrong with it goes to `problems`, and what could be

@@ -275,6 +275,8 @@ std::string with_landmarks(std::string page)
         {"<div id=\"nav-path\" ", "<div id=\"nav-path\" role=\"navigation\" aria-label=\"Where this page is\" "},
         {"<div id=\"doc-content\">", "<div id=\"doc-content\" role=\"main\">"},
         {"<div class=\"title\">", "<div class=\"title\" role=\"heading\" aria-level=\"1\">"},
+        {"<h1>", "<h2>"}, // the sections of its first page, below that title
+        {"</h1>", "</h2>"},
         {"onclick=\"javascript:toggleLevel(", key + "onclick=\"javascript:toggleLevel("},
         {"onclick=\"toggleFolder(", key + "aria-label=\"Open or close\" onclick=\"toggleFolder("},
     };

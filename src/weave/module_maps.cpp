@@ -157,6 +157,17 @@ std::string table_of(const std::string& module, const std::map<std::string, Unit
            rows + "</tbody></table>";
 }
 
+/// The modules as the book lists them, from below upwards, and then any others.
+std::vector<std::string> in_order(const std::map<std::string, std::pair<int, int>>& sizes, const Book& book)
+{
+    std::vector<std::string> order;
+    for (const Module& module : book.modules)
+        if (sizes.count(module.name) > 0) order.push_back(module.name);
+    for (const auto& [module, size] : sizes)
+        if (std::find(order.begin(), order.end(), module) == order.end()) order.push_back(module);
+    return order;
+}
+
 } // namespace
 
 void write_module_maps(const Material& material, const Manual& manual, const fs::path& html, Problems& problems)
@@ -176,9 +187,9 @@ void write_module_maps(const Material& material, const Manual& manual, const fs:
             problems.add({page.name, 0}, "a page that can't be written", "a folder to write to");
     };
     std::string rows;
-    for (const auto& [module, size] : sizes) {
-        const auto says = material.book.modules.find(module);
-        const std::string words = says == material.book.modules.end() ? "" : escape_html(says->second);
+    for (const std::string& module : in_order(sizes, material.book)) {
+        const auto& size = sizes.at(module);
+        const std::string words = escape_html(material.book.says_of(module));
         Page page;
         page.name = "module_" + module;
         page.title = "Module " + module;

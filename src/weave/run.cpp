@@ -12,6 +12,7 @@
 #include "weave/claims.hpp"
 #include "weave/finish.hpp"
 #include "weave/live_matter.hpp"
+#include "weave/manual_front.hpp"
 #include "weave/receipts.hpp"
 #include "weave/rules.hpp"
 #include "weave/search_index.hpp"
@@ -102,6 +103,8 @@ bool run_doxygen(const Folders& folders, const Tools& tools, const Woven& woven,
     settings = replace_all(settings, "@FILTERS@", filter_patterns(folders, woven.material.sources, weave));
     settings = replace_all(settings, "@TITLE@", woven.material.book.title);
     settings = replace_all(settings, "@BRIEF@", woven.material.book.brief);
+    write_manual_front(woven.material, folders.project, folders.build / "manual.md", problems);
+    if (!problems.empty()) return false;
     if (!write_file(folders.build / "Doxyfile", settings) || !write_header(folders, tools, problems)) return false;
 
     const fs::path log = folders.build / "doxygen.log";

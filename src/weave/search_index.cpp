@@ -167,8 +167,9 @@ std::string search_index(const Material& material, const Manual& manual)
         {"sources", "The sources, by module"}, {"manual/index", "Manual of the code"}};
     for (const auto& [page, title] : pages)
         index.push_back(json::array({title, "Reference", std::string(page) + ".html", k_term, ""}));
-    for (const auto& [module, says] : material.book.modules)
-        index.push_back(json::array({"Module " + module, says, "module_" + module + ".html", k_section, ""}));
+    for (const Module& module : material.book.modules)
+        index.push_back(
+            json::array({"Module " + module.name, module.says, "module_" + module.name + ".html", k_section, ""}));
     for (const auto& [name, target] : manual.names) {
         const bool is_inner = name.rfind("weave::", 0) == 0 || name.rfind("test::", 0) == 0 || name.back() == '_' ||
                               manual.names.count("flying::" + name) == 0;

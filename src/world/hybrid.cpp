@@ -51,7 +51,7 @@ Hybrid::Hybrid(EventEngine engine, std::vector<Material> materials, const Settin
     std::vector<BodyMover> movers;
     for (int k = 0; k < flying_.body_count(); ++k) {
         radius_.push_back(bounding_radius(flying_.shape(k)));
-        movers.push_back(flying_.is_static(k) ? BodyMover::nobody : BodyMover::events);
+        movers.push_back(flying_.is_static(k) ? BodyMover::none : BodyMover::events);
     }
     clear_.assign(movers.size(), 0);
     movers_ = Movers(std::move(movers));
@@ -87,7 +87,7 @@ void Hybrid::set_up_resting()
     if (const auto* central = std::get_if<CentralField>(&setting_.field)) options.centre = *central;
     std::vector<RestBody> bodies;
     for (int k = 0; k < flying_.body_count(); ++k) {
-        const bool moves = movers_.of(k) != BodyMover::nobody;
+        const bool moves = movers_.of(k) != BodyMover::none;
         const Vec2 gravity = moves ? uniform_acceleration(setting_.field) : Vec2(Vec2::Zero());
         bodies.push_back({flying_.shape(k), flying_.flyer(k).state, flying_.inertia(k), materials_[k], gravity, !moves, !moves});
     }
@@ -432,7 +432,7 @@ std::optional<double> Hybrid::step_end() const
 
 BodyState Hybrid::state(int body)
 {
-    if (movers_.of(body) == BodyMover::nobody || movers_.of(body) == BodyMover::events) {
+    if (movers_.of(body) == BodyMover::none || movers_.of(body) == BodyMover::events) {
         return state_at(flying_.flyer(body), clock_);
     }
     const double since = clock_ - resting_->time();

@@ -9,7 +9,7 @@ enum class EngineChoice { automatic, events, rest };
 /// What moves a body at a moment.
 enum class BodyMover
 {
-    nobody, ///< it is static
+    none,   ///< it is static
     events, ///< it flies: from impact to impact
     rest,   ///< it leans on something, and is moved by steps
     asleep  ///< it leans on something, and a step has left it as it was

@@ -237,13 +237,13 @@ std::vector<BodyView> World::Parts::view()
     std::vector<BodyView> bodies;
     const EventEngine& engine = hybrid.flying();
     for (int k = 0; k < engine.body_count(); ++k) {
-        bodies.push_back({hybrid.state(k), engine.inertia(k), &engine.shape(k), hybrid.mover(k) == BodyMover::nobody});
+        bodies.push_back({hybrid.state(k), engine.inertia(k), &engine.shape(k), hybrid.mover(k) == BodyMover::none});
     }
     return bodies;
 }
 
 const Shape& World::shape(int index) const { return parts_->hybrid.flying().shape(index); }
-bool World::is_static(int index) const { return mover(index) == Mover::nobody; }
+bool World::is_static(int index) const { return mover(index) == Mover::none; }
 const Scene& World::scene() const { return parts_->scene; }
 const std::vector<Handover>& World::handovers() const { return parts_->handovers; }
 

@@ -19,7 +19,7 @@ struct PileShowing
     double worst_overlap = 0.0;
 };
 
-/// One scene of them in all engines, by steps of 1/60 s in which nobody may sleep; then in this engine with sleep.
+/// One scene of them in all engines, by steps of 1/60 s in which no body may sleep; then in this engine with sleep.
 struct PileComparison
 {
     std::string name;

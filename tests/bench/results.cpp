@@ -177,7 +177,7 @@ std::string table(const Results& results)
         }
     }
     if (!results.piles.empty()) {
-        text += fmt::format("\nAt rest: steps of 1/60 s, nobody sleeps; overlaps in radii\n{:<20} {:>15} {:>9} {:>8} "
+        text += fmt::format("\nAt rest: steps of 1/60 s, no body sleeps; overlaps in radii\n{:<20} {:>15} {:>9} {:>8} "
                             "{:>9} {:>9} {:>8} {:>8} {:>10}\n",
                             "scene", "engine", "ms a step", "/Chipm.", "worst ms", "touching", "mean", "deepest",
                             "ns a pair");

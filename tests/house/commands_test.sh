@@ -160,6 +160,15 @@ while IFS=: read -r file line path; do
     [[ -e $path || $path =~ (NN|NAME|MODULE|YOUR) || $path == out/* ]] || fault "$file:$line" "$path" "no such file"
 done < <(grep -n -o -E '`(src|chapters|tests|docs)/[A-Za-z0-9_./-]+`' "${texts[@]}")
 
+# A piece of a scene that a chapter shows stands in a scene of the course, line for line
+for text in chapters/*/chapter.md; do
+    piece=$(awk '/^```toml/ { inside = 1; next } /^```/ { inside = 0 } inside' "$text")
+    [[ -n $piece ]] || continue
+    where=
+    for scene in chapters/scenes/*.toml; do [[ $(<"$scene") != *"$piece"* ]] || where=$scene; done
+    [[ -n $where ]] || fault "$text" "${piece%%$'\n'*} ..." "no scene of chapters/scenes has these lines"
+done
+
 # README lists the chapters as book.toml has them
 listed=$(sed -n 's/^| \([0-9A-Z]*\) | \(.*\) | \(.*\) |$/\1: \2: \3/p' README.md | sed 's/^\([0-9]\):/0\1:/')
 expected=$(awk '

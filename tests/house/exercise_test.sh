@@ -83,6 +83,8 @@ says "nothing begun" '^02  Springs  *e2 -$' "$("$tree/docs/exercise.sh" progress
 says "to begin with" '^Next: ./course start 02$' "$("$tree/docs/exercise.sh" progress)"
 says "a beginning" '^my/07-springs/e2.hpp: yours to write' "$("$tree/docs/exercise.sh" start 2)"
 says "left alone" 'there already, left as it is' "$("$tree/docs/exercise.sh" start 02)"
+says "not begun by that" 'e2 -$' "$("$tree/docs/exercise.sh" progress)"
+echo '// an answer' >>"$tree/my/07-springs/e2.hpp"
 says "begun" 'e2 begun$' "$("$tree/docs/exercise.sh" progress)"
 echo "07-springs/e2 $(cksum <"$tree/my/07-springs/e2.hpp" | tr -d ' ')" >"$tree/my/passed.txt"
 says "passed" 'e2 passes$' "$("$tree/docs/exercise.sh" progress)"

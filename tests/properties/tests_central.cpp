@@ -155,7 +155,7 @@ TEST_CASE("Many bodies round the core keep their energy and never overlap")
     CHECK(deepest < 1e-12);
 }
 
-TEST_CASE("In central scenes too no skip changes a bit, and nobody overlaps")
+TEST_CASE("In central scenes too no skip changes a bit, and no bodies overlap")
 {
     // Seeds 1 ... 12. Overlap measured at 200 moments each: a missed event would leave one behind
     long collisions = 0;

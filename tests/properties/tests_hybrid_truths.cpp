@@ -254,7 +254,7 @@ TEST_CASE("planks stand at 1 - 1e-9 of the harmonic overhang, to the bit, and fa
     }
 }
 
-TEST_CASE("who leans on something from the start is handed over at once, and nobody else")
+TEST_CASE("what leans on something from the start is handed over at once, and nothing else")
 {
     Scene scene = slope(0.0, 0.5, 0.3);
     scene.bodies = {rectangle(1.0, 1.0, {0.0, 0.5}),                // on the floor

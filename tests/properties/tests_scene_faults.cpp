@@ -193,7 +193,7 @@ const std::vector<BadScene>& bad_scenes()
         {"a shape with one side that is none, and one that is no number",
          "[[body]]\nshape = { kind = \"rectangle\", width = 0.0, height = \"tall\" }\nposition = [0, 0]\n",
          {"2:39: body 0, shape.width: found 0", "2:53: body 0, shape.height: found \"tall\""}},
-        {"a wall perhaps, which may weigh nothing, and may be in the way of nobody",
+        {"a wall perhaps, which may weigh nothing, and may be in the way of nothing",
          "[world]\nbox = { min = [-1, -1], max = [1, 1] }\n[[body]]\n" SOUND "static = 1\nmass = 0\nspin = inf\n"
          "friction = -1\n[[body]]\n" SOUND "angle = \"up\"\n[[body]]\n" SOUND,
          {"6:10: body 0, static: found 1", "9:12: body 0, friction: found -1", "13:9: body 1, angle: found \"up\""}},

@@ -1,5 +1,5 @@
 // While they fell and rolled, polygons in heaps of more than 64 got into each other by 4 to 20 % of their size: sweeps
-// lead points along straight ways, and whoever turns leaves those. And where a corner of one was wedged in between two
+// lead points along straight ways, and what turns leaves those. And where a corner of one was wedged in between two
 // others, it was found a sixth of a size deep in one that it hardly touched.
 
 #include <algorithm>

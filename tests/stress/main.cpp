@@ -66,7 +66,7 @@ constexpr Part k_parts[] = {
     {"cooling", "a gas of discs at e = 0.99 cools as Haff says", "discs", 10'000, run_cooling},
     {"collapse", "a gas of discs at e = 0.1 collapses again and again, and goes on to its end", "discs", 10'000, run_collapse},
     {"tests", "the tests that try random cases, with more of them", "times as many", 10, run_tests},
-    {"rest", "random scenes in which bodies come to rest: nobody lost, no energy won, no overlap left", "scenes", 10'000, run_rest},
+    {"rest", "random scenes in which bodies come to rest: no body lost, no energy won, no overlap left", "scenes", 10'000, run_rest},
     {"table", "every row of chapter 17 that doesn't hold yet; the long ones go on where they stopped", "seconds for each long one", 600, run_table},
 };
 

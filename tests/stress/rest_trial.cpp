@@ -74,7 +74,7 @@ RestBody wall(const Vec2& normal, double offset, const Material& material)
     return body;
 }
 
-/// Put a body where it overlaps nobody; false where there is no room.
+/// Put a body where it overlaps no other; false where there is no room.
 bool place(Random& random, const RestScene& scene, const std::vector<CollisionShape>& shapes,
            const CollisionShape& shape, RestBody& body)
 {

@@ -55,7 +55,7 @@ inline constexpr double k_rise_allowed = 1e-9;
 /// [bounding radii] Overlap that is allowed.
 inline constexpr double k_overlap_allowed = 0.01;
 
-/// True where the findings break no promise: nobody lost, no energy won, all numbers finite, no overlap at the end.
+/// True where the findings break no promise: no body lost, no energy won, all numbers finite, no overlap at the end.
 [[nodiscard]] bool ends_well(const RestFindings& findings);
 /// The same, and no overlap at any step.
 [[nodiscard]] bool passes(const RestFindings& findings);

@@ -152,7 +152,7 @@ TEST_CASE("a disc that passes at exactly the sum of the radii is left alone, and
 
 // ---- Long times, high and low speeds -------------------------------------------------------------------------------
 
-TEST_CASE("after a thousand million seconds a ball is where unfolding says, to the rounding of the clock")
+TEST_CASE("after a billion seconds a ball is where unfolding says, to the rounding of the clock")
 {
     // Dyadic numbers: 25,000 bounces of two speeds, every one at a time that is a double
     Scene scene;

@@ -64,7 +64,7 @@ double energy_of(const RestEngine& engine)
 
 } // namespace
 
-TEST_CASE("random scenes at rest: energy never rises, nobody is lost, nothing becomes no number or overlaps")
+TEST_CASE("random scenes at rest: energy never rises, no body is lost, nothing becomes no number or overlaps")
 {
     // The first of the scenes of ./course stress rest, which goes on for as many as one likes
     const int count = flying::testing::tried(45);
@@ -97,7 +97,7 @@ TEST_CASE("a pile of 64 polygons settles with few solves a step, and stays where
     CHECK(energy_of(engine) > 0.98 * energy);
 }
 
-TEST_CASE("crowds of heavy bodies behind light ones lose nobody through their walls")
+TEST_CASE("crowds of heavy bodies behind light ones lose no body through their walls")
 {
     // Scenes of ./course stress that lost bodies while only sweeps ended the approaches
     for (const std::uint64_t seed : flying::testing::tried({11, 17, 37, 60, 69, 77, 99})) {

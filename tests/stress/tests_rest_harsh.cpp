@@ -160,7 +160,7 @@ TEST_CASE("small bodies thrown into the notches of a concave one don't get into 
     }
 }
 
-TEST_CASE("random scenes that ended a step with overlap: nobody gets into anybody in any step")
+TEST_CASE("random scenes that ended a step with overlap: no body gets into another in any step")
 {
     // 100: what was paid for a push out of an overlap led back into it. 106, 434: bodies that an impact had thrown
     // further than was reckoned with came where others, of other groups, were already. 165: the same, through a wall,

@@ -158,7 +158,7 @@ inline bool boundaries_cross(const Polygon& a, const Pose& pose_a, const Polygon
 
 /// Signed distance of the origin from the set of all differences b - a of points of two convex polygons: the distance
 /// where it lies outside, minus the shortest way out where it lies inside. That is the separation of A and B, found
-/// without a look at anyone's edge normals. The hull is that of all differences of vertices (Andrew's monotone chain).
+/// without a look at any edge's normal. The hull is that of all differences of vertices (Andrew's monotone chain).
 inline double minkowski_separation(const Polygon& a, const Pose& pose_a, const Polygon& b, const Pose& pose_b)
 {
     std::vector<Vec2> points;

@@ -298,7 +298,7 @@ TEST_CASE("a decimal number typed into a caption or into a reason fails the book
     CHECK(with("A thin rod, its end", "A thin rod of {{given:2.5}} m, its end") == "");
 }
 
-TEST_CASE("a decimal number that is declared as given is counted; code and versions are no numbers")
+TEST_CASE("a decimal number that is declared as given is counted: code and versions are no numbers")
 {
     const ExampleTree tree;
     tree.replace(k_chapter, "a finger turns it.", "$e = {{given:0.5}}$ and {{given:2.5}}, `x = 2.5`, Doxygen 1.9.4.");

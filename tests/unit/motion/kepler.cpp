@@ -271,7 +271,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("Lengths, times and strengths scale by powers of two bit for bit; so do mirrors "
+TEST_CASE("Lengths, times and strengths scale by powers of two bit for bit: so do mirrors "
           "and quarter turns")
 {
     Random random(5);

@@ -52,7 +52,7 @@ TEST_CASE("a change keeps every body where it is and the time")
     CHECK(stage.run.time() == time);
 }
 
-TEST_CASE("undo brings back what was before the change; without changes there is nothing to undo")
+TEST_CASE("undo brings back what was before the change: without changes there is nothing to undo")
 {
     Stage stage = stage_of(three_bodies());
     press(stage, "ctrl+z");
@@ -68,7 +68,7 @@ TEST_CASE("undo brings back what was before the change; without changes there is
     CHECK(stage.run.time() == doctest::Approx(0.7));
 }
 
-TEST_CASE("redo brings back what undo has taken, to the bit, one change after the other; a new change ends that")
+TEST_CASE("redo brings back what undo has taken, to the bit, one change after the other, and a new change ends that")
 {
     Stage stage = stage_of(three_bodies());
     press(stage, "ctrl+y");

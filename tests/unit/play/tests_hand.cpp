@@ -104,7 +104,7 @@ TEST_CASE("discs and polygons are added where there is room, with the speed that
     CHECK(std::get<RegularDef>(stage.run.scene().bodies[4].shape).sides == 6);
 }
 
-TEST_CASE("a polygon is drawn point by point, concave too; one whose sides cross is refused")
+TEST_CASE("a polygon is drawn point by point, concave too: one whose sides cross is refused")
 {
     Stage stage = stage_of(three_bodies());
     press(stage, "p");
@@ -135,7 +135,7 @@ TEST_CASE("a polygon is drawn point by point, concave too; one whose sides cross
     CHECK(body_at(stage.run.world(), {4.0, 5.9}, 0.0) == -1);
 }
 
-TEST_CASE("bodies are removed with the tool, and with Delete where one is chosen; undo brings them back")
+TEST_CASE("bodies are removed with the tool, and with Delete where one is chosen: undo brings them back")
 {
     Stage stage = stage_of(three_bodies());
     press(stage, "5");

@@ -78,7 +78,7 @@ double mean_overlap(const RestEngine& engine)
 
 } // namespace
 
-TEST_CASE("a heap that is swept falls asleep soon after it has settled; then steps are no work, and a blow wakes it")
+TEST_CASE("a heap that is swept falls asleep soon after it has settled: then steps are no work, and a blow wakes it")
 {
     // Where rows aren't full, single discs roll along those that lie; they would keep them awake for as long
     struct Heap
@@ -172,8 +172,8 @@ TEST_CASE("a tall heap that lands goes on to move until it lies, and isn't crush
     RestOptions options;
     options.sleeps = false;
     RestEngine engine(heap(1400, false), options);
-    int standing = 0; // steps that have left nobody moving, to this one
-    int hung = 0;     // those after which somebody has moved
+    int standing = 0; // steps that have left no body moving, to this one
+    int hung = 0;     // those after which a body has moved
     for (int k = 0; k < 60 * 8; ++k) {
         engine.step();
         bool stands = true;

@@ -71,7 +71,7 @@ bool same_bits(double x, double y) { return std::bit_cast<std::uint64_t>(x) == s
 
 } // namespace
 
-TEST_CASE("sweeps over batches find the bits of the plain sweep, whoever shares bodies with whom")
+TEST_CASE("sweeps over batches find the bits of the plain sweep, whichever contacts share bodies")
 {
     std::uint64_t seed = 1;
     const std::pair<int, int> sizes[] = {{1, 3}, {2, 1}, {3, 40}, {3, 300}, {30, 200}, {400, 900}};

@@ -5,7 +5,7 @@
 using namespace flying;
 using namespace flying::testing;
 
-TEST_CASE("islands are chains of bodies that move; what is static joins none")
+TEST_CASE("islands are chains of bodies that move: what is static joins none")
 {
     // Two stacks and a lone box on one floor, and a box in the air
     RestData data = data_of({ground(), box_at({0.0, 0.5}), box_at({5.0, 0.5}), box_at({0.0, 1.5}), box_at({5.0, 1.5}),

@@ -58,7 +58,7 @@ std::vector<BoxCells::Entry> plain_reaches(const std::vector<Leaning>& awake, co
 
 } // namespace
 
-TEST_CASE("those that sleep are reached as if all were compared with all, whoever comes later")
+TEST_CASE("those that sleep are reached as if all were compared with all, whichever comes later")
 {
     Random random(1711);
     for (int round = 0; round < 60; ++round) {

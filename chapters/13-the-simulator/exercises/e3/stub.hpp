@@ -21,5 +21,5 @@ inline std::vector<int> taken_in(const std::vector<Disc>& discs, double d)
     for (int k = 0; k < static_cast<int>(discs.size()); ++k) {
         if (!discs[k].leans) all.push_back(k);
     }
-    return all; // safe, but it takes in everybody: your code here
+    return all; // safe, but it takes in every flyer: your code here
 }

@@ -83,7 +83,7 @@ TEST_CASE("no flyer is left out that may meet one that leans, or one that was ta
     CHECK(left_out > 500);
 }
 
-TEST_CASE("nobody is taken in for nothing")
+TEST_CASE("no disc is taken in for nothing")
 {
     for (std::uint64_t seed = 1; seed <= 300; ++seed) {
         const std::vector<Disc> discs = crowd(seed);
