@@ -11,7 +11,7 @@ struct Island
 {
     std::span<const int> members;   ///< ascending
     std::span<ContactPoint> points; ///< those of a pair in a row
-    bool is_exact = true;           ///< solved to rounding, all at once; else swept
+    bool is_exact = true;           ///< bodies move by the mean of their velocities; else by those at the end
     bool has_ways = false;          ///< places are found already, along curves
     bool is_solved = true;          ///< the impulses that were found are right to rounding
     bool in_turn = false;           ///< its impacts have moments of their own

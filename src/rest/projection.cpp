@@ -107,7 +107,7 @@ double Projection::measure_overlap(RestData& data, const Island& island)
 {
     points_.clear();
     const std::span<const ContactPoint> points = island.points;
-    if (!island.is_exact) return measure_overlap_swept(data, island);
+    if (is_heap(island)) return measure_overlap_of_heap(data, island);
     const bool any_nearer =
         std::any_of(points.begin(), points.end(), [&](const ContactPoint& c) { return comes_nearer(data, c.a, c.b); });
     const bool may_any =
@@ -126,7 +126,7 @@ double Projection::measure_overlap(RestData& data, const Island& island)
 }
 
 /// Only pairs that may overlap more than is fair are looked at: of the others it is known well enough where they end.
-double Projection::measure_overlap_swept(RestData& data, const Island& island)
+double Projection::measure_overlap_of_heap(RestData& data, const Island& island)
 {
     set_end_poses(data, island);
     list_pairs_of(data, island.points);
@@ -230,7 +230,7 @@ void Projection::put_apart(RestData& data, const Island& island, double overlap,
         // [rest.projection.round]
         find_pushes(data, island, 0.125 * touch, sweeps);
         // A heap hangs in the air if all its motion goes to lift it
-        const bool is_free = island.is_exact || overlap > rest_tolerance::k_most_overlap;
+        const bool is_free = !is_heap(island) || overlap > rest_tolerance::k_most_overlap;
         const double share = is_free ? 1.0 : share_that_is_paid(data, island);
         for (const int member : members) {
             const Mover& mover = pushes_[member];

@@ -50,7 +50,7 @@ double end_of_load(const RestData& data, const Island& island)
 /// than the limiter may take off.
 bool is_fair(const RestData& data, const Island& island, double overlap)
 {
-    const double fair = island.is_exact ? rest_tolerance::k_fair_overlap : rest_tolerance::k_most_overlap;
+    const double fair = is_heap(island) ? rest_tolerance::k_most_overlap : rest_tolerance::k_fair_overlap;
     if (overlap > fair && overlap > overlap_at_start(data, island)) return false;
     for (const int member : island.members) {
         if (!(std::abs(data.motion.turn[member]) * data.bodies.turning[member] <=
