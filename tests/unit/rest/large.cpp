@@ -122,7 +122,7 @@ TEST_CASE("what a look remembers changes no bit of what follows, and saves looks
         else bodies.push_back(box(size, 0.8 * size, place, 1.0, material));
         if (k % 9 == 4) bodies.back().shape = angle;
         bodies.back().state.angle = random.uniform(0.0, 6.0);
-        bodies.back().state.spin = random.uniform(-3.0, 3.0);
+        bodies.back().state.spin = random.uniform(-30.0, 30.0);
     }
     for (const int most_solved : {20, 400}) {
         CAPTURE(most_solved);
