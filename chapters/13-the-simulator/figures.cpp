@@ -227,7 +227,7 @@ void draw_reach(const std::string& folder)
     s.arrow(right, right + Vec2(-34, 0), k_ink, 2.2);
     s.formula(right + Vec2(-16, -12), "v", Anchor::middle);
     s.measure(Vec2(right.x() + 42, right.y() + 20), Vec2(right.x() + 66, right.y() + 20), k_ink);
-    s.formula(Vec2(right.x() + 92, right.y() + 26), "w", Anchor::middle);
+    s.formula(Vec2(right.x() + 92, right.y() + 26), "l", Anchor::middle);
 
     // A flight and the box that holds it for as long
     const Vec2 from(340, 56);

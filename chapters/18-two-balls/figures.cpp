@@ -310,7 +310,7 @@ void draw_cancel(const std::string& folder)
             plot.dot(std::pow(10.0, power), school, k_rust);
         if (engine > 0.0) plot.dot(std::pow(10.0, power), engine, k_blue);
     }
-    s.words(plot.at(40.0, 3e-8), "as school has it", Anchor::left, k_rust);
+    s.words(plot.at(40.0, 3e-8), "the school formula", Anchor::left, k_rust);
     s.words(plot.at(5e5, 6e-15), "as the engine has it", Anchor::left, k_blue);
     s.words(Vec2(306, 346), "distance, m");
     s.words(Vec2(84, 18), "off by, s", Anchor::left);
