@@ -1,11 +1,11 @@
 #include "geometry/ring_checks.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "geometry/meeting_edges.hpp"
 #include "geometry/moments.hpp"
+#include "math/number_text.hpp"
 #include "math/orientation.hpp"
 #include "math/tolerance.hpp"
 
@@ -13,17 +13,9 @@ namespace flying {
 
 namespace {
 
-
-std::string text_of(double x)
-{
-    char text[40];
-    const std::to_chars_result end = std::to_chars(text, text + sizeof text, x);
-    return std::string(text, end.ptr);
-}
-
 std::string text_of(const Vec2& a)
 {
-    return "(" + text_of(a.x()) + ", " + text_of(a.y()) + ")";
+    return "(" + number_text(a.x()) + ", " + number_text(a.y()) + ")";
 }
 
 
@@ -109,8 +101,8 @@ void check_numbers(GivenRing& ring, Faults& faults)
         ring.is_checkable = false;
         faults.push_back({place_of(ring, k), text_of(point),
                           is_finite(point)
-                              ? "coordinates that are 0, or between " + text_of(tolerance::k_least_coordinate) +
-                                    " and " + text_of(tolerance::k_greatest_coordinate) + " in size"
+                              ? "coordinates that are 0, or between " + number_text(tolerance::k_least_coordinate) +
+                                    " and " + number_text(tolerance::k_greatest_coordinate) + " in size"
                               : "finite coordinates"});
     }
 }
@@ -124,7 +116,7 @@ double check_size(GivenRing& ring, Faults& faults)
     if (size == 0.0 || size >= tolerance::k_least_size) return size;
     ring.is_checkable = false;
     faults.push_back(
-        {ring.place, "a size of " + text_of(size), "a size of " + text_of(tolerance::k_least_size) + " or more"});
+        {ring.place, "a size of " + number_text(size), "a size of " + number_text(tolerance::k_least_size) + " or more"});
     return size;
 }
 
@@ -191,8 +183,8 @@ void check_area(const GivenRing& ring, Faults& faults)
     const double area = std::abs(moments_of_ring(ring.points).area);
     const double least = tolerance::k_smallest_area * (size * size);
     if (area >= least) return;
-    faults.push_back({ring.place, "an area of " + text_of(area) + " m^2",
-                      "an area of at least " + text_of(least) + " m^2 in a ring of this size"});
+    faults.push_back({ring.place, "an area of " + number_text(area) + " m^2",
+                      "an area of at least " + number_text(least) + " m^2 in a ring of this size"});
 }
 
 

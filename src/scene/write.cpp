@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <bit>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <string_view>
+
+#include "math/number_text.hpp"
 
 namespace flying {
 
@@ -167,13 +168,9 @@ std::string write_number(double value)
     if (std::isinf(value)) return value > 0.0 ? "inf" : "-inf";
 
     // Numbers of everyday size without an exponent, the others as it is shorter
-    char digits[64];
     const double size = std::abs(value);
     const bool plain = size == 0.0 || (size >= 1e-4 && size < 1e16);
-    const std::to_chars_result end =
-        plain ? std::to_chars(digits, digits + sizeof digits, value, std::chars_format::fixed)
-              : std::to_chars(digits, digits + sizeof digits, value);
-    std::string text(digits, end.ptr);
+    std::string text = plain ? plain_number_text(value) : number_text(value);
 
     // TOML tells a float from an integer by its point or exponent
     if (text.find_first_of(".e") == std::string::npos) text += ".0";

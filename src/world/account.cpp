@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 
 #include "broadphase/sweep.hpp"
+#include "math/number_text.hpp"
 
 namespace flying {
 namespace {
@@ -15,22 +15,6 @@ namespace {
     const auto inverse_or_zero = [](double x) { return x > 0.0 ? 1.0 / x : 0.0; };
     return {name, body.state, inverse_or_zero(body.inertia.inv_mass),
             inverse_or_zero(body.inertia.inv_moment_of_inertia)};
-}
-
-/// With three digits, as people quote it.
-[[nodiscard]] std::string rounded(double number)
-{
-    char digits[32];
-    const auto end = std::to_chars(std::begin(digits), std::end(digits), number, std::chars_format::general, 3).ptr;
-    return {digits, end};
-}
-
-/// Shortest decimal that reads back to the same number.
-[[nodiscard]] std::string decimal(double number)
-{
-    std::array<char, 32> text{};
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), number);
-    return std::string(text.data(), end.ptr);
 }
 
 [[nodiscard]] std::string quoted_label(const Scene& scene, int index)
@@ -151,9 +135,10 @@ std::vector<std::string> warnings_of(const RestAccount& rest, double energy)
     constexpr double k_kept = 1e-9; // of the energy, where nothing may take any
     const double lost = rest.elastic_ended + rest.elastic_braked;
     if (!(lost > k_kept * energy)) return {};
-    return {rounded(lost) + " J lost at e = 1 without friction: " + rounded(rest.elastic_ended) +
-            " J by impacts at one moment that did not end, " + rounded(rest.elastic_braked) +
-            " J by gaps that closed within a step; bodies that touch bounce more often than a step can follow"};
+    const auto joules = [](double work) { return rounded_text(work, 3) + " J"; }; // as people quote it
+    return {joules(lost) + " lost at e = 1 without friction: " + joules(rest.elastic_ended) +
+            " by impacts at one moment that did not end, " + joules(rest.elastic_braked) +
+            " by gaps that closed within a step; bodies that touch bounce more often than a step can follow"};
 }
 
 Handover describe(const Hybrid::Change& change, const Scene& scene)
@@ -197,7 +182,7 @@ RunFailure describe(const EventFailure& failure, const Scene& scene)
         if (body < static_cast<int>(scene.bodies.size())) described.bodies.push_back(body);
     }
     const std::string pair = quoted_label(scene, failure.a) + " and " + quoted_label(scene, failure.b);
-    const std::string when = " at t = " + decimal(failure.time) + " s";
+    const std::string when = " at t = " + number_text(failure.time) + " s";
     switch (failure.kind) {
     case EventFailure::Kind::crowded:
         described.message = "impacts of " + pair + " crowd together without end" + when;

@@ -1,13 +1,13 @@
 #include "world/checks.hpp"
 
-#include <charconv>
 #include <cmath>
 #include <utility>
+
+#include "math/number_text.hpp"
 
 namespace flying {
 
 namespace {
-
 
 /// Zero, or neither too small nor too large for the engine.
 bool in_range(double x)
@@ -23,20 +23,6 @@ std::string limits()
 
 } // namespace
 
-
-std::string number_text(double x)
-{
-    char text[40];
-    const std::to_chars_result end = std::to_chars(text, text + sizeof text, x);
-    return std::string(text, end.ptr);
-}
-
-std::string rounded_text(double x)
-{
-    char text[40];
-    const std::to_chars_result end = std::to_chars(text, text + sizeof text, x, std::chars_format::general, 6);
-    return std::string(text, end.ptr);
-}
 
 void Checks::fault(std::string_view place, std::string found, std::string expected)
 {

@@ -22,12 +22,6 @@ inline constexpr double k_greatest_angle = 1e15;
 /// Sides of a regular polygon: more than this only costs time.
 inline constexpr int k_most_sides = 1000000;
 
-/// The shortest decimal number that reads back as x; "nan", "inf", "-inf".
-[[nodiscard]] std::string number_text(double x);
-
-/// x with six significant digits, for what was measured and not typed.
-[[nodiscard]] std::string rounded_text(double x);
-
 /// Collects faults whose places share a beginning.
 class Checks
 {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "geometry/make_polygon.hpp"
+#include "math/number_text.hpp"
 #include "math/sine_cosine.hpp"
 #include "world/checks.hpp"
 

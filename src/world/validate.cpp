@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "geometry/moments.hpp"
+#include "math/number_text.hpp"
 #include "math/rotation.hpp"
 #include "world/checks.hpp"
 #include "world/make_shape.hpp"

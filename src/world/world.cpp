@@ -6,6 +6,7 @@
 #include "broadphase/grid.hpp"
 #include "collide/separation.hpp"
 #include "mass/polygon.hpp"
+#include "math/number_text.hpp"
 #include "world/account.hpp"
 #include "world/checks.hpp"
 #include "world/hybrid.hpp"
