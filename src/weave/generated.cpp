@@ -256,7 +256,7 @@ std::string told(const Material& material, const Counts& counts)
                            share.lines, share.told, 100.0 * share.part(), 100.0 * entry->told);
     }
     const std::string later = planned == 0 ? "" : fmt::format(" {} chapters are planned and not written yet.", planned);
-    return out + fmt::format("\n{} formulas only define. {} numbers of the text are given, not computed.{}\n",
+    return out + fmt::format("\n{} formulas are definitions. {} numbers of the text are given, not computed.{}\n",
                              definitions, counts.given, later);
 }
 
