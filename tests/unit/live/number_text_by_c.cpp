@@ -1,4 +1,4 @@
-#include "math/number_text.hpp"
+#include "live/number_text_by_c.hpp"
 
 #include <bit>
 #include <cmath>
@@ -9,6 +9,7 @@
 
 #include <doctest/doctest.h>
 
+#include "math/number_text.hpp"
 #include "math/random.hpp"
 
 using namespace flying;
