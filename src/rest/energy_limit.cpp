@@ -59,29 +59,47 @@ bool is_lossless(const Island& island)
                        [](const ContactPoint& c) { return c.restitution == 1.0 && c.friction == 0.0; });
 }
 
-void scale_to_energy(RestData& data, const Island& island)
+double neutral_share(const RestData& data, const Island& island, std::span<const Mover> before,
+                     std::span<const Mover> after, Way way)
 {
-    // With a share s of the impulses the energy grows by  square s^2 + linear s  beyond the field's work
-    double square = 0.0; // [J]
-    double linear = 0.0; // [J]
-    double scale = 0.0;  // [J]
+    const double time = way == Way::none ? 0.0 : data.motion.span;
+    const double mean = way == Way::end_velocity ? 0.0 : 0.5;
+    // [rest.heaps.share]
+    // With a share s of the impulses the energy grows by  square s^2 + linear s + constant
+    double square = 0.0;   // [J]
+    double linear = 0.0;   // [J]
+    double constant = 0.0; // [J]
+    double scale = 0.0;    // [J]
     for (const int member : island.members) {
-        const Mover& old = data.motion.before[member];
-        const Mover& now = data.motion.now[member];
+        const Mover& old = before[member];
+        const Mover& now = after[member];
         const Vec2 velocity(old.v_x, old.v_y);
-        const Vec2 fall = data.motion.span * data.motion.field[member];
-        scale += (velocity.squaredNorm() + fall.squaredNorm()) / now.inv_mass + old.spin * old.spin / now.inv_moment;
+        const Vec2 fall = time * data.motion.field[member];
         const Vec2 change = Vec2(now.v_x, now.v_y) - velocity - fall;
         const double spin = now.spin - old.spin;
         square += 0.5 * (change.squaredNorm() / now.inv_mass + spin * spin / now.inv_moment);
-        linear += (velocity + 0.5 * fall).dot(change) / now.inv_mass + old.spin * spin / now.inv_moment;
+        linear += (velocity + mean * fall).dot(change) / now.inv_mass + old.spin * spin / now.inv_moment;
+        constant -= (0.5 - mean) * fall.squaredNorm() / now.inv_mass;
+        scale += (velocity.squaredNorm() + fall.squaredNorm()) / now.inv_mass + old.spin * old.spin / now.inv_moment;
     }
-    if (!(std::abs(square + linear) > rest_tolerance::k_rounding * scale)) return;
-    const double share = std::max(0.0, -linear / square);
-    scale_impulses(island, share);
-    set_free(data, island, data.motion.before, data.motion.span);
-    for (const ContactPoint& c : island.points)
-        push(c, c.normal, c.tangent, data.motion.now[c.a], data.motion.now[c.b]);
+    if (!(std::abs(square + linear + constant) > rest_tolerance::k_rounding * scale)) return 1.0;
+    const double root = std::sqrt(linear * linear - 4.0 * square * constant);
+    return linear > 0.0 ? -2.0 * constant / (linear + root) : (root - linear) / (2.0 * square);
+    // [rest.heaps.share]
+}
+
+void take_share(const RestData& data, const Island& island, std::span<const Mover> before, std::span<Mover> after,
+                Way way, double share)
+{
+    const double time = way == Way::none ? 0.0 : data.motion.span;
+    for (const int member : island.members) {
+        const Mover& old = before[member];
+        Mover& now = after[member];
+        const Vec2 free = Vec2(old.v_x, old.v_y) + time * data.motion.field[member];
+        now.v_x = free.x() + share * (now.v_x - free.x());
+        now.v_y = free.y() + share * (now.v_y - free.y());
+        now.spin = old.spin + share * (now.spin - old.spin);
+    }
 }
 
 void count_elastic_loss(RestData& data, const Island& island)
@@ -177,10 +195,10 @@ struct RigidMotion
 }
 
 /// Takes energy out of the rise of an island's bodies relative to a way that it goes as one rigid body, as much as
-/// there is. What remains to be taken.  [J]
+/// there is.
 ///
 /// by  what is to be taken [J]
-[[nodiscard]] double rise_less(RestData& data, const Island& island, const RigidMotion& rigid, double by)
+void rise_less(RestData& data, const Island& island, const RigidMotion& rigid, double by)
 {
     const auto way_of = [&](int member) {
         const Vec2 arm = data.bodies.list[member].state.position - rigid.centre;
@@ -191,7 +209,7 @@ struct RigidMotion
         const Vec2 own = data.motion.shift[member] - way_of(member);
         lift -= data.motion.field[member].dot(own) / data.motion.now[member].inv_mass;
     }
-    if (!(lift > 0.0)) return by; // they fall, and to fall less would be a gain
+    if (!(lift > 0.0)) return; // they fall, and to fall less would be a gain
     const double part = by < lift ? 1.0 - by / lift : 0.0;
     for (const int member : island.members) {
         const Vec2 common = way_of(member);
@@ -199,7 +217,6 @@ struct RigidMotion
         data.motion.shift[member] = common + part * (data.motion.shift[member] - common);
         data.motion.turn[member] = turn + part * (data.motion.turn[member] - turn);
     }
-    return by - std::min(by, lift);
 }
 
 } // namespace
@@ -212,14 +229,10 @@ void limit_energy(RestData& data, const Island& island)
     ++data.counts.limited;
     data.counts.energy_limited += gain.gained;
     const RigidMotion rigid = free_motion(data, island, data.motion.now);
-    const bool is_held = static_hold(data, island.points).directions > 0;
     // Round a centre the field's work isn't in proportion to the way, so that it takes more than one round
     for (int round = 0; round < rest_tolerance::k_quick_rounds && gain.gained > rounding; ++round) {
-        double left = slow_down(data, island, rigid, gain.gained);
-        if (left > rounding) left = rise_less(data, island, free_way(data, island), left);
-        // What slides along something static has its friction, too, to hold it
-        if (left > rounding && is_held) left = rise_less(data, island, RigidMotion{}, left);
-        if (left > rounding && is_held) (void)slow_down(data, island, RigidMotion{}, left);
+        const double left = slow_down(data, island, rigid, gain.gained);
+        if (left > rounding) rise_less(data, island, free_way(data, island), left);
         gain = gain_of(data, island);
     }
 }

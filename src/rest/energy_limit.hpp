@@ -23,9 +23,24 @@ struct EnergyGain
 /// Nothing may take energy from an island: none of its contacts loses any, by impact or by friction.
 [[nodiscard]] bool is_lossless(const Island& island);
 
-/// Impulses that were not found to rounding would give such an island energy, or take some. With some share of them all
-/// neither happens.
-void scale_to_energy(RestData& data, const Island& island);
+/// How far bodies get with the velocities that impulses bring them.
+enum class Way
+{
+    none,          ///< in an impact: nothing moves, and the field does nothing
+    mean_velocity, ///< for the step, by the mean of the velocities before and after
+    end_velocity,  ///< for the step, by the velocities after
+};
+
+/// Impulses that were not found to rounding may give an island energy, or take some, beyond the field's work. With this
+/// share of them all neither happens; 1 where rounding explains what does.
+/// before, after  velocities of all bodies, without the impulses and with them; without them the field acts on the way
+[[nodiscard]] double neutral_share(const RestData& data, const Island& island, std::span<const Mover> before,
+                                   std::span<const Mover> after, Way way);
+
+/// Velocities with a share of the impulses.
+/// after  to be changed
+void take_share(const RestData& data, const Island& island, std::span<const Mover> before, std::span<Mover> after,
+                Way way, double share);
 
 /// Counts what a step has nevertheless taken from such an island, after its impacts and besides what the field did.
 void count_elastic_loss(RestData& data, const Island& island);

@@ -65,7 +65,13 @@ void HeapSweeps::sweep_large(RestData& data, Island& island)
             mover.v_x = mover.v_y = mover.spin = 0.0;
         }
     }
-    scale_impulses_to_energy(data, island);
+    // Sweeps that go on from what bore too much lift a heap. With no impulses it would fall through the step, and lose
+    // energy by that; with some share of them it neither gains nor loses any
+    const double share = neutral_share(data, island, data.motion.before, data.motion.now, Way::end_velocity);
+    if (share < 1.0) {
+        scale_impulses(island, share);
+        take_share(data, island, data.motion.before, data.motion.now, Way::end_velocity, share);
+    }
     for (const int member : members) {
         const Mover& now = data.motion.now[member];
         data.motion.shift[member] = data.motion.span * Vec2(now.v_x, now.v_y);
@@ -109,47 +115,6 @@ double HeapSweeps::worst_missed(const RestData& data, std::span<const Mover> mov
         worst = std::max(worst, missed / std::min(data.bodies.radius[c.a], data.bodies.radius[c.b]));
     }
     return worst;
-}
-
-/// Sweeps that go on from what bore too much lift a heap. With no impulses it would fall through the step, and lose
-/// energy by that; with some share of them it neither gains nor loses any.
-void HeapSweeps::scale_impulses_to_energy(RestData& data, const Island& island)
-{
-    // [rest.heaps.share]
-    // With a share s of the impulses the energy grows by  square s^2 + linear s + constant
-    double square = 0.0;   // [J]
-    double linear = 0.0;   // [J]
-    double constant = 0.0; // [J]
-    double before = 0.0;
-    const std::span<const int> members = island.members;
-    for (const int member : members) {
-        const Mover& old = data.motion.before[member];
-        const Mover& now = data.motion.now[member];
-        const Vec2 velocity(old.v_x, old.v_y);
-        const Vec2 fall = data.motion.span * data.motion.field[member];
-        const Vec2 change = Vec2(now.v_x, now.v_y) - velocity - fall;
-        const double spin = now.spin - old.spin;
-        square += 0.5 * (change.squaredNorm() / now.inv_mass + spin * spin / now.inv_moment);
-        linear += velocity.dot(change) / now.inv_mass + old.spin * spin / now.inv_moment;
-        constant -= 0.5 * fall.squaredNorm() / now.inv_mass;
-        before += 0.5 * (velocity.squaredNorm() / now.inv_mass + old.spin * old.spin / now.inv_moment);
-    }
-    const double scale = before + square - constant;
-    if (!(square + linear + constant > rest_tolerance::k_rounding * scale)) return;
-    const double root = std::sqrt(linear * linear - 4.0 * square * constant);
-    const double share = linear > 0.0 ? -2.0 * constant / (linear + root) : (root - linear) / (2.0 * square);
-    // [rest.heaps.share]
-
-    scale_impulses(island, share);
-    for (const int member : members) {
-        const Mover& old = data.motion.before[member];
-        const Vec2 fall = data.motion.span * data.motion.field[member];
-        Mover& now = data.motion.now[member];
-        const Mover all = now;
-        now.v_x = (old.v_x + fall.x()) + share * (all.v_x - (old.v_x + fall.x()));
-        now.v_y = (old.v_y + fall.y()) + share * (all.v_y - (old.v_y + fall.y()));
-        now.spin = old.spin + share * (all.spin - old.spin);
-    }
 }
 
 void HeapSweeps::set_velocity_bias_swept(const RestData& data, const Island& island, bool is_calm) const

@@ -33,7 +33,6 @@ private:
                   double most);
     [[nodiscard]] double worst_missed(const RestData& data, std::span<const Mover> movers,
                                       std::span<const ContactPoint> points) const;
-    void scale_impulses_to_energy(RestData& data, const Island& island);
 
     IslandSweeps sweeps_;
 };

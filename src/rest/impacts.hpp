@@ -26,7 +26,7 @@ public:
     bool strike(RestData& data, Island& island, HeapSweeps& sweeps);
 
 private:
-    void end_approaches(RestData& data, const Island& island, HeapSweeps& sweeps);
+    void end_approaches(RestData& data, Island& island, HeapSweeps& sweeps);
 
     std::vector<ContactPoint> struck_; // what is closed, or closes
     std::vector<double> slowest_;      // of each of them: the slowest approach that brings a rebound [m/s]

@@ -292,7 +292,12 @@ void RestEngine::find_lossless(Island& island, bool sweeps)
             set_free(data_, island, data_.motion.before, data_.motion.span);
             sweeps_.sweep_velocities(data_, island, data_.motion.now, island.points);
         }
-        scale_to_energy(data_, island);
+        const std::span<const Mover> before = data_.motion.before;
+        const double share = neutral_share(data_, island, before, data_.motion.now, Way::mean_velocity);
+        if (share != 1.0) {
+            scale_impulses(island, share);
+            take_share(data_, island, before, data_.motion.now, Way::mean_velocity, share);
+        }
         if (island.in_turn || !close_missed(data_, island)) return;
     }
 }
