@@ -169,11 +169,13 @@ std::optional<EventFailure> EventEngine::strike(const Event& event, int a, int b
         sheets_[b].crowding = has_room ? 0 : sheets_[b].crowding + 1;
         // [events.impact.crowding]
 
-        // Each of many impacts at one moment may come late by a rounding. Beyond the tolerance of touching, corners that
-        // meet corners would be lost to the search
-        const auto has_corners = [&](int body) { return std::holds_alternative<Polygon>(shape_of(body)); };
+        // Each of many impacts at one moment may come late by a rounding. Beyond the tolerance of touching, what has come
+        // behind a side would be lost to the search
+        const auto is_polygon = [&](int body) { return std::holds_alternative<Polygon>(shape_of(body)); };
+        const auto is_wall = [&](int body) { return std::holds_alternative<HalfPlane>(shape_of(body)); };
+        const bool has_sides = (is_polygon(a) && !is_wall(b)) || (is_polygon(b) && !is_wall(a));
         const auto is_deep = [&](const Touch& point) { return point.separation < -0.5 * touch; };
-        sinks = !has_room && has_corners(a) && has_corners(b) && std::any_of(touches_.begin(), touches_.end(), is_deep);
+        sinks = !has_room && has_sides && std::any_of(touches_.begin(), touches_.end(), is_deep);
 
         // [events.impact.push]
         // Push them apart
