@@ -1,9 +1,16 @@
 #include "broadphase/box_cells.hpp"
 
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace flying {
+namespace {
+
+/// [m] So far out that a body is less than a rounding, all boxes may be one point.
+constexpr double k_least_cell = std::numeric_limits<double>::min();
+
+} // namespace
 
 
 void BoxCells::sort(std::vector<Entry> entries)
@@ -22,7 +29,8 @@ void BoxCells::sort(std::vector<Entry> entries)
     }
     const Vec2 size = all_.max - all_.min;
     const double longest = std::max(size.x(), size.y());
-    const double cell = std::max({std::sqrt(squares / count), std::sqrt(size.x() * (size.y() / count)), longest / count});
+    const double middling = std::sqrt(squares / count);
+    const double cell = std::max({middling, std::sqrt(size.x() * (size.y() / count)), longest / count, k_least_cell});
     per_length_ = 1.0 / cell;
     columns_ = 1 + static_cast<int>(size.x() * per_length_);
     rows_ = 1 + static_cast<int>(size.y() * per_length_);

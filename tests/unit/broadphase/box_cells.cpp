@@ -77,3 +77,15 @@ TEST_CASE("boxes in cells: all pairs that share a point are found, each once")
         CHECK(found == expected);
     }
 }
+
+TEST_CASE("boxes in cells: those that are all one point, so far out that a body is less than a rounding")
+{
+    for (const double x : {0.0, 7.7e26}) {
+        const Aabb point{Vec2(x, -x), Vec2(x, -x)};
+        BoxCells cells;
+        cells.sort({{point, 0}, {point, 1}, {point, 2}});
+        int pairs = 0;
+        cells.for_each_pair([&](const BoxCells::Entry&, const BoxCells::Entry&) { ++pairs; });
+        CHECK(pairs == 3);
+    }
+}
