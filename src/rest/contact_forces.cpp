@@ -53,7 +53,7 @@ bool close_missed(const RestData& data, const Island& island)
     return any;
 }
 
-void ContactForces::find_impulses(RestData& data, Island& island, std::span<const Mover> start, double time)
+void find_impulses(RestData& data, Island& island, std::span<const Mover> start, double time)
 {
     set_free(data, island, start, time);
     const std::span<ContactPoint> points = island.points;
@@ -64,36 +64,9 @@ void ContactForces::find_impulses(RestData& data, Island& island, std::span<cons
     const Effort effort = is_heap(island) && !is_new ? most : Effort::full;
     island.is_solved = data.solver.solve(data.motion.now, island.members, points,
                                          rest_tolerance::k_residual * top_speed(data, island), effort);
-    if (island.is_solved) return;
-    if (stood(data, island) && island.member_count() <= rest_tolerance::k_most_whole) {
-        keep_loads(data, island, start, time);
-    } else if (!is_heap(island)) {
-        set_free(data, island, start, time);
-        data.solver.end_approaches(data.motion.now, island.members, points);
-    }
-}
-
-/// Of an island that stands, and whose impulses no solve makes right: those of the step before remain, unless the new
-/// ones are much better. So they stop changing, and the island falls asleep. Where any were known and little is wrong
-/// they count as right: parts of the step would find none better.
-void ContactForces::keep_loads(RestData& data, Island& island, std::span<const Mover> start, double time)
-{
-    const std::span<ContactPoint> points = island.points;
-    const auto residual = [&] {
-        set_free(data, island, start, time);
-        warm_start(points, data.motion.now);
-        return worst_residual(points, data.motion.now);
-    };
-    const double after = residual();
-    found_.assign(points.begin(), points.end());
-    recall_impulses(data, island);
-    const double before = residual();
-    const bool any = std::any_of(points.begin(), points.end(), [](const ContactPoint& c) { return c.normal > 0.0; });
-    island.is_solved =
-        any && std::min(before, after) <= rest_tolerance::k_tolerable_residual * field_speed(data, island);
-    if (before <= rest_tolerance::k_much_better * after) return;
-    std::copy(found_.begin(), found_.end(), points.begin());
-    (void)residual();
+    if (island.is_solved || is_heap(island)) return;
+    set_free(data, island, start, time);
+    data.solver.end_approaches(data.motion.now, island.members, points);
 }
 
 void calm(RestData& data, const Island& island)

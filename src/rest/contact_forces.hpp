@@ -1,26 +1,16 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "rest/island.hpp"
 
 namespace flying {
 
 /// Finds the impulses of an island's contacts over a length of time, and the velocities that they lead to.
-class ContactForces
-{
-public:
-    /// start  velocities of the members as that time begins
-    /// time   its length [s]
-    /// `data.motion.now` and the points' impulses are what was found; `island.is_solved` says whether they are right.
-    void find_impulses(RestData& data, Island& island, std::span<const Mover> start, double time);
-
-private:
-    void keep_loads(RestData& data, Island& island, std::span<const Mover> start, double time);
-
-    std::vector<ContactPoint> found_; // points with new impulses, while the old ones are tried
-};
+/// start  velocities of the members as that time begins
+/// time   its length [s]
+/// `data.motion.now` and the points' impulses are what was found; `island.is_solved` says whether they are right.
+void find_impulses(RestData& data, Island& island, std::span<const Mover> start, double time);
 
 /// Sets the least normal velocities with which the step may end.
 void set_velocity_bias(const RestData& data, const Island& island);

@@ -28,11 +28,9 @@ bool HeapSweeps::sweep_small(RestData& data, Island& island)
 {
     if (island.member_count() > rest_tolerance::k_most_whole) return false;
     set_free(data, island, data.motion.before, data.motion.span);
-    // What stands keeps its impulses, where these are right enough, and falls asleep
-    const double field = field_speed(data, island);
-    const double tolerance = stood(data, island) ? rest_tolerance::k_blow * field : -1.0;
-    sweep(data, island, data.motion.now, island.points, rest_tolerance::k_deep / data.motion.span, tolerance);
-    return worst_residual(island.points, data.motion.now) <= rest_tolerance::k_nearly_right * field &&
+    sweep_velocities(data, island, data.motion.now, island.points);
+    return worst_residual(island.points, data.motion.now) <=
+               rest_tolerance::k_nearly_right * field_speed(data, island) &&
            work_of_contacts(data, island) <= 0.0;
 }
 

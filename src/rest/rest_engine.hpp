@@ -171,7 +171,6 @@ private:
     void begin_awake();
     void measure_reach(std::span<const int> bodies);
     [[nodiscard]] bool list_pairs();
-    [[nodiscard]] bool list_what_impacts_reach();
     [[nodiscard]] bool wake_touched();
     void wake_all_with(int body);
     void solve_islands(int depth);
@@ -200,7 +199,6 @@ private:
     std::vector<double> farthest_;    // that each body may get in the step, thrown or not [m]
     Islands islands_;
     Impacts impacts_;
-    ContactForces forces_;
     SlipEnds slip_ends_;
     CurvedWays curves_;
     HeapSweeps sweeps_;

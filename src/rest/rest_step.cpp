@@ -104,7 +104,8 @@ void RestEngine::step()
         const int count = static_cast<int>(data_.pairs.pairs().size());
         data_.counts.pairs += count;
         for (int k = 0; k < count; ++k) find_contacts(data_, k, found_);
-    } while (wake_touched() || list_what_impacts_reach());
+    } while (wake_touched());
+    islands_.split(data_, moved_, found_);
     watch.stop(seconds_.collide);
     // [rest.step.find]
 
@@ -212,24 +213,6 @@ bool RestEngine::list_pairs()
     return boxes > 0;
 }
 
-/// Splits the bodies into islands, and lists the pairs of those that an impact may throw: it gives none more than twice
-/// the speed of the fastest. (Of a heap few are thrown, and those may go back.) True where the list is another now.
-bool RestEngine::list_what_impacts_reach()
-{
-    islands_.split(data_, moved_, found_);
-    bool any = false;
-    for (const Island& island : islands_.all()) {
-        const auto closes = [](const ContactPoint& c) { return std::isfinite(c.closes_at); };
-        if (is_heap(island) || std::none_of(island.points.begin(), island.points.end(), closes)) continue;
-        const double thrown = data_.motion.span * 2.0 * top_speed(data_, island);
-        for (const int member : island.members) {
-            any = any || thrown > farthest_[member];
-            farthest_[member] = std::max(farthest_[member], thrown);
-        }
-    }
-    return any && list_pairs();
-}
-
 void RestEngine::solve_islands(int depth)
 {
     data_.counts.groups += static_cast<std::int64_t>(islands_.all().size());
@@ -262,7 +245,7 @@ void RestEngine::solve_island(Island& island, int depth)
     } else {
         if (!CurvedWays::may_follow(island)) curves_.take_lines_halfway(data_, island);
         set_velocity_bias(data_, island);
-        forces_.find_impulses(data_, island, data_.motion.before, data_.motion.span);
+        find_impulses(data_, island, data_.motion.before, data_.motion.span);
         if (is_heap(island) && !island.is_solved) {
             // It would cost more than it brings to look on; sweeps go on from what bore before
             recall_impulses(data_, island);
@@ -278,7 +261,7 @@ void RestEngine::solve_island(Island& island, int depth)
         return;
     }
     if (!curves_.follow(data_, island) && island.point_count() <= rest_tolerance::k_most_in_detail)
-        slip_ends_.part(data_, island, forces_);
+        slip_ends_.part(data_, island);
     calm(data_, island);
 }
 
@@ -287,7 +270,7 @@ void RestEngine::find_lossless(Island& island, bool sweeps)
 {
     set_lossless_bias(data_, island);
     for (int k = 0; k < rest_tolerance::k_quick_rounds; ++k) {
-        if (!sweeps) forces_.find_impulses(data_, island, data_.motion.before, data_.motion.span);
+        if (!sweeps) find_impulses(data_, island, data_.motion.before, data_.motion.span);
         if (is_heap(island) && (sweeps || !island.is_solved)) {
             set_free(data_, island, data_.motion.before, data_.motion.span);
             sweeps_.sweep_velocities(data_, island, data_.motion.now, island.points);

@@ -206,12 +206,6 @@ inline constexpr int k_slip_halvings = 10;
 /// made in parts; more are a heap.
 inline constexpr int k_most_whole = 64;
 
-/// [residuals] Impulses whose residual is less by this factor are worth a change.
-inline constexpr double k_much_better = 2.0;
-
-/// [speeds that the field gives in a step] Impulses that are further from right let nothing stand.
-inline constexpr double k_tolerable_residual = 0x1p-6;
-
 /// [speeds that the field gives in a step] A large island that moves no faster stands, or begins to fall; its overlap
 /// is left as it is, since pushes would shake it.
 inline constexpr double k_standing = 4.0;

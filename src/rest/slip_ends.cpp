@@ -6,7 +6,7 @@
 #include "rest/rest_tolerance.hpp"
 
 namespace flying {
-void SlipEnds::part(RestData& data, Island& island, ContactForces& forces)
+void SlipEnds::part(RestData& data, Island& island)
 {
     const double still = rest_tolerance::k_slip * field_speed(data, island);
     const double dt = data.motion.span;
@@ -21,13 +21,13 @@ void SlipEnds::part(RestData& data, Island& island, ContactForces& forces)
         for (; halvings < rest_tolerance::k_slip_halvings; ++halvings) {
             time *= 0.5;
             scale_impulses(island, 0.5);
-            forces.find_impulses(data, island, start_, time);
+            find_impulses(data, island, start_, time);
             if (!any_slip_ended(island, start_, data.motion.now, still)) break;
         }
         if (halvings == rest_tolerance::k_slip_halvings) {
             // It ends at once
             scale_impulses(island, left / time);
-            forces.find_impulses(data, island, start_, left);
+            find_impulses(data, island, start_, left);
             break;
         }
         double end = left;
@@ -39,12 +39,12 @@ void SlipEnds::part(RestData& data, Island& island, ContactForces& forces)
                 end = std::min(end, time * (slip / (slip - after)));
         }
         scale_impulses(island, end / time);
-        forces.find_impulses(data, island, start_, end);
+        find_impulses(data, island, start_, end);
         add_part(data, island, end);
         left -= end;
         if (!(left > 0x1p-40 * dt)) break;
         scale_impulses(island, left / end);
-        forces.find_impulses(data, island, start_, left);
+        find_impulses(data, island, start_, left);
         if (!any_slip_ended(island, start_, data.motion.now, still)) break;
     }
     if (left > 0.0) {

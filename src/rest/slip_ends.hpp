@@ -13,7 +13,7 @@ class SlipEnds
 public:
     /// Where a slip has ended in the step that was found, finds it again in parts. `data.motion` then holds what the
     /// mean velocity of the step misses of the ways, too.
-    void part(RestData& data, Island& island, ContactForces& forces);
+    void part(RestData& data, Island& island);
 
 private:
     void add_part(RestData& data, const Island& island, double time);
