@@ -42,7 +42,7 @@ function close_check() {
         print "    tried:     " trimmed(left)
         wanted = trimmed(right); got = ""
         if (values != "") { part(values); if (sign != "") { wanted = trimmed(right); got = trimmed(left) } else got = values }
-        gsub(/Approx\( */, "", wanted); sub(/ *\)$/, "", wanted)
+        if (gsub(/Approx\( */, "", wanted)) sub(/ *\)$/, "", wanted)
         print "    expected:  " expectation(sign, wanted)
         if (got != "") print "    got:       " got (got == wanted && sign == "==" ? ", the same in the digits shown but not in all" : "")
     }
@@ -56,7 +56,8 @@ function close_check() {
 }
 /ERROR: test case THREW|FATAL ERROR: test case CRASHED/ && asked == "" && !told {
     told = 1; print "    the test:  " name
-    print "    it " ($0 ~ /CRASHED/ ? "crashed: " substr($0, index($0, "CRASHED") + 9) : "threw an exception"); next
+    match($0, /(CRASHED|THREW exception): /)
+    print "    it " ($0 ~ /CRASHED/ ? "crashed: " : "stopped: ") substr($0, RSTART + RLENGTH); next
 }
 asked != "" && !told && /^ +values: / { line = $0; sub(/^ +values: /, "", line); values = inside(line); next }
 asked != "" && !told && /^ +logged: / { line = $0; sub(/^ +logged: /, "", line); logged = trimmed(line); next }

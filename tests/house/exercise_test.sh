@@ -81,6 +81,14 @@ tests.cpp:3: FATAL ERROR: test case CRASHED: SIGSEGV - Segmentation violation si
 T
 )"
 
+same "an exception" "    the test:  marches
+    it stopped: f was asked a million times" "$(feedback <<'T'
+TEST CASE:  marches
+
+tests.cpp:3: ERROR: test case THREW exception: f was asked a million times
+T
+)"
+
 # ---- Begin, and how far one has come -------------------------------------------------------------------------------------
 
 mkdir -p "$tree/docs" "$tree/chapters/07-springs/exercises"/{e1,e2}
