@@ -34,7 +34,10 @@ function close_check() {
     told = 1
     print "    the test:  " name
     part(asked)
-    if (sign == "") {
+    if (threw != "") {
+        print "    tried:     " (sign == "" ? asked : trimmed(left))
+        print "    it stopped: " threw
+    } else if (sign == "") {
         print "    tried:     " asked
         print "    expected:  " (negated ? "false" : "true")
         print "    got:       " (values != "" ? values : (negated ? "true" : "false"))
@@ -52,6 +55,10 @@ function close_check() {
 /^TEST CASE:/ { if (asked == "") name = trimmed(substr($0, 11)); next }
 /ERROR: (CHECK|REQUIRE)/ && asked == "" {
     line = substr($0, index($0, "ERROR: ") + 7); negated = line ~ /_FALSE/
+    if (match(line, / THREW exception: /)) {
+        threw = substr(line, RSTART + RLENGTH); gsub(/^"|"$/, "", threw)
+        line = substr(line, 1, RSTART - 1)
+    }
     sub(/ is NOT correct!.*$/, "", line); asked = inside(line); next
 }
 /ERROR: test case THREW|FATAL ERROR: test case CRASHED/ && asked == "" && !told {
