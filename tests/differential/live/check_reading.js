@@ -133,12 +133,14 @@ async function listen(browser) {
         const { outerHTML } = await browser.send('DOM.getOuterHTML', { backendNodeId: node.backendDOMNodeId }).catch(() => ({ outerHTML: '' }));
         found.push(`${what}: ${outerHTML.slice(0, 110).replace(/\s+/g, ' ')}`);
     };
+    const nameOf = (node) => (node.name?.value || '').trim();
     for (const node of nodes) {
         const role = roleOf(node);
-        if (SPOKEN.has(role) && !(node.name?.value || '').trim()) await say(`a ${role} without a name`, node);
-        if (!PRESSED.has(role)) continue;
-        for (let above = known.get(node.parentId); above; above = known.get(above.parentId))
-            if (PRESSED.has(roleOf(above))) await say(`a ${role} within a ${roleOf(above)}`, node);
+        let above = known.get(node.parentId);
+        while (above && !PRESSED.has(roleOf(above))) above = known.get(above.parentId);
+        // A sign on a button with a name only adorns it
+        if (SPOKEN.has(role) && !nameOf(node) && !(role === 'image' && above && nameOf(above))) await say(`a ${role} without a name`, node);
+        if (PRESSED.has(role) && above) await say(`a ${role} within a ${roleOf(above)}`, node);
     }
     return found;
 }
