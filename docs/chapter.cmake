@@ -4,7 +4,8 @@
 #     Builds and runs what the chapter's page shows, out of the files of its folder:
 #     demo.cpp             its output is `::output demo`; so for every other name in PROGRAMS
 #     figures.cpp          run with a folder as its argument, into which it writes NAME.svg and NAME.ndjson
-#     exercises/eK/        with tests.cpp: stub.hpp must compile and fail, solution.hpp must pass
+#     exercises/eK/        with tests.cpp: stub.hpp must compile and fail, solution.hpp must pass, and each answer of wrong.txt, where
+#                          there is one, must fail in the test that it names
 #     the target chapter_NN, where flying_test made one before: it leaves the receipts
 #     The results go to the folder `book` of the build; the target `book` depends on them.
 
@@ -50,7 +51,40 @@ function(flying_exercise number folder)
     if(FLYING_ONCE)
         add_test(NAME "${title} the stub fails" COMMAND exercise_${number}_${name}_stub)
         set_tests_properties("${title} the stub fails" PROPERTIES WILL_FAIL TRUE TIMEOUT 60 LABELS once)
+        flying_wrong_answers(${number} ${folder} ${ARGN})
     endif()
+endfunction()
+
+# What readers get wrong: the solution with a piece of it replaced, as docs/wrong.awk does, and the test that then speaks first
+set(FLYING_WRONG_ANSWER ${CMAKE_CURRENT_LIST_DIR}/wrong.awk)
+function(flying_wrong_answers number folder)
+    set(list ${folder}/wrong.txt)
+    if(NOT EXISTS ${list})
+        return()
+    endif()
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${list})
+    get_filename_component(name ${folder} NAME)
+    file(STRINGS ${list} titles REGEX "^# ")
+    file(STRINGS ${list} speakers REGEX "^= ")
+    foreach(title speaker IN ZIP_LISTS titles speakers)
+        math(EXPR count "${count} + 1")
+        set(target exercise_${number}_${name}_wrong_${count})
+        set(answer ${CMAKE_CURRENT_BINARY_DIR}/${target}.hpp)
+        add_custom_command(OUTPUT ${answer}
+            COMMAND awk -v number=${count} -f ${FLYING_WRONG_ANSWER} ${list} ${folder}/solution.hpp > ${answer}
+            DEPENDS ${FLYING_WRONG_ANSWER} ${list} ${folder}/solution.hpp VERBATIM)
+        add_executable(${target} ${folder}/tests.cpp ${answer})
+        target_link_libraries(${target} PRIVATE flying_test_main ${ARGN})
+        target_include_directories(${target} PRIVATE ${folder} ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/chapters)
+        flying_light(${target})
+        target_compile_definitions(${target} PRIVATE FLYING_ANSWER="${answer}" FLYING_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+        string(REGEX REPLACE "^[#=] " "" title "${title}")
+        string(REGEX REPLACE "^[#=] " "" speaker "${speaker}")
+        string(REGEX REPLACE "([][+.*()^$?|\\\\])" "\\\\\\1" speaker "${speaker}")
+        set(test "exercise ${number} ${name}: not so: ${title}")
+        add_test(NAME "${test}" COMMAND ${target} --no-colors=1 --abort-after=1)
+        set_tests_properties("${test}" PROPERTIES PASS_REGULAR_EXPRESSION "TEST CASE: *${speaker}" TIMEOUT 60 LABELS once)
+    endforeach()
 endfunction()
 
 function(flying_chapter)

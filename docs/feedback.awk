@@ -34,7 +34,10 @@ function close_check() {
     told = 1
     print "    the test:  " name
     part(asked)
-    if (sign == "") {
+    if (threw != "") {
+        print "    tried:     " (sign == "" ? asked : trimmed(left))
+        print "    it stopped: " threw
+    } else if (sign == "") {
         print "    tried:     " asked
         print "    expected:  " (negated ? "false" : "true")
         print "    got:       " (values != "" ? values : (negated ? "true" : "false"))
@@ -42,7 +45,7 @@ function close_check() {
         print "    tried:     " trimmed(left)
         wanted = trimmed(right); got = ""
         if (values != "") { part(values); if (sign != "") { wanted = trimmed(right); got = trimmed(left) } else got = values }
-        gsub(/Approx\( */, "", wanted); sub(/ *\)$/, "", wanted)
+        if (gsub(/Approx\( */, "", wanted)) sub(/ *\)$/, "", wanted)
         print "    expected:  " expectation(sign, wanted)
         if (got != "") print "    got:       " got (got == wanted && sign == "==" ? ", the same in the digits shown but not in all" : "")
     }
@@ -52,11 +55,16 @@ function close_check() {
 /^TEST CASE:/ { if (asked == "") name = trimmed(substr($0, 11)); next }
 /ERROR: (CHECK|REQUIRE)/ && asked == "" {
     line = substr($0, index($0, "ERROR: ") + 7); negated = line ~ /_FALSE/
+    if (match(line, / THREW exception: /)) {
+        threw = substr(line, RSTART + RLENGTH); gsub(/^"|"$/, "", threw)
+        line = substr(line, 1, RSTART - 1)
+    }
     sub(/ is NOT correct!.*$/, "", line); asked = inside(line); next
 }
 /ERROR: test case THREW|FATAL ERROR: test case CRASHED/ && asked == "" && !told {
     told = 1; print "    the test:  " name
-    print "    it " ($0 ~ /CRASHED/ ? "crashed: " substr($0, index($0, "CRASHED") + 9) : "threw an exception"); next
+    match($0, /(CRASHED|THREW exception): /)
+    print "    it " ($0 ~ /CRASHED/ ? "crashed: " : "stopped: ") substr($0, RSTART + RLENGTH); next
 }
 asked != "" && !told && /^ +values: / { line = $0; sub(/^ +values: /, "", line); values = inside(line); next }
 asked != "" && !told && /^ +logged: / { line = $0; sub(/^ +logged: /, "", line); logged = trimmed(line); next }

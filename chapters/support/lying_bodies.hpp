@@ -5,7 +5,8 @@
 
 #include "rest/rest_engine.hpp"
 
-/// Bodies that lie on floors, slopes and each other: for the chapters on rest, on heaps and on skips, and the tests of `rest`.
+/// Bodies that lie on floors, slopes and each other: for the chapters on rest, on heaps and on skips, and the tests of
+/// `rest`.
 namespace flying::test {
 
 constexpr double k_gravity = 9.81; // [m/s^2]

@@ -81,6 +81,37 @@ tests.cpp:3: FATAL ERROR: test case CRASHED: SIGSEGV - Segmentation violation si
 T
 )"
 
+same "an exception" "    the test:  marches
+    it stopped: f was asked a million times" "$(feedback <<'T'
+TEST CASE:  marches
+
+tests.cpp:3: ERROR: test case THREW exception: f was asked a million times
+T
+)"
+
+same "an exception within a check" "    the test:  marches
+    tried:     march(f)
+    it stopped: f was asked a million times
+    with:      k := 3" "$(feedback <<'T'
+TEST CASE:  marches
+
+tests.cpp:3: ERROR: CHECK( march(f) == 2 ) THREW exception: "f was asked a million times"
+  logged: k := 3
+
+T
+)"
+same "a list" "    the test:  pairs
+    tried:     found
+    expected:  [(0, 1), (2, 3)]
+    got:       [(0, 1)]" "$(feedback <<'T'
+TEST CASE:  pairs
+
+tests.cpp:3: ERROR: CHECK( found == expected ) is NOT correct!
+  values: CHECK( [(0, 1)] == [(0, 1), (2, 3)] )
+
+T
+)"
+
 # ---- Begin, and how far one has come -------------------------------------------------------------------------------------
 
 mkdir -p "$tree/docs" "$tree/chapters/07-springs/exercises"/{e1,e2}

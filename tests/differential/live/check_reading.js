@@ -1,5 +1,6 @@
-// The book as a page to read: language, headings, names of what can be pressed, words for pictures, contrast by day and by
+// The book as a page to read: language, headings, words for pictures, what a screen reader is told, contrast by day and by
 // night, the keyboard, widths from telephone to screen, what a page weighs, and a search that finds what a student types.
+// A formula that must be moved sideways on a telephone is a fault, too.
 //
 //   node tests/differential/live/check_reading.js BOOK/html
 //
@@ -58,8 +59,18 @@ function inspect() {
         const named = element.getAttribute('aria-label') || element.closest('label') || (element.id && document.querySelector(`label[for="${element.id}"]`));
         if (!named) say('a control without a name', element);
     }
+    for (const element of document.querySelectorAll('[aria-controls], [aria-labelledby], [aria-describedby]'))
+        for (const name of ['aria-controls', 'aria-labelledby', 'aria-describedby'])
+            for (const id of (element.getAttribute(name) || '').split(/\s+/))
+                if (id && !document.getElementById(id)) say(`${name} leads to no element`, element);
+    if (/user-scalable *= *no|maximum-scale/.test(document.querySelector('meta[name=viewport]')?.content || '')) found.push('a page that can not be enlarged');
+    for (const element of document.querySelectorAll('main li')) if (!/^(UL|OL|MENU)$/.test(element.parentElement.tagName)) say('a point of no list', element);
     for (const element of document.querySelectorAll('[tabindex]')) if (element.tabIndex > 0) say('a tabindex that jumps', element);
     for (const element of document.querySelectorAll('[onclick]')) if (element.tabIndex < 0) say('out of the keyboard’s reach', element);
+    for (const link of document.querySelectorAll('main p a[href], main li a[href]')) {
+        const beside = [...link.parentElement.childNodes].some((node) => node.nodeType === Node.TEXT_NODE && /\w/.test(node.data));
+        if (beside && shown(link) && getComputedStyle(link).textDecorationLine === 'none') say('a link that only its colour tells from the text', link);
+    }
     for (const table of document.querySelectorAll('table')) if (!isManual && !table.querySelector('th')) say('a table without heads', table);
     for (const head of document.querySelectorAll('th')) if (!nameOf(head)) say('an empty head of a table', head.parentElement);
     for (const image of document.querySelectorAll('[role=img]')) if (image.querySelector('a, button')) say('links in what is a picture by its role', image);
@@ -108,6 +119,32 @@ function inspect() {
     return [...found, ...pale];
 }
 
+// What the browser tells a screen reader: everything that is named in speech has a name, and nothing that can be pressed holds
+// something else that can
+const SPOKEN = new Set(['button', 'canvas', 'checkbox', 'combobox', 'dialog', 'heading', 'image', 'link', 'listbox', 'menuitem', 'radio', 'searchbox', 'slider',
+    'spinbutton', 'switch', 'tab', 'textbox']);
+const PRESSED = new Set(['button', 'checkbox', 'combobox', 'link', 'radio', 'searchbox', 'slider', 'spinbutton', 'textbox']);
+async function listen(browser) {
+    const { nodes } = await browser.send('Accessibility.getFullAXTree');
+    const known = new Map(nodes.map((node) => [node.nodeId, node]));
+    const roleOf = (node) => (node.ignored ? '' : node.role.value.toLowerCase());
+    const found = [];
+    const say = async (what, node) => {
+        const { outerHTML } = await browser.send('DOM.getOuterHTML', { backendNodeId: node.backendDOMNodeId }).catch(() => ({ outerHTML: '' }));
+        found.push(`${what}: ${outerHTML.slice(0, 110).replace(/\s+/g, ' ')}`);
+    };
+    const nameOf = (node) => (node.name?.value || '').trim();
+    for (const node of nodes) {
+        const role = roleOf(node);
+        let above = known.get(node.parentId);
+        while (above && !PRESSED.has(roleOf(above))) above = known.get(above.parentId);
+        // A sign on a button with a name only adorns it
+        if (SPOKEN.has(role) && !nameOf(node) && !(role === 'image' && above && nameOf(above))) await say(`a ${role} without a name`, node);
+        if (PRESSED.has(role) && above) await say(`a ${role} within a ${roleOf(above)}`, node);
+    }
+    return found;
+}
+
 // What a page loads, its pictures included, as a server sends it: text packed by gzip, the rest as it is. Half of the bound is
 // the engine: whoever makes a page heavier than the heaviest is today should know it. [kB]
 const HEAVIEST = 900;
@@ -125,6 +162,9 @@ async function weigh(browser) {
     }
     return Math.round(sum);
 }
+
+const LONG_FORMULAS = `document.fonts.ready.then(() => [...document.querySelectorAll('.formula .sheet')]
+    .filter((sheet) => sheet.scrollWidth > sheet.clientWidth + 1).map((sheet) => sheet.closest('[id]')?.id || sheet.textContent.slice(0, 60)))`;
 
 // What students type, and where it must lead: one of the first three places
 const WORDS = [
@@ -159,13 +199,15 @@ async function checkSearch(browser) {
     return good;
 }
 
-async function checkKeyboard(browser) {
+// Every stop of the tabulator shows where it is, on a page of each kind
+async function checkKeyboard(browser, page, kinds) {
     await browser.size(1280, 900);
-    await browser.go('file://' + path.join(html, 'chapter_02.html'));
+    await browser.go('file://' + path.join(html, page));
     await browser.until("document.readyState === 'complete'");
+    await browser.until("!document.querySelector('figure.live') || document.documentElement.dataset.live === 'ready'");
     const tab = () => Promise.all(['keyDown', 'keyUp'].map((type) => browser.send('Input.dispatchKeyEvent', { type, key: 'Tab', code: 'Tab', windowsVirtualKeyCode: 9 })));
     await tab();
-    if (!(await browser.ask("document.activeElement.classList.contains('skip')"))) complain('keyboard', 'the first stop is not the way to the text');
+    if (!(await browser.ask("document.activeElement.classList.contains('skip')"))) complain(page, 'the first stop of the keyboard is not the way to the text');
     const reached = new Set();
     for (let k = 0; k < 400; ++k) {
         await tab();
@@ -178,8 +220,8 @@ async function checkKeyboard(browser) {
         if (!name) break;
         reached.add(name);
     }
-    for (const name of reached) if (name.includes('without')) complain('keyboard', `no sign of focus on ${name}`);
-    for (const kind of ['A', 'BUTTON', 'SUMMARY']) if (!reached.has(kind)) complain('keyboard', `never comes to a ${kind.toLowerCase()}`);
+    for (const name of reached) if (name.includes('without')) complain(page, `no sign of focus on ${name}`);
+    for (const kind of kinds) if (!reached.has(kind)) complain(page, `the keyboard never comes to a ${kind.toLowerCase()}`);
 }
 
 async function main() {
@@ -200,8 +242,9 @@ async function main() {
             if (width === 390) {
                 const wide = await browser.ask('document.documentElement.scrollWidth');
                 if (wide > width) complain(place, `${wide} pixels wide`);
+                for (const id of await browser.ask(LONG_FORMULAS)) complain(place, `the formula ${id} has to be moved sideways`);
             }
-            for (const fault of await browser.ask(`(${inspect})()`)) complain(place, fault);
+            for (const fault of [...await browser.ask(`(${inspect})()`), ...await listen(browser)]) complain(place, fault);
         }
         await browser.until("!document.querySelector('figure.live') || document.documentElement.dataset.live === 'ready'");
         const weight = await weigh(browser);
@@ -209,7 +252,9 @@ async function main() {
         if (weight > HEAVIEST) complain(page, `${weight} kB to load, expected ${HEAVIEST} at most`);
     }
     await browser.media({});
-    await checkKeyboard(browser);
+    await checkKeyboard(browser, 'chapter_02.html', ['A', 'BUTTON', 'SUMMARY']);
+    await checkKeyboard(browser, 'playground.html', ['A', 'BUTTON', 'SELECT', 'TEXTAREA']);
+    await checkKeyboard(browser, 'module_rest.html', ['A', 'BUTTON']);
     const words = await checkSearch(browser);
     await browser.close();
     for (const fault of faults) console.log(fault);

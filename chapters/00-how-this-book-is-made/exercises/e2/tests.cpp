@@ -6,8 +6,10 @@
 
 TEST_CASE("the speed of the middle makes no error but rounding")
 {
-    for (const int steps : {1, 3, 10, 100})
+    for (const int steps : {1, 3, 10, 100}) {
+        CAPTURE(steps);
         CHECK(fall_by_middle(9.81, 2.0, steps) == doctest::Approx(19.62).epsilon(1e-12));
+    }
 }
 
 TEST_CASE("no time, no way")

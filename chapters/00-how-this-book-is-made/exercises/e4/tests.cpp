@@ -8,6 +8,7 @@
 TEST_CASE("a fall by few steps becomes exact")
 {
     for (const int n : {1, 3, 10, 1000}) {
+        CAPTURE(n);
         int steps = 0;
         const auto fall = [&](int count) {
             steps += count;

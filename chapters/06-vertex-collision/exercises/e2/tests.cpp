@@ -28,6 +28,7 @@ TEST_CASE("one step of a double beside the edge is seen")
     const double step = 0x1p-53;
     for (int k = 0; k < 64; ++k) {
         const double x = 0.5 + k * step;
+        CAPTURE(k);
         CHECK_FALSE(is_inside(Vec2(x, x), triangle));
         CHECK(is_inside(Vec2(x, x + 2 * step), triangle));
         CHECK_FALSE(is_inside(Vec2(x + 2 * step, x), triangle));

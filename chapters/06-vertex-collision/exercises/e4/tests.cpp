@@ -8,7 +8,8 @@ TEST_CASE("squares, notches and stars drawn along their rim are simple")
 {
     CHECK(is_simple({Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)}));
     CHECK(is_simple({Vec2(0, 0), Vec2(3, 0), Vec2(3, 3), Vec2(2, 3), Vec2(2, 1), Vec2(1, 1), Vec2(1, 3), Vec2(0, 3)}));
-    CHECK(is_simple({Vec2(0, 0), Vec2(1, 0), Vec2(2, 0), Vec2(2, 1)})); // a corner within a straight side
+    CHECK(is_simple({Vec2(0, 0), Vec2(1, 0), Vec2(2, 0), Vec2(2, 1)}));    // a corner within a straight side
+    CHECK(is_simple({Vec2(0, 0), Vec2(0, -1), Vec2(0, -2), Vec2(1, -2)})); // and within an upright one
 }
 
 TEST_CASE("bow ties, touches and folds are not")
@@ -16,6 +17,7 @@ TEST_CASE("bow ties, touches and folds are not")
     CHECK_FALSE(is_simple({Vec2(0, 0), Vec2(1, 1), Vec2(1, 0), Vec2(0, 1)}));
     CHECK_FALSE(is_simple({Vec2(0, 0), Vec2(4, 0), Vec2(4, 2), Vec2(2, 0), Vec2(0, 2)})); // touches its lower side
     CHECK_FALSE(is_simple({Vec2(0, 0), Vec2(2, 0), Vec2(1, 0), Vec2(1, 1)}));             // folds back
+    CHECK_FALSE(is_simple({Vec2(0, 0), Vec2(2, 0), Vec2(1, 0)})); // there is nothing but the fold
     CHECK_FALSE(is_simple({Vec2(0, 0), Vec2(1, 0)}));
 }
 

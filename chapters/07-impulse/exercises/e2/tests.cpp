@@ -24,6 +24,14 @@ TEST_CASE("a disc bounces as the engine says")
         const ImpactResult after = resolve_impact({}, body, {&point, 1}, {e, mu});
         const Disc answer = bounce(disc, e, mu);
 
+        CAPTURE(mass);
+        CAPTURE(radius);
+        CAPTURE(disc.v_x);
+        CAPTURE(disc.v_y);
+        CAPTURE(disc.spin);
+        CAPTURE(e);
+        CAPTURE(mu);
+
         // A dozen roundings of numbers up to 10
         CHECK(std::abs(answer.v_x - after.velocity_b.x()) < 1e-14);
         CHECK(std::abs(answer.v_y - after.velocity_b.y()) < 1e-14);

@@ -23,7 +23,7 @@ Vec2 played(const Vec2& cue, const Vec2& object, const Vec2& way, double radius)
 TEST_CASE("straight shots")
 {
     CHECK((aim(Vec2(0, 0), Vec2(1, 0), Vec2(3, 0), 0.03) - Vec2(1, 0)).norm() < 1e-15);
-    CHECK(aim(Vec2(0, 0), Vec2(1, 0), Vec2(-1, 0.2), 0.03) == Vec2(0, 0));
+    CHECK(aim(Vec2(0, 0), Vec2(1, 0), Vec2(-1, 0.2), 0.03).norm() == 0.0);
 }
 
 TEST_CASE("shots at any angle go in")

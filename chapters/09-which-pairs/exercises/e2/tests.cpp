@@ -22,6 +22,7 @@ TEST_CASE("the count is that of looking at every pair")
                 expected += spans[a].low <= spans[b].high && spans[b].low <= spans[a].high ? 1 : 0;
             }
         }
+        CAPTURE(n);
         CHECK(count_side_by_side(spans) == expected);
     }
 }

@@ -33,6 +33,11 @@ TEST_CASE("sweeps over a column are those of the engine")
         const std::vector<double> answer = forces(masses, 0.5, sweeps);
         REQUIRE(answer.size() == masses.size());
         // A few roundings of impulses up to 20 N s in each sweep
-        for (int k = 0; k < count; ++k) CHECK(std::abs(answer[k] - points[k].normal) < 1e-13);
+        CAPTURE(count);
+        CAPTURE(sweeps);
+        for (int k = 0; k < count; ++k) {
+            CAPTURE(k);
+            CHECK(std::abs(answer[k] - points[k].normal) < 1e-13);
+        }
     }
 }

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <cmath>
+
 #include <doctest/doctest.h>
 
 #include FLYING_ANSWER
@@ -19,7 +22,8 @@ TEST_CASE("no pair that meets is left out, and of those that don't, nearly all a
         if (offset.norm() <= reach) continue;
         const Passage passage = passage_through_circle(offset, velocity, reach);
         const bool meets = passage.leave > 0.0;
-        if (meets) CHECK(can_meet(offset, velocity, reach));
+        if (meets)
+            CHECK_MESSAGE(can_meet(offset, velocity, reach), "they meet in " << std::max(0.0, passage.enter) << " s");
         apart += meets ? 0 : 1;
         left_out += can_meet(offset, velocity, reach) ? 0 : 1;
     }
@@ -32,6 +36,16 @@ TEST_CASE("a graze within rounding is not left out")
     for (int k = 0; k < 1000; ++k) {
         const double reach = random.uniform(0.1, 2.0);
         CHECK(can_meet(Vec2(-5.0, reach), Vec2(random.uniform(0.1, 9.0), 0.0), reach));
+    }
+
+    // From any side: the nearest that it comes, in longer arithmetic, and one more digit for good measure
+    for (int k = 0; k < 1000; ++k) {
+        const Vec2 offset(random.uniform(-9.0, -5.0), random.uniform(0.1, 5.0));
+        const Vec2 velocity(random.uniform(1.0, 2.0), random.uniform(-0.1, 0.1));
+        const long double v_x = velocity.x();
+        const long double v_y = velocity.y();
+        const long double miss = std::abs(offset.x() * v_y - offset.y() * v_x) / std::sqrt(v_x * v_x + v_y * v_y);
+        CHECK(can_meet(offset, velocity, std::nextafter(static_cast<double>(miss), 99.0)));
     }
 }
 

@@ -2,6 +2,8 @@
 
 #include FLYING_ANSWER
 
+#include "support/say_lists.hpp"
+
 TEST_CASE("two stacks on one floor")
 {
     // 0 is the floor; 1 and 3 are one stack, 2 and 4 the other, 5 flies

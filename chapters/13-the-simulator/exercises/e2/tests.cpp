@@ -42,6 +42,8 @@ TEST_CASE("every number comes back with its bits, and one digit fewer would not 
         const double size = std::ldexp(1.0, random.below(400) - 200);
         const double x = random.uniform(-1.0, 1.0) * size;
         const std::string text = shortest(x);
+        CAPTURE(text);
+        CAPTURE(x);
         CHECK(same_bits(std::strtod(text.c_str(), nullptr), x));
         const int digits = digits_of(text);
         if (digits < 2) continue;

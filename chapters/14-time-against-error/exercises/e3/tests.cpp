@@ -40,3 +40,11 @@ TEST_CASE("of thirty rounds it takes twenty-four")
     CHECK_FALSE(is_slower(rounds(30, 23), ones));
     CHECK(is_slower(rounds(30, 24), ones));
 }
+
+TEST_CASE("so many or more, of a hundred")
+{
+    // 65 or more: a chance of 1.8e-3. Just 65 have one of 0.9e-3. 66 or more: 0.9e-3
+    const std::vector<double> ones(100, 1.0);
+    CHECK_FALSE(is_slower(rounds(100, 65), ones));
+    CHECK(is_slower(rounds(100, 66), ones));
+}

@@ -3,6 +3,7 @@
 #include FLYING_ANSWER
 
 #include "math/random.hpp"
+#include "support/say_lists.hpp"
 
 namespace {
 
