@@ -51,7 +51,8 @@ Decimal shortest(double x)
     for (int digits = is_normal ? std::numeric_limits<double>::digits10 : 1; digits <= k_most_digits; ++digits) {
         text = printed("%.*e", digits - 1, x);
         if (reads_back(text, x)) break;
-        // Outwards of a power of two the numbers lie farther apart than inwards: what is not nearest may still read back
+        // Outwards of a power of two the numbers lie farther apart than inwards: what is not nearest may still read
+        // back
         text = next_outwards(text);
         if (reads_back(text, x)) break;
     }
@@ -71,7 +72,8 @@ std::string without_exponent(const Decimal& number)
 {
     const std::string sign = number.is_negative ? "-" : "";
     const int count = static_cast<int>(number.digits.size());
-    if (number.point <= 0) return sign + "0." + std::string(static_cast<std::size_t>(-number.point), '0') + number.digits;
+    if (number.point <= 0)
+        return sign + "0." + std::string(static_cast<std::size_t>(-number.point), '0') + number.digits;
     const auto point = static_cast<std::size_t>(number.point);
     if (number.point >= count) return sign + number.digits + std::string(point - number.digits.size(), '0');
     return sign + number.digits.substr(0, point) + "." + number.digits.substr(point);

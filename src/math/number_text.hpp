@@ -15,8 +15,8 @@ namespace flying {
 /// digits  1 ... 17
 [[nodiscard]] std::string rounded_text(double x, int digits = 6);
 
-/// What the three above are made by where the standard library has no such functions, or has them with tables of a hundred
-/// kilobytes, which every page of the book would carry. They rest on the C library, in its own locale.
+/// What the three above are made by where the standard library has no such functions, or has them with tables of a
+/// hundred kilobytes, which every page of the book would carry. They rest on the C library, in its own locale.
 namespace by_c_library {
 
 [[nodiscard]] std::string number_text(double x);

@@ -11,6 +11,7 @@
 #include "weave/annotated.hpp"
 #include "weave/claims.hpp"
 #include "weave/finish.hpp"
+#include "weave/light_svg.hpp"
 #include "weave/live_matter.hpp"
 #include "weave/manual_front.hpp"
 #include "weave/receipts.hpp"
@@ -172,7 +173,7 @@ void copy_matter(const Woven& woven, const Folders& folders, const fs::path& htm
                 if (block.kind != BlockKind::figure) continue;
                 const fs::path drawn = drawn_file(woven.material, chapter, block.name + ".svg");
                 const fs::path made = html / "figures" / (name + ".svg");
-                if (!write_file(made, lighter_svg(read_file(drawn).value_or(""))))
+                if (!write_file(made, light_svg(read_file(drawn).value_or(""))))
                     problems.add({made.string(), 0}, "can't be written", "a figure of the book");
             }
         }

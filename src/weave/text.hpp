@@ -35,10 +35,6 @@ namespace flying::weave {
 /// The number that the whole text is, or nothing.
 [[nodiscard]] std::optional<double> to_number(std::string_view text);
 
-/// An SVG whose paths have two decimals at most: a hundredth of its units is less than can be seen, and a quarter of
-/// the file is saved.
-[[nodiscard]] std::string lighter_svg(std::string_view svg);
-
 /// Whether the character may stand in a name of C++.
 [[nodiscard]] bool is_word(char c);
 
