@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "draw/layout.hpp"
+#include "math/number_text.hpp"
 #include "math/random.hpp"
 #include "runs.hpp"
 #include "support/receipts.hpp"
