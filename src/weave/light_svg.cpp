@@ -174,18 +174,26 @@ public:
                 exact_ = start_;
                 continue;
             }
-            add_command(static_cast<char>(std::tolower(piece.command)));
             // The steps of a curve are its own, so that equal ones are written by equal bytes; what rounding leaves
             // over, the next line or move makes good
             const Point from = piece.command == 'C' ? exact_ : Point{static_cast<double>(x_), static_cast<double>(y_)};
-            std::int64_t dx = 0;
-            std::int64_t dy = 0;
+            std::vector<std::int64_t> steps;
             for (int k = 0; k < piece.count; ++k) {
                 const Point& point = piece.points[static_cast<std::size_t>(k)];
-                dx = std::llround(point.x - from.x);
-                dy = std::llround(point.y - from.y);
+                steps.push_back(std::llround(point.x - from.x));
+                steps.push_back(std::llround(point.y - from.y));
+            }
+            const std::int64_t dx = steps[steps.size() - 2];
+            const std::int64_t dy = steps.back();
+            if (piece.command == 'L' && dx != 0 && dy == 0) {
+                add_command('h');
                 add(dx);
+            } else if (piece.command == 'L' && dx == 0 && dy != 0) {
+                add_command('v');
                 add(dy);
+            } else {
+                add_command(static_cast<char>(std::tolower(piece.command)));
+                for (const std::int64_t step : steps) add(step);
             }
             x_ += dx;
             y_ += dy;
@@ -221,15 +229,18 @@ private:
             if (number.back() == '0') number.pop_back();
             if (number.front() == '0') number.erase(0, 1);
         }
-        const bool is_apart = steps < 0 || std::isalpha(static_cast<unsigned char>(out_.empty() ? ' ' : out_.back()));
-        if (!is_apart) out_ += ' ';
+        const bool has_point = number.find('.') != std::string::npos;
+        const bool begins = out_.empty() || std::isalpha(static_cast<unsigned char>(out_.back())) != 0;
         if (steps < 0) out_ += '-';
+        else if (!begins && !(number.front() == '.' && had_point_)) out_ += ' ';
+        had_point_ = has_point;
         out_ += number;
     }
 
     std::string out_;
     char command_ = 0;
-    std::int64_t x_ = 0; ///< where the steps written have led
+    bool had_point_ = false; ///< the last number: then one that begins with a point needs nothing before it
+    std::int64_t x_ = 0;     ///< where the steps written have led
     std::int64_t y_ = 0;
     std::int64_t start_x_ = 0;
     std::int64_t start_y_ = 0;
@@ -255,6 +266,25 @@ std::optional<std::string> colour(const std::string& percents)
     std::string code = "#";
     for (const double part : parts) code += fmt::format("{:02x}", std::lround(2.55 * std::clamp(part, 0.0, 100.0)));
     return code;
+}
+
+/// Cairo writes, of each font, a sign for those that the font hasn't: it goes, as whatever is never shown.
+std::string without_unused_signs(std::string svg)
+{
+    constexpr std::string_view k_open = "<symbol overflow=\"visible\" id=\"";
+    constexpr std::string_view k_close = "</symbol>\n";
+    std::string kept;
+    std::size_t at = 0;
+    for (std::size_t open = svg.find(k_open); open != std::string::npos; open = svg.find(k_open, open + 1)) {
+        const std::size_t name = open + k_open.size();
+        const std::size_t close = svg.find(k_close, name);
+        if (close == std::string::npos) break;
+        const std::string use = "\"#" + svg.substr(name, svg.find('"', name) - name) + "\"";
+        if (svg.find(use) != std::string::npos) continue;
+        kept += svg.substr(at, open - at);
+        at = close + k_close.size();
+    }
+    return kept + svg.substr(at);
 }
 
 /// Cairo writes the same region anew for all that is clipped by it: the first of each stays, and is what the others
@@ -305,7 +335,7 @@ std::string light_svg(std::string_view svg)
         std::string_view open;
         char close;
     };
-    constexpr Mark k_marks[] = {{" d=\"", '"'}, {"opacity:", ';'}, {"rgb(", ')'}};
+    constexpr Mark k_marks[] = {{" d=\"", '"'}, {"opacity:", ';'}, {"rgb(", ')'}, {" x=\"", '"'}, {" y=\"", '"'}};
     std::string light;
     light.reserve(svg.size());
     for (std::size_t at = 0; at < svg.size();) {
@@ -331,14 +361,15 @@ std::string light_svg(std::string_view svg)
             continue;
         }
         light += mark->open;
-        if (mark->close == ';') {
+        const bool is_path = mark->open == k_marks[0].open;
+        if (!is_path) {
             light += rounded(inside);
             continue;
         }
         const auto pieces = PathReader(inside).read();
         light += pieces ? PathWriter().write(straightened(*pieces)) : std::string(inside);
     }
-    return with_each_clip_once(std::move(light));
+    return without_unused_signs(with_each_clip_once(std::move(light)));
 }
 
 } // namespace flying::weave
