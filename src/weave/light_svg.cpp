@@ -19,6 +19,7 @@ namespace flying::weave {
 namespace {
 
 constexpr double k_unit = 100.0;      ///< steps in a unit of the drawing
+constexpr double k_grain = 5.0;       ///< of the outlines of letters, which make most of a figure  [steps]
 constexpr double k_straight = 2.5;    ///< points so near to a line are on it  [steps]
 constexpr std::size_t k_decimals = 3; ///< of an opacity
 
@@ -106,6 +107,13 @@ private:
     std::string_view text_;
     std::size_t k_ = 0;
 };
+
+void put_on_grain(std::vector<Piece>& pieces)
+{
+    for (Piece& piece : pieces)
+        for (Point& point : piece.points)
+            point = {k_grain * std::round(point.x / k_grain), k_grain * std::round(point.y / k_grain)};
+}
 
 double off_line(const Point& a, const Point& b, const Point& p)
 {
@@ -347,7 +355,9 @@ std::string light_svg(std::string_view svg)
             first = found;
             mark = &one;
         }
-        light += svg.substr(at, first - at);
+        const std::string_view between = svg.substr(at, first - at);
+        const bool is_letter = between.find("<symbol") != std::string_view::npos;
+        light += between;
         at = first;
         if (mark == nullptr) break;
         const std::size_t start = at + mark->open.size();
@@ -366,7 +376,8 @@ std::string light_svg(std::string_view svg)
             light += rounded(inside);
             continue;
         }
-        const auto pieces = PathReader(inside).read();
+        auto pieces = PathReader(inside).read();
+        if (pieces && is_letter) put_on_grain(*pieces);
         light += pieces ? PathWriter().write(straightened(*pieces)) : std::string(inside);
     }
     return without_unused_signs(with_each_clip_once(std::move(light)));

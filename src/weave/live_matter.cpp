@@ -29,21 +29,34 @@ void write(const fs::path& file, const std::string& text, Problems& problems)
         problems.add({file.string(), 0}, "a file that can't be written", "a folder to write to");
 }
 
+/// What a browser runs of a script: without comments that fill lines, and without indentation.
+std::string bare(const std::string& script)
+{
+    std::string out;
+    for (const std::string& line : split_lines(script)) {
+        const std::string_view text = trim(line);
+        if (text.empty() || text.rfind("//", 0) == 0) continue;
+        out += text;
+        out += '\n';
+    }
+    return out;
+}
+
 void write_scripts(const Woven& woven, const Folders& folders, const fs::path& html, Problems& problems)
 {
     const fs::path theme = folders.kit / "theme";
     std::string common;
     for (const char* name : k_common) {
         const std::optional<std::string> script = read_file(theme / name);
-        if (script) common += *script;
+        if (script) common += bare(*script);
         else problems.add({std::string("theme/") + name, 0}, "no such script", "the theme's scripts");
     }
     write(html / "live.js", common, problems);
     for (const char* name : k_single)
-        write(html / "live" / name, read_file(theme / "live" / name).value_or(""), problems);
+        write(html / "live" / name, bare(read_file(theme / "live" / name).value_or("")), problems);
     for (const Chapter& chapter : woven.material.chapters) {
         const std::optional<std::string> script = read_file(folders.project / chapter.entry.folder() / "live.js");
-        if (script) write(html / "live" / (chapter.entry.name + ".js"), *script, problems);
+        if (script) write(html / "live" / (chapter.entry.name + ".js"), bare(*script), problems);
     }
 }
 

@@ -67,6 +67,13 @@ TEST_CASE("a region that clips more than one thing is written once")
           open + "a" + region + open + "b" + other + use("a") + use("b") + use("a"));
 }
 
+TEST_CASE("the outline of a letter is as fine as a twentieth")
+{
+    CHECK(light_svg(
+              "<symbol id=\"a\">\n<path d=\"M 1.02 1.04 L 2.08 3\"/>\n</symbol><path d=\"M 1.02 1.04 L 2.08 3\"/>") ==
+          "<symbol id=\"a\">\n<path d=\"m1 1.05l1.1 1.95\"/>\n</symbol><path d=\"m1.02 1.04l1.06 1.96\"/>");
+}
+
 TEST_CASE("signs that are never shown go, and the others' places have fewer decimals")
 {
     const auto symbol = [](const char* name) {
