@@ -37,9 +37,9 @@
     flyingLive('11-coming-to-rest/column', {
         still: true,
         controls: {
-            sweeps: { label: 'sweeps', min: 0, max: 300, step: 1, value: 8, show: (n) => String(n) },
-            boxes: { label: 'boxes', min: 1, max: 20, step: 1, value: 8, show: (n) => String(n) },
-            top: { label: 'top box heavier', min: 1, max: 100, step: 1, value: 1, show: (x) => String(x) + '×' }
+            sweeps: { label: 'sweeps', min: 0, max: 300, step: 1, value: 8 },
+            boxes: { label: 'boxes', min: 1, max: 20, step: 1, value: 8 },
+            top: { label: 'top box heavier', min: 1, max: 100, step: 1, value: 1, unit: '×' }
         },
         tallest: 420,
         view: (p) => [-1, -0.9, 2 + BARS + 1.1 * p.boxes, p.boxes + 0.3],
@@ -63,7 +63,7 @@
         readout: (t, s, p) => {
             const rows = [['worst error of a force', share(s.error)], ['one more sweep leaves of it', share(s.left)]];
             if (s.inTheEnd >= 0) rows.push(['in the long run, closed form', share(s.inTheEnd)]);
-            rows.push(['under the lowest box', `${short(s.found[0])} of ${short(s.due[0])} weights of a box`]);
+            rows.push(['under the lowest box', `${short(s.found[0])} of ${s.due[0]} weights of a box`]);
             return rows;
         },
         legend: [['line', 2, 'force found so far'], ['ghost', 'ink', 'weight to bear']]
@@ -105,9 +105,9 @@
 
     flyingLive('11-coming-to-rest/topple', {
         controls: {
-            boxes: { label: 'boxes', min: 1, max: 12, step: 1, value: 6, show: (n) => String(n) },
+            boxes: { label: 'boxes', min: 1, max: 12, step: 1, value: 6 },
             speed: { label: 'speed of the ball', min: 0, max: 16, step: 0.5, value: 7.5, unit: 'm/s' },
-            top: { label: 'top box heavier', min: 1, max: 200, step: 1, value: 1, show: (x) => String(x) + '×' },
+            top: { label: 'top box heavier', min: 1, max: 200, step: 1, value: 1, unit: '×' },
             mu: { label: 'friction', min: 0, max: 1, step: 0.05, value: 0.5 },
             step: { label: 'length of a step', options: STEPS, value: '1/60' },
             warm: { label: 'warm start', check: true, value: true }
