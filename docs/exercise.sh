@@ -127,6 +127,7 @@ check() { # build folder
             fi
         elif ((code == 124)); then
             echo "    it ran for a minute without an end"
+            hint "$name"
             echo "$name: not yet"
             status=1
         else

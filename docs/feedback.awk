@@ -44,7 +44,7 @@ function close_check() {
         if (values != "") { part(values); if (sign != "") { wanted = trimmed(right); got = trimmed(left) } else got = values }
         gsub(/Approx\( */, "", wanted); sub(/ *\)$/, "", wanted)
         print "    expected:  " expectation(sign, wanted)
-        if (got != "") print "    got:       " got
+        if (got != "") print "    got:       " got (got == wanted && sign == "==" ? ", the same in the digits shown but not in all" : "")
     }
     if (logged != "") print "    with:      " logged
 }

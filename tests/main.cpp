@@ -3,28 +3,17 @@
 
 #include <cstdio>
 
+#include "support/listener.hpp"
+
 namespace {
 
 int started = 0; // test cases that any filter has let through
 
 /// Counts what runs.
-class Count : public doctest::IReporter
+struct Count : flying::testing::Listener
 {
-public:
     explicit Count(const doctest::ContextOptions&) {}
     void test_case_start(const doctest::TestCaseData&) override { ++started; }
-
-    void report_query(const doctest::QueryData&) override {}
-    void test_run_start() override {}
-    void test_run_end(const doctest::TestRunStats&) override {}
-    void test_case_reenter(const doctest::TestCaseData&) override {}
-    void test_case_end(const doctest::CurrentTestCaseStats&) override {}
-    void test_case_exception(const doctest::TestCaseException&) override {}
-    void subcase_start(const doctest::SubcaseSignature&) override {}
-    void subcase_end() override {}
-    void log_assert(const doctest::AssertData&) override {}
-    void log_message(const doctest::MessageData&) override {}
-    void test_case_skipped(const doctest::TestCaseData&) override {}
 };
 
 } // namespace

@@ -29,7 +29,7 @@ void throw_discs()
 /// A point comes down at 1 m/s with next to no bend: the root is one second away for each metre.
 void step_to_roots()
 {
-    std::printf("\n     height      school's step        safe step\n");
+    std::printf("\n     height     school formula        safe step\n");
     for (const double f : {1e-3, 1e-6, 1e-9, 1e-12, 1e-15}) {
         const double bend = 1e-4;
         std::printf("%9.0e m %16.9e s %14.9e s\n", f, school_step(f, -1.0, bend), safe_step(f, -1.0, bend));

@@ -315,7 +315,7 @@ TEST_CASE("a disc that is looked at step by step passes a thin wall "
 // [toi.tests.wrong_steps]
 
 // [toi.tests.wrong_step]
-TEST_CASE("the safe step as school has it passes roots, or does not move at all")
+TEST_CASE("the safe step by the school formula passes roots, or does not move at all")
 {
     Random random(810);
     int passed = 0;

@@ -4,7 +4,7 @@
 
 namespace flying {
 
-/// WRONG, and it looks right: the safe step as school has it.
+/// WRONG, and it looks right: the safe step by the school formula.
 inline double school_step(double f, double f_rate, double bend)
 {
     return (f_rate + std::sqrt(f_rate * f_rate + 2.0 * bend * f)) / bend;

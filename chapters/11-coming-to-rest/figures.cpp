@@ -102,10 +102,10 @@ void draw_contact(const std::string& folder)
     s.arrow(point, point + Vec2(0, -86), k_rust, 2.6);
     s.arrow(point, point + Vec2(-70, 0), k_ochre, 2.6);
     s.disc(point, 5.0, k_ink, k_none);
-    s.formula(point + Vec2(-16, -70), "n", Anchor::right, k_rust);
+    s.formula(point + Vec2(14, -70), "n", Anchor::left, k_rust);
     s.words(point + Vec2(-40, -12), "tangent", Anchor::middle, k_ochre, 14.0);
     s.formula(below + Vec2(8, -22), "r_a", Anchor::left, k_teal);
-    s.formula(0.5 * (centre + point) + Vec2(14, 20), "r_b", Anchor::left, k_blue);
+    s.formula(0.5 * (centre + point) + Vec2(16, 8), "r_b", Anchor::left, k_blue);
     s.words(below + Vec2(110, 46), "A", Anchor::middle, k_teal, 20.0);
     s.words(centre + Vec2(58, -4), "B", Anchor::middle, k_blue, 20.0);
 }

@@ -227,7 +227,7 @@ void draw_reach(const std::string& folder)
     s.arrow(right, right + Vec2(-34, 0), k_ink, 2.2);
     s.formula(right + Vec2(-16, -12), "v", Anchor::middle);
     s.measure(Vec2(right.x() + 42, right.y() + 20), Vec2(right.x() + 66, right.y() + 20), k_ink);
-    s.formula(Vec2(right.x() + 92, right.y() + 26), "w", Anchor::middle);
+    s.formula(Vec2(right.x() + 92, right.y() + 26), "l", Anchor::middle);
 
     // A flight and the box that holds it for as long
     const Vec2 from(340, 56);
@@ -398,7 +398,7 @@ void draw_apart(const std::string& folder)
     s.path(lines[1], k_rust, 2.2);
     s.line(Vec2(84, 296), Vec2(574, 296), k_teal, 3.0);
     s.words(Vec2(76, 301), "0", Anchor::right, k_teal, 15.0);
-    s.words(Vec2(150, 82), "six digits", Anchor::left, k_ochre, 15.0);
+    s.words(Vec2(182, 86), "six digits", Anchor::left, k_ochre, 15.0);
     s.words(Vec2(330, 180), "seventeen digits", Anchor::left, k_rust, 15.0);
     s.words(Vec2(330, 289), "snapshot", Anchor::left, k_teal, 15.0);
     for (int t = 0; t <= 30; t += 10)

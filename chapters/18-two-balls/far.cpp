@@ -12,7 +12,7 @@ namespace {
 /// Two discs of 1 m radius on paths half a metre apart, from farther and farther away.
 void meet_from_afar()
 {
-    std::printf("  distance   school's form off by   engine off by\n");
+    std::printf("  distance  school formula off by   engine off by\n");
     for (const double distance : {1e1, 1e3, 1e5, 1e7, 1e9}) {
         const FarPair far = far_pair(distance, 0.5);
         const double expected = exactly(far, 2.0);

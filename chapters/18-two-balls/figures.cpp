@@ -257,7 +257,7 @@ void draw_circle(const std::string& folder)
     s.words(points.back() + Vec2(12, -4), "end", Anchor::left, k_ink);
     s.words(Vec2(16, 36), "blow", Anchor::left, k_blue);
     s.words(Vec2(16, 60), "wall", Anchor::left, k_rust);
-    s.formula(at(1.13, -0.14), "√M V", Anchor::middle, k_ink, 17.0);
+    s.formula(at(1.17, -0.13), "√M V", Anchor::left, k_ink, 17.0);
     s.formula(at(0.06, 1.1), "√m v", Anchor::left, k_ink, 17.0);
     s.formula(at(0.5, 0.05), "θ", Anchor::middle, k_teal);
 }
@@ -292,7 +292,7 @@ void draw_hops(const std::string& folder)
     s.words(at(0.0, -0.24), "0", Anchor::middle, k_ink, 15.0);
     s.words(at(1.0, -0.24), "1 s", Anchor::middle, k_ink, 15.0);
     s.words(at(1.5, -0.24), "1\u00bd s", Anchor::middle, k_ink, 15.0);
-    s.words(at(0.5, 1.02) + Vec2(0, -26), "height", Anchor::middle, k_soft, 15.0);
+    s.words(at(0.5, 1.3), "height", Anchor::middle, k_soft, 15.0);
 }
 
 /// How far off the time of two discs is, over their distance, in two forms.
@@ -310,7 +310,7 @@ void draw_cancel(const std::string& folder)
             plot.dot(std::pow(10.0, power), school, k_rust);
         if (engine > 0.0) plot.dot(std::pow(10.0, power), engine, k_blue);
     }
-    s.words(plot.at(40.0, 3e-8), "as school has it", Anchor::left, k_rust);
+    s.words(plot.at(40.0, 3e-8), "the school formula", Anchor::left, k_rust);
     s.words(plot.at(5e5, 6e-15), "as the engine has it", Anchor::left, k_blue);
     s.words(Vec2(306, 346), "distance, m");
     s.words(Vec2(84, 18), "off by, s", Anchor::left);

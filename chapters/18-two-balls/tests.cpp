@@ -109,7 +109,7 @@ TEST_CASE("the loop that moves all discs and the page that moves two agree on ev
     }
 }
 
-TEST_CASE("the quadratic of school loses digits with the distance, "
+TEST_CASE("the quadratic formula from school loses digits with the distance, "
           "and far away it loses the meeting")
 {
     Random random(809);

@@ -9,7 +9,7 @@
 
 namespace flying {
 
-/// WRONG, and it looks right: the quadratic as school has it.
+/// WRONG, and it looks right: the quadratic formula from school.
 inline double school_meet(const Vec2& x, const Vec2& v, double s)
 {
     const double b = -x.dot(v);

@@ -11,7 +11,7 @@ using Four [[gnu::vector_size(32)]] = double;
 
 
 /// Rows into columns: first number of each row, second, third, fourth.
-inline void turn(const Four (&row)[4], Four& first, Four& second, Four& third, Four& fourth)
+inline void transpose(const Four (&row)[4], Four& first, Four& second, Four& third, Four& fourth)
 {
     const Four odd_low = __builtin_shufflevector(row[0], row[1], 0, 4, 2, 6);
     const Four even_low = __builtin_shufflevector(row[0], row[1], 1, 5, 3, 7);

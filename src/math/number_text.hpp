@@ -15,14 +15,4 @@ namespace flying {
 /// digits  1 ... 17
 [[nodiscard]] std::string rounded_text(double x, int digits = 6);
 
-/// What the three above are made by where the standard library hasn't all of that, or has it with tables of a hundred
-/// kilobytes, which every page of the book would carry. Digit by digit, in whole numbers of any size: exact, and slow.
-namespace by_hand {
-
-[[nodiscard]] std::string number_text(double x);
-[[nodiscard]] std::string plain_number_text(double x);
-[[nodiscard]] std::string rounded_text(double x, int digits);
-
-} // namespace by_hand
-
 } // namespace flying

@@ -64,8 +64,7 @@ void set_mean_lines(ContactPoint& mean, const ContactPoint& start, const Contact
 
 [[nodiscard]] bool may_bend(const RestData& data, const Island& island)
 {
-    // A few that move
-    if (island.point_count() > rest_tolerance::k_most_followed || is_heap(island) || !island.is_solved) return false;
+    if (!CurvedWays::may_follow(island) || !island.is_solved) return false;
     const std::span<const ContactPoint> points = island.points;
 
     // Where nothing may be lost, a contact that hops leaves as it came, and not along the surfaces
@@ -124,6 +123,11 @@ void forget_ways(RestData& data, const Island& island)
 
 } // namespace
 
+bool CurvedWays::may_follow(const Island& island)
+{
+    return !is_heap(island) && island.point_count() <= rest_tolerance::k_most_followed;
+}
+
 bool CurvedWays::follow(RestData& data, Island& island)
 {
     const std::span<ContactPoint> points = island.points;
@@ -157,6 +161,26 @@ bool CurvedWays::follow(RestData& data, Island& island)
     }
     island.has_ways = true;
     return true;
+}
+
+void CurvedWays::take_lines_halfway(RestData& data, Island& island)
+{
+    if (greatest_speed(data.motion.before, data.bodies.radius, island.members) <= still_speed(data, island)) return;
+    for (const int member : island.members) {
+        const Mover& old = data.motion.before[member];
+        data.motion.shift[member] = data.motion.span * Vec2(old.v_x, old.v_y);
+        data.motion.turn[member] = data.motion.span * old.spin;
+    }
+    half_.assign(island.points.begin(), island.points.end());
+    is_seen_.assign(half_.size(), 1);
+    look_along(data, island, 0.5, half_);
+    for (std::size_t k = 0; k < half_.size(); ++k) {
+        ContactPoint& c = island.points[k];
+        if (!is_seen_[k] || c.normal == 0.0) continue;
+        half_[k].gap = c.gap;
+        c = half_[k];
+    }
+    forget_ways(data, island);
 }
 
 /// Where the points are at a part of the ways; those not seen there are not followed.

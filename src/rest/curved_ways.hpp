@@ -15,6 +15,13 @@ public:
     /// as it is. True where it found them.
     bool follow(RestData& data, Island& island);
 
+    /// It is small enough for that.
+    [[nodiscard]] static bool may_follow(const Island& island);
+
+    /// Elsewhere, what bears pushes along the line that it will have halfway, by the velocities at the start: Moreau's
+    /// midpoint rule. Along the line of the start, what rolls or rocks would swing ever further.
+    void take_lines_halfway(RestData& data, Island& island);
+
 private:
     /// Of the lines of the points that bear, while bodies go their ways.
     enum class Bend : char

@@ -180,7 +180,9 @@ struct RigidMotion
 }
 
 /// Takes energy out of the rise of an island's bodies relative to a way that it goes as one rigid body, as much as
-/// there is. What remains to be taken.  [J] by  what is to be taken [J]
+/// there is. What remains to be taken.  [J]
+///
+/// by  what is to be taken [J]
 [[nodiscard]] double rise_less(RestData& data, const Island& island, const RigidMotion& rigid, double by)
 {
     const auto way_of = [&](int member) {

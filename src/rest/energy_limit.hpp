@@ -17,8 +17,7 @@ struct EnergyGain
 /// Kinetic energy of an island's bodies with some velocities.  [J]
 [[nodiscard]] double kinetic_energy(const Island& island, std::span<const Mover> movers);
 
-/// What the forces of an island's contacts do where all its bodies move by the mean of their velocities before and
-/// after. [J]
+/// The work of the contacts' forces on an island whose bodies move by the mean of their velocities before and after.  [J]
 [[nodiscard]] double work_of_contacts(const RestData& data, const Island& island);
 
 /// Nothing may take energy from an island: none of its contacts loses any, by impact or by friction.

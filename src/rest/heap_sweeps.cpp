@@ -27,17 +27,13 @@ namespace {
 bool HeapSweeps::sweep_small(RestData& data, Island& island)
 {
     if (island.member_count() > rest_tolerance::k_most_whole) return false;
-    kept_.assign(island.points.begin(), island.points.end());
     set_free(data, island, data.motion.before, data.motion.span);
     // What stands keeps its impulses, where these are right enough, and falls asleep
     const double field = field_speed(data, island);
     const double tolerance = stood(data, island) ? rest_tolerance::k_blow * field : -1.0;
     sweep(data, island, data.motion.now, island.points, rest_tolerance::k_deep / data.motion.span, tolerance);
-    if (worst_residual(island.points, data.motion.now) <= rest_tolerance::k_nearly_right * field &&
-        work_of_contacts(data, island) <= 0.0)
-        return true;
-    std::copy(kept_.begin(), kept_.end(), island.points.begin());
-    return false;
+    return worst_residual(island.points, data.motion.now) <= rest_tolerance::k_nearly_right * field &&
+           work_of_contacts(data, island) <= 0.0;
 }
 
 void HeapSweeps::sweep_large(RestData& data, Island& island)
@@ -78,8 +74,9 @@ void HeapSweeps::sweep_large(RestData& data, Island& island)
 }
 
 /// Sweeps take the longer the more masses differ: ever more of them, as long as any point misses its bound by more than
-/// `most`; and where the most of them leave that, the direct solve, if it can.  [sizes/s; sizes, where places are
-/// swept]
+/// `most`; and where the most of them leave that, the direct solve, if it can.
+///
+/// most  [sizes/s], or [sizes] where places are swept
 void HeapSweeps::sweep_on(RestData& data, const Island& island, std::span<Mover> movers, std::span<ContactPoint> points,
                           double most)
 {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "rest/island.hpp"
 #include "rest/island_sweeps.hpp"
@@ -13,7 +12,7 @@ class HeapSweeps
 {
 public:
     /// Looks for the impulses of an island that is not too large, as the direct solve would. True where they are nearly
-    /// right and do no work; else they are as they were, and don't act.
+    /// right and do no work.
     [[nodiscard]] bool sweep_small(RestData& data, Island& island);
     /// The step of an island of any size, of first order: impulses, velocities, and the ways that it leads.
     void sweep_large(RestData& data, Island& island);
@@ -37,7 +36,6 @@ private:
     void scale_impulses_to_energy(RestData& data, const Island& island);
 
     IslandSweeps sweeps_;
-    std::vector<ContactPoint> kept_;
 };
 
 } // namespace flying

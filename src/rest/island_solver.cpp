@@ -55,7 +55,8 @@ bool IslandSolver::solve(std::span<Mover> movers, std::span<const int> members, 
     kept_.assign(points.begin(), points.end());
     bool content = improve(island, From::here);
     for (const From from : {From::sweeps, From::within, From::nothing}) {
-        if (content || (effort == Effort::brief && from != From::sweeps)) break;
+        const bool is_worth_it = effort == Effort::full || (effort == Effort::some && from == From::sweeps);
+        if (content || !is_worth_it) break;
         if (from == From::nothing && points.size() > rest_tolerance::k_most_from_nothing) break;
         go_back_to_best(island);
         content = improve(island, from);

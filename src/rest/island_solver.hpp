@@ -17,10 +17,12 @@ namespace flying {
 /// pushes, for each body through which the load goes.  [m/s]
 [[nodiscard]] double rounding_of(std::span<const ContactPoint> points, std::size_t members);
 
+/// What is tried before a search for impulses gives up.
 enum class Effort
 {
-    full,
-    brief
+    full,  ///< all that is known
+    some,  ///< Newton's method, from what is there and from what sweeps make of it
+    brief, ///< Newton's method, from what is there
 };
 
 /// Finds the impulses of one group of bodies that lean on each other, so that every point is content:
@@ -38,7 +40,6 @@ public:
     /// members  the group's bodies that can move, ascending
     /// points   the group's points with impulses to start from, not yet applied; on return those found, applied
     /// tolerance  velocities below this are content enough; rounding of the impulses adds its own share [m/s]
-    /// effort   a brief one gives up where Newton's method finds nothing at once, or its first trial is far from it
     /// True where all points are content to rounding; else the impulses are the best that were met.
     bool solve(std::span<Mover> movers, std::span<const int> members, std::span<ContactPoint> points, double tolerance,
                Effort effort = Effort::full);

@@ -166,6 +166,7 @@ private:
         std::vector<int> members;
         std::vector<int> pairs;
     };
+
     void list_awake();
     void begin_awake();
     void measure_reach(std::span<const int> bodies);

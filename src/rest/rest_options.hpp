@@ -14,10 +14,10 @@ struct RestOptions
     double step = 1.0 / 60.0; ///< > 0 [s]
     bool warm_starts = true;  ///< impulses are sought from those of the step before
     bool sleeps = true;       ///< islands that a step leaves as they are, to the bit, are left out of the next
-    int most_solved = 400;    ///< bodies in the largest island that is solved to rounding; more are swept
-    int sweeps = 8;           ///< over larger islands
+    int most_solved = 400;    ///< bodies in the largest island that is solved whole while it hardly moves
+    int sweeps = 8;           ///< over islands that aren't solved
     int most_sweeps = 64;     ///< over those that have more to change, as where a pile lands
-    std::optional<CentralField> centre = {}; ///< round which all are pulled that move, in place of their accelerations
+    std::optional<CentralField> centre = {}; ///< that pulls all bodies, in place of accelerations of their own
     double (*seconds)() = nullptr;           ///< a clock, lent to measure the stages; null to measure nothing [s]
 };
 

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 
 #include "rest/energy_limit.hpp"
 #include "rest/find_contacts.hpp"
@@ -117,7 +116,7 @@ void RestEngine::step()
     watch.stop(seconds_.solve);
     finish_islands(0, {});
     make_parts(0);
-    if (go_back()) make_parts(0);
+    for (int round = 0; round < rest_tolerance::k_quick_rounds && go_back(); ++round) make_parts(0);
     watch.stop(seconds_.move);
     ++steps_;
     ++data_.counts.steps;
@@ -261,12 +260,17 @@ void RestEngine::solve_island(Island& island, int depth)
         sweeps_.sweep_large(data_, island);
         return;
     } else {
+        if (!CurvedWays::may_follow(island)) curves_.take_lines_halfway(data_, island);
         set_velocity_bias(data_, island);
         forces_.find_impulses(data_, island, data_.motion.before, data_.motion.span);
         if (is_heap(island) && !island.is_solved) {
             // It would cost more than it brings to look on; sweeps go on from what bore before
-            for (ContactPoint& c : island.points) recall_impulses(data_, c);
+            const auto recall = [&] {
+                for (ContactPoint& c : island.points) recall_impulses(data_, c);
+            };
+            recall();
             if (!sweeps_.sweep_small(data_, island)) {
+                recall();
                 sweeps_.sweep_large(data_, island);
                 return;
             }

@@ -239,13 +239,13 @@ inline void SweepBatches::fetch(const int (&who)[4], Motion& motion) const
 {
     const Four rows[4] = {bodies_[who[0]].motion, bodies_[who[1]].motion, bodies_[who[2]].motion,
                           bodies_[who[3]].motion};
-    turn(rows, motion.v_x, motion.v_y, motion.spin, motion.inv_mass);
+    transpose(rows, motion.v_x, motion.v_y, motion.spin, motion.inv_mass);
 }
 
 inline void SweepBatches::put_back(const int (&who)[4], const Motion& motion)
 {
     const Four columns[4] = {motion.v_x, motion.v_y, motion.spin, motion.inv_mass};
-    turn(columns, bodies_[who[0]].motion, bodies_[who[1]].motion, bodies_[who[2]].motion, bodies_[who[3]].motion);
+    transpose(columns, bodies_[who[0]].motion, bodies_[who[1]].motion, bodies_[who[2]].motion, bodies_[who[3]].motion);
 }
 
 template <typename Content>

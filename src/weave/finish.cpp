@@ -372,7 +372,7 @@ std::map<int, std::string> linked_lines(const fs::path& page)
         std::size_t start = line->find("<span class=\"lineno\">");
         if (number.empty() || start == std::string::npos) continue;
         start = line->find("</span>", start);
-        lines[std::stoi(number)] = line->substr(start + 7);
+        lines[std::stoi(number)] = without_guessed_links(std::string_view(*line).substr(start + 7));
     }
     return lines;
 }

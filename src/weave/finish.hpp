@@ -27,7 +27,7 @@ struct Manual
 void finish_pages(const Material& material, const Pages& pages, const std::vector<std::string>& formulas,
                   const Manual& manual, const std::filesystem::path& html, Problems& problems);
 
-/// The lines of Doxygen's page of a source, by number, with their links, without their numbers.
+/// The lines of Doxygen's page of a source, by number, with the links that lead where they say, without their numbers.
 [[nodiscard]] std::map<int, std::string> linked_lines(const std::filesystem::path& page);
 
 /// Keeps words of code in one line: a browser would go on in the next one behind the hyphen of `1e-12`.

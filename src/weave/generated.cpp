@@ -256,7 +256,7 @@ std::string told(const Material& material, const Counts& counts)
                            share.lines, share.told, 100.0 * share.part(), 100.0 * entry->told);
     }
     const std::string later = planned == 0 ? "" : fmt::format(" {} chapters are planned and not written yet.", planned);
-    return out + fmt::format("\n{} formulas only define. {} numbers of the text are given, not computed.{}\n",
+    return out + fmt::format("\n{} formulas are definitions. {} numbers of the text are given, not computed.{}\n",
                              definitions, counts.given, later);
 }
 
@@ -289,10 +289,10 @@ void add_generated_pages(const Material& material, const Counts& counts, TextWri
     add("index", material.book.title, front);
     if (material.book.is_playable)
         add("playground", "Playground",
-            fmt::format(
-                "Every scene of the course, and your own. A scene is a text; change it, and what is wrong with it is "
-                "said with line and column.\n\n{}\n",
-                fragments.add_html(playground_figure())));
+            fmt::format("Every scene of the course, and your own. A scene is a text: change it, and the page says what "
+                        "is wrong "
+                        "with it, by line and column.\n\n{}\n",
+                        fragments.add_html(playground_figure())));
     add("equations", "Equations and their receipts", fragments.add_html(equation_index(material, fragments)) + "\n");
     add("symbols", "Symbols", symbol_table(material, writer));
     std::vector<std::pair<int, std::string>> lines;

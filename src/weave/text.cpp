@@ -131,6 +131,40 @@ std::optional<double> to_number(std::string_view text)
     return number;
 }
 
+namespace {
+
+/// Whether a name in code is surely the one that Doxygen links it to.
+/// kind  Doxygen's word for what it found; before, after  the rest of the line on either side
+bool is_sure_link(std::string_view kind, std::string_view name, std::string_view before, std::string_view after)
+{
+    if (name.find("::") != std::string_view::npos) return true;
+    for (const std::string_view owner : {".", "-&gt;", "::"})
+        if (before.ends_with(owner)) return true;
+    if (kind == "variable") return name.starts_with("k_") || name.ends_with('_');
+    if (kind == "function") return after.starts_with('(') || after.starts_with("&lt;");
+    return kind != "enumvalue";
+}
+
+} // namespace
+
+std::string without_guessed_links(std::string_view line)
+{
+    constexpr std::string_view k_begin = "<a class=\"code hl_";
+    std::string out;
+    for (;;) {
+        const std::size_t start = line.find(k_begin);
+        const std::size_t end = start == std::string_view::npos ? start : line.find("</a>", start);
+        if (end == std::string_view::npos) return out += line;
+        const std::string_view link = line.substr(start, end - start);
+        const std::string_view kind = link.substr(k_begin.size(), link.find('"', k_begin.size()) - k_begin.size());
+        const std::string_view name = link.substr(link.find('>') + 1);
+        out += line.substr(0, start);
+        line.remove_prefix(end + 4);
+        if (is_sure_link(kind, name, out, line)) out += std::string(link) + "</a>";
+        else out += name;
+    }
+}
+
 bool is_word(char c)
 {
     return std::isalnum(static_cast<unsigned char>(c)) || c == '_';

@@ -35,6 +35,11 @@ namespace flying::weave {
 /// The number that the whole text is, or nothing.
 [[nodiscard]] std::optional<double> to_number(std::string_view text);
 
+/// A line of code from Doxygen with those of its links that lead where they say. Doxygen looks names up without regard
+/// to where they stand, so that a variable of a function is linked to whatever else has its name somewhere. Left are
+/// types, constants, calls, and what stands behind its owner.
+[[nodiscard]] std::string without_guessed_links(std::string_view line);
+
 /// Whether the character may stand in a name of C++.
 [[nodiscard]] bool is_word(char c);
 

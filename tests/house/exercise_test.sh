@@ -51,6 +51,17 @@ tests.cpp:3: ERROR: CHECK( std::abs(f(1, "a < b") - 2) < 1e-5 ) is NOT correct!
 
 T
 )"
+same "digits that aren't shown" "    the test:  weighs
+    tried:     mass()
+    expected:  4
+    got:       4, the same in the digits shown but not in all" "$(feedback <<'T'
+TEST CASE:  weighs
+
+tests.cpp:3: ERROR: CHECK( mass() == doctest::Approx(4.0) ) is NOT correct!
+  values: CHECK( 4 == Approx( 4 ) )
+
+T
+)"
 same "a truth" "    the test:  inside
     tried:     is_inside(p)
     expected:  false

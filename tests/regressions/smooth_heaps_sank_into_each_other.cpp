@@ -11,7 +11,7 @@ using namespace flying::testing;
 
 namespace {
 
-constexpr double k_smallest = 0.15; // [m]
+constexpr double k_largest = 0.3; // bounding radius [m]
 
 /// Discs and polygons that fall into a bin.
 Scene heap(int count, double width, double restitution, double friction, std::uint64_t seed)
@@ -24,7 +24,7 @@ Scene heap(int count, double width, double restitution, double friction, std::ui
     scene.world.box = BoxDef{{0.0, 0.0}, {width, 60.0}};
     const int row = static_cast<int>(width / 0.63);
     for (int k = 0; k < count; ++k) {
-        const double radius = random.uniform(k_smallest, 0.3);
+        const double radius = random.uniform(0.5 * k_largest, k_largest);
         const Vec2 place(((k % row) + 0.5) * width / row, 0.5 + 0.63 * (k / row));
         BodyDef body = disc(radius, place);
         const int sides = 2 + random.below(6);
@@ -39,7 +39,7 @@ Scene heap(int count, double width, double restitution, double friction, std::ui
 
 } // namespace
 
-TEST_CASE("heaps of any size keep apart by a hundredth of their size at every step, with friction and without")
+TEST_CASE("heaps keep apart by a hundredth of the largest one's size at every step, with friction and without")
 {
     struct Case
     {
@@ -58,6 +58,7 @@ TEST_CASE("heaps of any size keep apart by a hundredth of their size at every st
         CAPTURE(each.restitution);
         World world = world_of(heap(each.count, each.width, each.restitution, each.friction, each.seed));
         REQUIRE_FALSE(world.advance(each.until).has_value());
-        CHECK(world.report().max_overlap < 0.01 * 2.0 * k_smallest);
+        // The report doesn't say which two it were
+        CHECK(world.report().max_overlap < 0.01 * k_largest);
     }
 }

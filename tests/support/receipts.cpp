@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "support/listener.hpp"
+
 namespace flying::receipts {
 
 namespace {
@@ -148,7 +150,7 @@ void write(std::ostream& out, const char* name, const Map& map)
 }
 
 /// Writes the ledger when the program's tests are over.
-struct Writer : doctest::IReporter
+struct Writer : testing::Listener
 {
     explicit Writer(const doctest::ContextOptions&) {}
 
@@ -163,18 +165,6 @@ struct Writer : doctest::IReporter
         write(out, "values", ledger().values);
         out << "\n}\n";
     }
-
-    void report_query(const doctest::QueryData&) override {}
-    void test_run_start() override {}
-    void test_case_start(const doctest::TestCaseData&) override {}
-    void test_case_reenter(const doctest::TestCaseData&) override {}
-    void test_case_end(const doctest::CurrentTestCaseStats&) override {}
-    void test_case_exception(const doctest::TestCaseException&) override {}
-    void subcase_start(const doctest::SubcaseSignature&) override {}
-    void subcase_end() override {}
-    void log_assert(const doctest::AssertData&) override {}
-    void log_message(const doctest::MessageData&) override {}
-    void test_case_skipped(const doctest::TestCaseData&) override {}
 };
 
 DOCTEST_REGISTER_LISTENER("receipts", 1, Writer);

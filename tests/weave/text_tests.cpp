@@ -37,6 +37,23 @@ TEST_CASE("values are set with powers of ten, and no format reaches further than
         CHECK_FALSE(format_value(1.0, bad).has_value());
 }
 
+TEST_CASE("a name in code keeps its link only where it is surely the name that is linked")
+{
+    const auto link = [](const std::string& kind, const std::string& name) {
+        return "<a class=\"code hl_" + kind + "\" href=\"x.html#a\">" + name + "</a>";
+    };
+    const auto stays = [](const std::string& line) { return without_guessed_links(line) == line; };
+    CHECK(stays("const " + link("struct", "Body") + "&amp; b = " + link("function", "body_of") + "(" +
+                link("variable", "k_first") + ");"));
+    CHECK(stays("bodies." + link("variable", "mass") + "[i] + p-&gt;" + link("variable", "x") +
+                " + Kind::" + link("enumvalue", "left") + " + " + link("variable", "count_") + " + " +
+                link("function", "most") + "&lt;int&gt;()"));
+    CHECK(without_guessed_links("double " + link("variable", "mass") + " = " + link("enumvalue", "left") + " + " +
+                                link("function", "step") + ";") == "double mass = left + step;");
+    CHECK(stays("no link at all"));
+    CHECK(stays("<a class=\"code hl_variable\" href=\"cut off"));
+}
+
 TEST_CASE("aligned parameters in comments become lists for the manual, and lines stay where they are")
 {
     const std::string source =

@@ -39,4 +39,17 @@ TEST_CASE("close to the rim and on the way out, no digit is lost")
 {
     // 2^-40 m are left, at 1 m/s
     CHECK(std::abs(time_to_rim(1.0 - 0x1p-40, 0, 1, 0, 1) - 0x1p-40) < 1e-24);
+
+    // 2^-26 m are left, in any direction. The square of x is exact; no other product is
+    flying::Random random(1852);
+    const double x = 1.0 - 0x1p-26;
+    for (int k = 0; k < 100; ++k) {
+        const long double vx = random.uniform(0.5, 3.0);
+        const long double vy = random.uniform(-3.0, 3.0);
+        const long double inside = 1.0L - static_cast<long double>(x) * x;
+        const long double root = std::sqrt(x * vx * x * vx + (vx * vx + vy * vy) * inside);
+        const double expected = static_cast<double>(inside / (root + x * vx));
+        const double found = time_to_rim(x, 0, static_cast<double>(vx), static_cast<double>(vy), 1);
+        CHECK(std::abs(found / expected - 1.0) < 1e-12);
+    }
 }
