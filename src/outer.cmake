@@ -13,7 +13,7 @@ if(FLYING_WASM)
     foreach(module scene live mass)
         target_compile_options(flying_${module} PRIVATE -Oz)
     endforeach()
-    set_property(SOURCE math/number_text.cpp geometry/convex_parts.cpp geometry/make_polygon.cpp geometry/meeting_edges.cpp
+    set_property(SOURCE geometry/convex_parts.cpp geometry/make_polygon.cpp geometry/meeting_edges.cpp
         geometry/ring_checks.cpp geometry/straight_vertices.cpp world/account.cpp world/checks.cpp world/make_shape.cpp
         world/hand_over.cpp world/plan.cpp world/start_overlaps.cpp world/validate.cpp world/world.cpp APPEND PROPERTY COMPILE_OPTIONS -Oz)
     add_executable(flying_wasm ${CMAKE_CURRENT_SOURCE_DIR}/live/exports.cpp)

@@ -1,7 +1,6 @@
 #include "live/number_text_by_c.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -112,7 +111,7 @@ std::string rounded_text(double x, int digits)
 
 } // namespace by_c_library
 
-#ifndef __cpp_lib_to_chars
+#ifdef __wasm__ // in place of math/number_text.cpp
 
 std::string number_text(double x)
 {

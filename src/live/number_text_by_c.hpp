@@ -2,8 +2,8 @@
 
 #include <string>
 
-/// What math/number_text.hpp promises, by the C library, in its own locale: for the page's module, whose standard library
-/// either has no such functions or has them with tables of a hundred kilobytes, which every page would carry.
+/// What math/number_text.hpp promises, by the C library, in its own locale: for the page's module: its standard
+/// library has such functions only with tables of a hundred kilobytes, which every page would carry.
 namespace flying::by_c_library {
 
 [[nodiscard]] std::string number_text(double x);

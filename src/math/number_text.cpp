@@ -2,9 +2,6 @@
 
 #include <charconv>
 
-// Where the standard library has no such functions for doubles, src/live has what stands in for them.
-#ifdef __cpp_lib_to_chars
-
 namespace flying {
 namespace {
 
@@ -33,5 +30,3 @@ std::string rounded_text(double x, int digits)
 }
 
 } // namespace flying
-
-#endif

@@ -86,7 +86,7 @@ void ContactForces::keep_loads(RestData& data, Island& island, std::span<const M
     };
     const double after = residual();
     found_.assign(points.begin(), points.end());
-    for (ContactPoint& c : points) recall_impulses(data, c);
+    recall_impulses(data, island);
     const double before = residual();
     const bool any = std::any_of(points.begin(), points.end(), [](const ContactPoint& c) { return c.normal > 0.0; });
     island.is_solved =

@@ -7,7 +7,7 @@
 namespace flying {
 
 /// Small islands whose lines of push turn within a step are solved along the ways that they go: to the second order of
-/// the step, with no gap or overlap at its end.
+/// the step, with no gap or overlap at its end. In others the lines of halfway stand for all of the way.
 class CurvedWays
 {
 public:

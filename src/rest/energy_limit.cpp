@@ -78,10 +78,7 @@ void scale_to_energy(RestData& data, const Island& island)
     }
     if (!(std::abs(square + linear) > rest_tolerance::k_rounding * scale)) return;
     const double share = std::max(0.0, -linear / square);
-    for (ContactPoint& c : island.points) {
-        c.normal *= share;
-        c.tangent *= share;
-    }
+    scale_impulses(island, share);
     set_free(data, island, data.motion.before, data.motion.span);
     for (const ContactPoint& c : island.points)
         push(c, c.normal, c.tangent, data.motion.now[c.a], data.motion.now[c.b]);

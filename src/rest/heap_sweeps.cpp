@@ -140,10 +140,7 @@ void HeapSweeps::scale_impulses_to_energy(RestData& data, const Island& island)
     const double share = linear > 0.0 ? -2.0 * constant / (linear + root) : (root - linear) / (2.0 * square);
     // [rest.heaps.share]
 
-    for (ContactPoint& c : island.points) {
-        c.normal *= share;
-        c.tangent *= share;
-    }
+    scale_impulses(island, share);
     for (const int member : members) {
         const Mover& old = data.motion.before[member];
         const Vec2 fall = data.motion.span * data.motion.field[member];

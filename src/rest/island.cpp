@@ -99,14 +99,16 @@ void scale_impulses(const Island& island, double factor)
     }
 }
 
-void recall_impulses(const RestData& data, ContactPoint& c)
+void recall_impulses(const RestData& data, const Island& island)
 {
-    const RestPair& pair = data.pairs.pairs()[c.pair];
-    c.normal = c.tangent = 0.0;
-    for (int i = 0; i < pair.count; ++i) {
-        if (pair.feature[i] != c.feature) continue;
-        c.normal = pair.normal[i];
-        c.tangent = pair.tangent[i];
+    for (ContactPoint& c : island.points) {
+        const RestPair& pair = data.pairs.pairs()[c.pair];
+        c.normal = c.tangent = 0.0;
+        for (int i = 0; i < pair.count; ++i) {
+            if (pair.feature[i] != c.feature) continue;
+            c.normal = pair.normal[i];
+            c.tangent = pair.tangent[i];
+        }
     }
 }
 

@@ -63,7 +63,7 @@ struct StaticHold
 [[nodiscard]] StaticHold static_hold(const RestData& data, std::span<const ContactPoint> points);
 
 void scale_impulses(const Island& island, double factor);
-/// What a point bore at the end of the step before.
-void recall_impulses(const RestData& data, ContactPoint& c);
+/// Points get what they bore at the end of the step before.
+void recall_impulses(const RestData& data, const Island& island);
 
 } // namespace flying

@@ -265,12 +265,9 @@ void RestEngine::solve_island(Island& island, int depth)
         forces_.find_impulses(data_, island, data_.motion.before, data_.motion.span);
         if (is_heap(island) && !island.is_solved) {
             // It would cost more than it brings to look on; sweeps go on from what bore before
-            const auto recall = [&] {
-                for (ContactPoint& c : island.points) recall_impulses(data_, c);
-            };
-            recall();
+            recall_impulses(data_, island);
             if (!sweeps_.sweep_small(data_, island)) {
-                recall();
+                recall_impulses(data_, island);
                 sweeps_.sweep_large(data_, island);
                 return;
             }

@@ -290,8 +290,7 @@ void add_generated_pages(const Material& material, const Counts& counts, TextWri
     if (material.book.is_playable)
         add("playground", "Playground",
             fmt::format("Every scene of the course, and your own. A scene is a text: change it, and the page says what "
-                        "is wrong "
-                        "with it, by line and column.\n\n{}\n",
+                        "is wrong with it, by line and column.\n\n{}\n",
                         fragments.add_html(playground_figure())));
     add("equations", "Equations and their receipts", fragments.add_html(equation_index(material, fragments)) + "\n");
     add("symbols", "Symbols", symbol_table(material, writer));

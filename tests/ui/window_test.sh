@@ -3,7 +3,7 @@
 # Usage: window_test.sh PROGRAM [FOLDER FOR SCREENSHOTS]. Last line: "N actions did what they say, M did not".
 # A file is dropped from the program window_drag_source, which lies beside PROGRAM. At the end, keys of the table in keys.cpp and
 # controls of the panel that nothing has pressed count as wrong. Nothing waits for a time: what is expected may take its while.
-set -euo pipefail
+set -Eeuo pipefail
 export LC_ALL=C.UTF-8 NO_AT_BRIDGE=1 GTK_A11Y=none
 program=$(readlink -f "$1")
 dragged=$(dirname "$program")/window_drag_source
@@ -33,15 +33,38 @@ wrong() { # what...
     echo "WRONG: $*"
 }
 
+# A command that fails where nothing asks whether it does: said, and the end
+trap 'wrong "line $LINENO: $BASH_COMMAND"; finished' ERR
+
 finished() { # the last line
+    trap - ERR
     echo "$good actions did what they say, $bad did not"
     ((bad == 0)) && exit 0 || exit 1
+}
+
+# A window that goes while xdotool looks at all of them ends its search with an error of X, so it is searched again
+shown() { # what xdotool searches for: their numbers
+    local k
+    for ((k = 0; k < 20; ++k)); do
+        xdotool search --onlyvisible "$@" >"$work/shown" 2>"$work/complaint" || true
+        [[ -s $work/complaint ]] || break
+    done
+    cat "$work/shown"
+}
+window_named() { # name: the first one's number, within a minute
+    local k one
+    for ((k = 0; k < 600; ++k)); do
+        one=$(shown --name "$1" | sed -n 1p)
+        [[ -z $one ]] || { echo "$one"; return 0; }
+        sleep 0.1
+    done
+    return 1
 }
 
 open_window() { # arguments of flying window
     (cd "$work" && exec env PATH="${path:-$PATH}" "$program" window "$@" --state "$work/state.json" --size 1280x800 >"$work/log" 2>&1) &
     window=$!
-    id=$(timeout 60 xdotool search --sync --onlyvisible --name 'Flying Polygons' | head -n 1)
+    id=$(window_named 'Flying Polygons')
     xdotool windowfocus "$id"
     # The first answer may be asked for before the window listens
     for _ in $(seq 60); do look 10 && return 0; done
@@ -117,7 +140,7 @@ press_control() {
     # shellcheck disable=SC2086
     xdotool mousemove $place click 1
 }
-windows() { xdotool search --onlyvisible --class . 2>/dev/null | wc -l; }
+windows() { shown --class . | wc -l; }
 choose() { # control keys...: of a list that drops down, in a window of its own
     local before k
     before=$(windows)
@@ -129,13 +152,7 @@ choose() { # control keys...: of a list that drops down, in a window of its own
 }
 dialog() { # title [path]: answer a dialog for files, or escape from it
     local other k
-    # A window that goes while xdotool looks at all of them ends its search with an error of X
-    for ((k = 0; k < 150; ++k)); do
-        other=$(xdotool search --onlyvisible --name "$1" 2>/dev/null | head -n 1 || true)
-        [[ -z $other ]] || break
-        sleep 0.2
-    done
-    [[ -n $other ]] || { wrong "no dialog '$1'"; return 0; }
+    other=$(window_named "$1") || { wrong "no dialog '$1'"; return 0; }
     good=$((good + 1))
     xdotool windowfocus "$other"
     # A name is given already where something is saved
@@ -144,7 +161,7 @@ dialog() { # title [path]: answer a dialog for files, or escape from it
     for ((k = 0; k < 60; ++k)); do
         xdotool windowfocus "$other" key "$([[ -n ${2:-} ]] && echo Return || echo Escape)" 2>/dev/null || true
         sleep 0.3
-        xdotool search --onlyvisible --name "$1" >/dev/null 2>&1 || break
+        [[ -n $(shown --name "$1") ]] || break
     done
     xdotool windowfocus "$id"
 }
@@ -503,7 +520,7 @@ look
 if [[ -x $dragged ]]; then
     "$dragged" "$work/three.toml" >"$work/drag_log" 2>&1 &
     drag=$!
-    from=$(timeout 60 xdotool search --sync --onlyvisible --name 'a file to drag' | head -n 1)
+    from=$(window_named 'a file to drag')
     eval "$(xdotool getwindowgeometry --shell "$from")"
     xdotool mousemove $((X + WIDTH / 2)) $((Y + HEIGHT / 2)) mousedown 1
     for k in $(seq 20); do xdotool mousemove $((X + WIDTH / 2 + 15 * k)) $((Y + HEIGHT / 2 + 15 * k)) sleep 0.03; done
