@@ -18,9 +18,9 @@
 #define TOML_FLOAT_CHARCONV 1 // see below
 #endif
 
-// The library's parser asserts, of some bytes that its caller wrote, that they are never written ("[1, }"), and goes on
-// to refuse them properly. Such an assertion would end the program, and where assertions are off, clang would be told
-// to rely on it; so it is made to say nothing, whether or not this build has assertions.
+// The library's parser asserts, of some bytes that its caller wrote, that they are never written ("[1, }"), and goes on to
+// refuse them properly. Such an assertion would end the program, and where assertions are off, clang would be told to
+// rely on it; so it is made to say nothing, whether or not this build has assertions.
 #define TOML_ASSERT(expr) static_assert(true)
 #pragma push_macro("NDEBUG")
 #undef NDEBUG

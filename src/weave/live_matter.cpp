@@ -17,9 +17,8 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 /// The scripts that every page loads as one, in this order.
-constexpr const char* k_common[] = {"engine.js",         "live/toml.js",     "live/stage.js",
-                                    "live/recording.js", "live/controls.js", "live/hands.js",
-                                    "live/check.js",     "live/unpack.js",   "live/figure.js"};
+constexpr const char* k_common[] = {"engine.js",        "live/toml.js",  "live/stage.js", "live/recording.js",
+                                    "live/controls.js", "live/hands.js", "live/check.js", "live/figure.js"};
 /// Those of one page each.
 constexpr const char* k_single[] = {"front.js", "playground.js"};
 
@@ -29,34 +28,21 @@ void write(const fs::path& file, const std::string& text, Problems& problems)
         problems.add({file.string(), 0}, "a file that can't be written", "a folder to write to");
 }
 
-/// What a browser runs of a script: without comments that fill lines, and without indentation.
-std::string bare(const std::string& script)
-{
-    std::string out;
-    for (const std::string& line : split_lines(script)) {
-        const std::string_view text = trim(line);
-        if (text.empty() || text.rfind("//", 0) == 0) continue;
-        out += text;
-        out += '\n';
-    }
-    return out;
-}
-
 void write_scripts(const Woven& woven, const Folders& folders, const fs::path& html, Problems& problems)
 {
     const fs::path theme = folders.kit / "theme";
     std::string common;
     for (const char* name : k_common) {
         const std::optional<std::string> script = read_file(theme / name);
-        if (script) common += bare(*script);
+        if (script) common += *script;
         else problems.add({std::string("theme/") + name, 0}, "no such script", "the theme's scripts");
     }
     write(html / "live.js", common, problems);
     for (const char* name : k_single)
-        write(html / "live" / name, bare(read_file(theme / "live" / name).value_or("")), problems);
+        write(html / "live" / name, read_file(theme / "live" / name).value_or(""), problems);
     for (const Chapter& chapter : woven.material.chapters) {
         const std::optional<std::string> script = read_file(folders.project / chapter.entry.folder() / "live.js");
-        if (script) write(html / "live" / (chapter.entry.name + ".js"), bare(*script), problems);
+        if (script) write(html / "live" / (chapter.entry.name + ".js"), *script, problems);
     }
 }
 
@@ -85,7 +71,7 @@ void write_module(const Folders& folders, const Tools& tools, const fs::path& ht
         fmt::format("{} '{}' '{}' > '{}'", tools.node, (folders.kit / "pack_module.js").string(), tools.module,
                     (html / "live/module.js").string());
     if (std::system(command.c_str()) != 0)
-        problems.add({"pack_module.js", 0}, "a module that could not be packed", "node, xz, and the engine's module");
+        problems.add({"pack_module.js", 0}, "a module that could not be packed", "node, and the engine's module");
 }
 
 void write_recordings(const Woven& woven, const fs::path& html, Problems& problems)

@@ -11,7 +11,6 @@
 #include "weave/annotated.hpp"
 #include "weave/claims.hpp"
 #include "weave/finish.hpp"
-#include "weave/letters.hpp"
 #include "weave/light_svg.hpp"
 #include "weave/live_matter.hpp"
 #include "weave/manual_front.hpp"
@@ -119,6 +118,17 @@ bool run_doxygen(const Folders& folders, const Tools& tools, const Woven& woven,
     }
     if (!made && warnings == 0) problems.add({"doxygen", 0}, "failed: " + tail(log), "doxygen 1.9");
     return made && warnings == 0;
+}
+
+/// The letters of the text and of its formulas: of Debian's fonts the signs that the pages have.
+void make_letters(const Folders& folders, const fs::path& html, Problems& problems)
+{
+    const fs::path log = folders.build / "letters.log";
+    if (!run(fmt::format("/usr/bin/python3 {} {} {}", quoted(folders.kit / "letters.py"), quoted(html),
+                         quoted(folders.build / "letters")),
+             log))
+        problems.add({"letters.py", 0}, "fonts that can't be made small: " + tail(log),
+                     "katex, fonts-sil-charis, fonts-inter, fonts-jetbrains-mono, python3-fonttools, python3-brotli");
 }
 
 /// What the pages load, beside what Doxygen itself copies: sheets, scripts, figures.

@@ -3,7 +3,6 @@
 #include "weave/finish.hpp"
 #include "weave/inline.hpp"
 #include "weave/ledger.hpp"
-#include "weave/letters.hpp"
 #include "weave/text.hpp"
 
 using namespace flying::weave;
@@ -164,18 +163,4 @@ TEST_CASE("a live figure needs a recording for where the engine can't run")
     CHECK(tree.problems().find("::live swing without swing.ndjson") != std::string::npos);
     tree.write("build/figures/01-hinge/swing.ndjson", "{\"shapes\": []}\n");
     CHECK(tree.problems() == "");
-}
-
-TEST_CASE("the signs of a text are those that it holds and those that it names")
-{
-    std::set<unsigned> signs;
-    add_signs("a\u2212 \\u25b6 \\2713\\00a0 \\alpha \\u12 \\", signs);
-    CHECK(signs.contains(0x2212));
-    CHECK(signs.contains(0x25b6));
-    CHECK(signs.contains(0x2713));
-    CHECK(signs.contains('~'));
-    CHECK(signs.size() == 0x7f - 0x20 + 4); // ASCII, a hard space, and these three
-    add_signs("\u00e9\U0001d400", signs);
-    CHECK(signs.contains(0xe9));
-    CHECK(signs.contains(0x1d400));
 }

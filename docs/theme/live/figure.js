@@ -49,15 +49,16 @@
         });
     }
 
-    // The module, once a page: base64 of LZMA, since file:// lets scripts in and nothing else
+    // The module, once a page: base64 of gzip, since file:// lets scripts in and nothing else
     function theEngine() {
         engine = engine || (async () => {
             if (asked.get('engine') === 'off') throw new Error('the engine is switched off');
             await load('live/module.js');
-            const { size, packed } = home.flyingModule;
-            const letters = atob(packed);
-            const bytes = Uint8Array.from(letters, (letter) => letter.charCodeAt(0));
-            return home.FlyingEngine.load(await home.flyingUnpack(bytes, size));
+            const letters = atob(home.flyingModule);
+            const packed = new Uint8Array(letters.length);
+            for (let k = 0; k < letters.length; ++k) packed[k] = letters.charCodeAt(k);
+            const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'));
+            return home.FlyingEngine.load(await new Response(stream).arrayBuffer());
         })();
         return engine;
     }
