@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "../support/sketch.hpp"
+#include "scene/read.hpp"
 #include "column.hpp"
 #include "lying.hpp"
-#include "scene/read.hpp"
 #include "world/world.hpp"
 #include "wrong_rest.hpp"
 
@@ -301,8 +301,7 @@ void draw_bodies(Sketch& s, const World& world, const Vec2& corner, double scale
         const bool is_static = world.scene().bodies[k].is_static;
         s.polygon(outline, is_static ? pale(k_soft, 0.35) : pale(k_ochre, 0.4), k_ink, 2.0);
     }
-    s.path({corner, corner + scale * Vec2(8, 0), corner + scale * Vec2(8, 8), corner + scale * Vec2(0, 8), corner},
-           k_ink, 2.4);
+    s.path({corner, corner + scale * Vec2(8, 0), corner + scale * Vec2(8, 8), corner + scale * Vec2(0, 8), corner}, k_ink, 2.4);
 }
 
 /// The original's polygons as they begin, and as they lie.
@@ -343,7 +342,6 @@ void record_zeno(const std::string& folder)
     }
 }
 
-/// A stack that a ball strikes; it falls and comes to rest.
 /// Beside a column of boxes a disc for each contact: as far out as the force that the sweeps have found.
 void record_column(const std::string& folder)
 {
@@ -373,6 +371,7 @@ void record_column(const std::string& folder)
     }
 }
 
+/// A stack that a ball strikes; it falls and comes to rest.
 void record_topple(const std::string& folder)
 {
     std::ofstream trace(folder + "/topple.ndjson");

@@ -60,9 +60,6 @@ constexpr std::array k_pieces{Piece{"hop", 3, hop}, Piece{"slide", 4, slide}, Pi
 
 } // namespace
 
-std::span<const Piece> pieces_of_rest()
-{
-    return k_pieces;
-}
+std::span<const Piece> pieces_of_rest() { return k_pieces; }
 
 } // namespace flying::live
