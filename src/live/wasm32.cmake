@@ -3,10 +3,6 @@ set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_SYSTEM_PROCESSOR wasm32)
 set(CMAKE_CXX_COMPILER clang++-14)
 set(CMAKE_CXX_COMPILER_TARGET wasm32-wasi)
-# The module is optimised as a whole, when it is linked: a tenth less to load. An archive of such files needs LLVM's own program
-set(CMAKE_CXX_FLAGS_INIT -flto)
-set(CMAKE_AR /usr/bin/llvm-ar-14)
-set(CMAKE_RANLIB /usr/bin/llvm-ranlib-14)
 # A program without a main is all that the compiler could be tried on
 set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
 # The headers of Eigen and toml++ are the machine's own

@@ -60,6 +60,26 @@ std::string by_steps(const std::string& path)
     return out;
 }
 
+/// Places and colours have two decimals at most; scales, which may be small, keep theirs.
+std::string with_few_decimals(std::string_view text)
+{
+    constexpr std::size_t k_decimals = 2;
+    constexpr std::string_view k_scale = "matrix(";
+    const auto is_digit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
+    std::string out;
+    for (std::size_t k = 0; k < text.size();) {
+        const bool is_scale = text.substr(k, k_scale.size()) == k_scale;
+        const std::size_t same = is_scale ? std::min(text.find(')', k), text.size() - 1) + 1 - k : 1;
+        out += text.substr(k, same);
+        k += same;
+        if (out.back() != '.') continue;
+        const std::size_t digits = k;
+        while (k < text.size() && is_digit(text[k])) ++k;
+        out += text.substr(digits, std::min(k - digits, k_decimals));
+    }
+    return out;
+}
+
 } // namespace
 
 std::string light_svg(std::string_view svg)
@@ -70,7 +90,7 @@ std::string light_svg(std::string_view svg)
         const std::size_t start = std::min(svg.find(k_path, at), svg.size());
         const std::size_t path = std::min(start + k_path.size(), svg.size());
         const std::size_t end = std::min(svg.find('"', path), svg.size());
-        light += svg.substr(at, path - at);
+        light += with_few_decimals(svg.substr(at, path - at));
         light += by_steps(std::string(svg.substr(path, end - path)));
         at = end;
     }
