@@ -1,8 +1,8 @@
 // The engine's module as a script: node pack_module.js flying.wasm > module.js
-// Pages that are read from files may load scripts and nothing else: so base64, of gzip, which every browser unpacks by itself.
+// Pages that are read from files may load scripts and nothing else: so base64, of gzip, which every browser unpacks by itself;
+// zopfli packs it for seconds, and a twentieth smaller.
 'use strict';
-const fs = require('fs');
-const zlib = require('zlib');
+const { execFileSync } = require('child_process');
 
-const packed = zlib.gzipSync(fs.readFileSync(process.argv[2]), { level: 9 });
+const packed = execFileSync('zopfli', ['-c', '--i15', process.argv[2]], { maxBuffer: 2 ** 24 });
 process.stdout.write(`window.flyingModule = '${packed.toString('base64')}';\n`);

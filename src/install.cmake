@@ -55,7 +55,8 @@ endif()
 install(TARGETS weave RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT weave)
 install(FILES ${PROJECT_SOURCE_DIR}/docs/chapter.cmake ${PROJECT_SOURCE_DIR}/docs/Doxyfile.in
     ${PROJECT_SOURCE_DIR}/docs/formulas.js ${PROJECT_SOURCE_DIR}/docs/pack_module.js
-    ${PROJECT_SOURCE_DIR}/docs/print.js ${PROJECT_SOURCE_DIR}/docs/browser.js ${PROJECT_SOURCE_DIR}/docs/wrong.awk
+    ${PROJECT_SOURCE_DIR}/docs/print.js ${PROJECT_SOURCE_DIR}/docs/browser.js ${PROJECT_SOURCE_DIR}/docs/letters.py
+    ${PROJECT_SOURCE_DIR}/docs/wrong.awk
     DESTINATION ${CMAKE_INSTALL_DATADIR}/weave COMPONENT weave)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/theme DESTINATION ${CMAKE_INSTALL_DATADIR}/weave COMPONENT weave)
 install(FILES ${PROJECT_SOURCE_DIR}/tests/main.cpp DESTINATION ${CMAKE_INSTALL_DATADIR}/weave/tests COMPONENT weave)

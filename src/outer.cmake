@@ -9,13 +9,9 @@ flying_module(live scene)
 file(GLOB live_pieces CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/chapters/*/live.cpp)
 target_sources(flying_live PRIVATE ${live_pieces})
 if(FLYING_WASM)
-    # What reads, makes and checks a scene runs once: there it is small rather than quick
-    foreach(module scene live mass)
-        target_compile_options(flying_${module} PRIVATE -Oz)
-    endforeach()
-    set_property(SOURCE geometry/convex_parts.cpp geometry/make_polygon.cpp geometry/meeting_edges.cpp
-        geometry/ring_checks.cpp geometry/straight_vertices.cpp world/account.cpp world/checks.cpp world/make_shape.cpp
-        world/hand_over.cpp world/plan.cpp world/start_overlaps.cpp world/validate.cpp world/world.cpp APPEND PROPERTY COMPILE_OPTIONS -Oz)
+    # A page's module is small rather than quick (the preset says so), but for where heaps spend their time
+    set_property(SOURCE rest/find_contacts.cpp rest/heap_sweeps.cpp rest/island_sweeps.cpp rest/narrow_phase.cpp
+        rest/sweep_batches.cpp rest/sweeps.cpp APPEND PROPERTY COMPILE_OPTIONS -Os)
     add_executable(flying_wasm ${CMAKE_CURRENT_SOURCE_DIR}/live/exports.cpp)
     target_link_libraries(flying_wasm PRIVATE flying_live)
     set_target_properties(flying_wasm PROPERTIES OUTPUT_NAME flying SUFFIX .wasm

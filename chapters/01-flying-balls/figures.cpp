@@ -73,10 +73,12 @@ void draw_box()
     int k = 0;
     for (const Ball& ball : some_balls(9)) {
         const Ink hue = k_hues[static_cast<std::size_t>(k++) % k_hues.size()];
-        for (int j = 0; j <= 150; ++j) {
-            const double t = 1.5 + 1.6 * j / 150;
-            c.ink(hue, 0.02 + 0.10 * j / 150.0);
-            c.dot(ball_at(ball, t).position, 80.0 * ball.radius * (0.25 + 0.35 * j / 150));
+        constexpr int k_dots = 75;
+        for (int j = 0; j <= k_dots; ++j) {
+            const double share = static_cast<double>(j) / k_dots;
+            c.ink(hue, 0.04 + 0.20 * share);
+            c.dot(ball_at(ball, 1.5 + 1.6 * share).position,
+                  80.0 * ball.radius * (0.25 + 0.35 * share));
         }
         const BodyState last = ball_at(ball, 3.1);
         c.ink(hue);

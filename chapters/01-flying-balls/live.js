@@ -55,9 +55,9 @@
 
     flyingLive('01-flying-balls/box', {
         controls: {
-            count: { label: 'balls', min: 1, max: 40, step: 1, value: 9, show: (n) => String(n) },
+            count: { label: 'balls', min: 1, max: 40, step: 1, value: 9 },
             g: { label: 'gravity', min: 0, max: 10, step: 0.5, value: 4, unit: 'm/s²' },
-            speed: { label: 'speed', min: 0.2, max: 4, step: 0.1, value: 1, show: (x) => short(x) + '×' }
+            speed: { label: 'speed', min: 0.2, max: 4, step: 0.1, value: 1, unit: '×' }
         },
         view: [-0.1, -0.1, 8.1, 4.6],
         until: 30,
@@ -77,7 +77,7 @@
     flyingLive('01-flying-balls/orbits', {
         controls: {
             eccentricity: { label: 'eccentricity', min: 0, max: 0.8, step: 0.05, value: 0.5 },
-            steps: { label: 'steps a period', min: 20, max: 1000, step: 20, value: 200, show: (n) => String(n) },
+            steps: { label: 'steps a period', min: 20, max: 1000, step: 20, value: 200 },
             method: { label: 'steps by', options: METHODS, value: '1' }
         },
         view: [-2.7, -1.5, 1.9, 1.5],

@@ -7,7 +7,7 @@
 
     flyingLive('02-rectangle/doors', {
         controls: {
-            push: { label: 'push at', min: 0.1, max: 1, step: 0.05, value: 0.5, show: (x) => short(100 * x) + ' % of the width' },
+            push: { label: 'push at', min: 0.1, max: 1, step: 0.05, value: 0.5, show: (x) => Math.round(100 * x) + '\u202f% of the width' },
             force: { label: 'force', min: 1, max: 12, step: 0.5, value: 4, unit: 'N' },
             width: { label: 'width', min: 0.5, max: 1.4, step: 0.05, value: 1, unit: 'm' },
             mass: { label: 'mass', min: 5, max: 60, step: 1, value: 20, unit: 'kg' }

@@ -7,7 +7,7 @@
 
     flyingLive('03-regular-polygon/race', {
         controls: {
-            sides: { label: 'sides', min: 3, max: 16, step: 1, value: 3, show: (n) => String(n) },
+            sides: { label: 'sides', min: 3, max: 16, step: 1, value: 3 },
             torque: { label: 'torque', min: 1, max: 10, step: 0.5, value: 4, unit: 'N m' }
         },
         view: [-2.2, -2, 5.8, 2],

@@ -61,7 +61,7 @@
     flyingLive('05-separating-axis/head-on', {
         controls: {
             speed: { label: 'speed', min: 0.3, max: 6, step: 0.1, value: 1, unit: 'm/s' },
-            steps: { label: 'steps a second', min: 10, max: 240, step: 10, value: 60, show: (n) => String(n) }
+            steps: { label: 'steps a second', min: 10, max: 240, step: 10, value: 60 }
         },
         view: [-3, -0.8, 3, 2.6],
         until: 2,

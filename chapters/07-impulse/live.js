@@ -7,7 +7,7 @@
 
     flyingLive('07-impulse/strike', {
         controls: {
-            arm: { label: 'strikes at', min: 0, max: 0.48, step: 0.02, value: 0.44, show: (x) => short(x) + ' m from the middle' },
+            arm: { label: 'strikes at', min: 0, max: 0.48, step: 0.02, value: 0.44, show: (x) => x.toFixed(2) + '\u202fm from the middle' },
             mass: { label: 'mass of the ball', min: 0.1, max: 5, step: 0.1, value: 1, unit: 'kg' },
             e: { label: 'restitution', min: 0, max: 1, step: 0.05, value: 1 },
             mu: { label: 'friction', min: 0, max: 1, step: 0.05, value: 0.3 },

@@ -2,7 +2,6 @@
 'use strict';
 
 (function () {
-    const { short } = FlyingStage;
 
     const LEFT = -1.3;
     const PLOT = { left: 0.55, right: 3.3, bottom: 0, top: 1.5 };
@@ -11,7 +10,7 @@
         controls: {
             y: { label: 'height of the middle', min: 0.1, max: 0.99, step: 0.01, value: 0.75, unit: 'm' },
             spin: { label: 'spin', min: 0.5, max: 6, step: 0.1, value: 2, unit: 'rad/s' },
-            looseness: { label: 'bound too large by', min: 1, max: 20, step: 0.5, value: 1, show: (x) => short(x) + '×' },
+            looseness: { label: 'bound too large by', min: 1, max: 20, step: 0.5, value: 1, unit: '×' },
             e: { label: 'restitution', min: 0, max: 1, step: 0.05, value: 1 }
         },
         view: [-2.5, -0.35, 3.5, 1.9],
@@ -34,7 +33,8 @@
                 stage.stroke(stage.colour(2), { width: 1, alpha: 0.45 });
             }
             const state = t < s.hit ? [LEFT, p.y, -p.spin * t] : [LEFT, p.y + s.rise * (t - s.hit), s.angle + s.spin * (t - s.hit)];
-            stage.body(bar, state, { colour: stage.colour(0) });
+            const [c, d] = [Math.cos(state[2]), Math.sin(state[2])];
+            stage.line([[LEFT - c, state[1] - d], [LEFT + c, state[1] + d]], stage.colour(0), { width: 4 });
             stage.dot([LEFT, state[1]], stage.ink, 3.5);
 
             // The gap over time, and the parabola below which it can't fall before the next look
@@ -57,6 +57,6 @@
         readout: (t, s) => [
             ['looks so far', `${s.looks.filter((look) => look.time <= t + 1e-9).length} of ${s.looks.length}`],
             ['the march finds', s.hit.toFixed(12) + ' s'], ['by the arc sine', s.paper.toFixed(12) + ' s']],
-        legend: [['dot', 1, 'a look at the gap'], ['line', 2, 'what the gap can\u2019t fall below'], ['body', 0, 'the bar']]
+        legend: [['dot', 1, 'a look at the gap'], ['line', 2, 'what the gap can\u2019t fall below'], ['line', 0, 'the bar; pale, where it was at each look']]
     });
 })();

@@ -17,8 +17,8 @@
 
     flyingLive('09-which-pairs/cells', {
         controls: {
-            count: { label: 'discs', min: 10, max: 400, step: 10, value: 80, show: (n) => String(n) },
-            packing: { label: 'share of the room that they cover', min: 0.02, max: 0.4, step: 0.02, value: 0.1, show: (x) => short(100 * x) + ' %' }
+            count: { label: 'discs', min: 10, max: 400, step: 10, value: 80 },
+            packing: { label: 'share of the room that they cover', min: 0.02, max: 0.4, step: 0.02, value: 0.1, show: (x) => Math.round(100 * x) + '\u202f%' }
         },
         view: (p, s, run) => { const [left, bottom, right, top] = run.box(); return [left - 0.2, bottom - 0.2, right + 0.2, top + 0.2]; },
         scene: (p, module) => module.generate(`gas --count ${p.count} --packing ${p.packing} --radius 0.5 --rms-speed 3 --seed 5 --until 1000`),
@@ -52,7 +52,7 @@
 
     flyingLive('09-which-pairs/rooms', {
         controls: {
-            count: { label: 'discs in each room', min: 4, max: 25, step: 1, value: 24, show: (n) => String(n) },
+            count: { label: 'discs in each room', min: 4, max: 25, step: 1, value: 24 },
             speed: { label: 'speed up to', min: 1, max: 8, step: 0.5, value: 4, unit: 'm/s' }
         },
         view: [-0.3, -0.3, 25.3, 13.2],

@@ -2,6 +2,7 @@
 'use strict';
 
 (function () {
+    const { short } = FlyingStage;
     // Directions of equal speeds, the same each time
     function directions(count) {
         let seed = 1021;
@@ -23,7 +24,7 @@
 
     flyingLive('10-event-by-event/gas', {
         controls: {
-            side: { label: 'discs in a row', min: 4, max: 16, step: 1, value: 10, show: (n) => String(n) },
+            side: { label: 'discs in a row', min: 4, max: 16, step: 1, value: 10 },
             speed: { label: 'speed at the start', min: 0.5, max: 8, step: 0.5, value: 3, unit: 'm/s' }
         },
         view: (p, s, run) => { const length = run.box()[2]; return [-0.2, -0.2, 2.15 * length, length + 0.2]; },
@@ -64,11 +65,11 @@
                 stage.area([[x(k * s.width), y(0)], [x((k + 0.92) * s.width), y(0)], [x((k + 0.92) * s.width), high], [x(k * s.width), high]], stage.colour(0), 0.55);
             });
             stage.line(s.curve.map((v, k) => [x(v), y(s.density[k])]), stage.colour(1), { width: 2.4 });
-            stage.words([(left + right) / 2, 0.02 * length], 'speed', { align: 'center', colour: stage.soft, size: 13 });
+            stage.words([(left + right) / 2, 0.02 * length], `speed, from 0 to ${short(3 * p.speed)} m/s`, { align: 'center', colour: stage.soft, size: 13 });
             if (t < WARM) stage.words([(left + right) / 2, 0.92 * length], 'counting begins at 1 s', { align: 'center', colour: stage.soft, size: 13 });
         },
         readout: (t, s, p, run) => [['impacts', String(run.collisions)], ['speeds counted', String(s.total)], ['energy', run.energy.toPrecision(12) + ' J']],
         strip: { label: 'distance from the law, as a share of all speeds', colour: 1, value: (t, s) => away(s) },
-        legend: [['body', 0, 'speeds counted so far'], ['line', 1, 'Maxwell\u2019s law, from the energy alone']]
+        legend: [['body', 'hsl(230, 62%, 52%)', 'slow'], ['body', 'hsl(20, 62%, 52%)', 'fast'], ['body', 0, 'speeds counted so far'], ['line', 1, 'Maxwell\u2019s law, from the energy alone']]
     });
 })();

@@ -342,6 +342,35 @@ void record_zeno(const std::string& folder)
     }
 }
 
+/// Beside a column of boxes a disc for each contact: as far out as the force that the sweeps have found.
+void record_column(const std::string& folder)
+{
+    constexpr int k_boxes = 8;
+    constexpr double k_start = 1.6; // of the discs' ways
+    std::ofstream trace(folder + "/column.ndjson");
+    const std::vector<double> masses(k_boxes, 1.0);
+    const std::vector<double> weights = weights_above(masses, 1.0);
+    ColumnSweeps column(masses);
+    const auto list = [](const auto& text_of_one) {
+        std::string text;
+        for (int k = 0; k < k_boxes; ++k) text += (k == 0 ? "" : ", ") + text_of_one(k);
+        return text;
+    };
+    const auto at = [](double x, double y) { return "[" + std::to_string(x) + ", " + std::to_string(y) + ", 0]"; };
+    trace << "{\"view\": [-1, -0.6, 11, 8.3], \"shapes\": ["
+          << list([](int) { return std::string("{\"radius\": 0.25}"); }) << ", " << list([](int) {
+                 return std::string("{\"rings\": [[[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]]]}");
+             })
+          << "]}\n";
+    for (int sweeps = 0; sweeps <= 60; ++sweeps) {
+        if (sweeps > 0) column.sweep_once();
+        trace << "{\"time\": " << sweeps / 10.0 << ", \"bodies\": ["
+              << list([&](int k) { return at(k_start + (sweeps > 0 ? column.impulse(k) : 0.0), k); }) << ", "
+              << list([&](int k) { return at(0.0, k + 0.5); }) << "], \"ghosts\": ["
+              << list([&](int k) { return at(k_start + weights[static_cast<std::size_t>(k)], k); }) << "]}\n";
+    }
+}
+
 /// A stack that a ball strikes; it falls and comes to rest.
 void record_topple(const std::string& folder)
 {
@@ -419,6 +448,7 @@ int main(int argc, char** argv)
     draw_roll(folder);
     draw_original(folder);
     record_zeno(folder);
+    record_column(folder);
     record_topple(folder);
     record_slope(folder);
 }

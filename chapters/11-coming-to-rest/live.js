@@ -1,4 +1,4 @@
-// The live figures of this chapter: a ball that hops to rest, a box on a slope, a stack.
+// The live figures of this chapter: a ball that hops to rest, the forces in a column after some sweeps, a box on a slope, a stack.
 'use strict';
 
 (function () {
@@ -29,6 +29,44 @@
         legend: [['body', 1, 'the engine\u2019s ball'], ['ghost', 'ink', 'closed form']],
         strip: { label: 'distance from the closed form, in metres', colour: 1,
             value: (t, s, p, run) => Math.abs(run.states()[0][1] - 0.5 - s.ask('hop', [p.height, p.e, t]).engine[0]) }
+    });
+
+    // Beside each contact a bar, as long as the force that the sweeps have found there, and the outline of what it has to bear
+    const BARS = 1.6;
+    const share = (x) => (x >= 0.9995 ? '100 %' : x >= 0.001 ? (100 * x).toFixed(1) + ' %' : short(x));
+    flyingLive('11-coming-to-rest/column', {
+        still: true,
+        controls: {
+            sweeps: { label: 'sweeps', min: 0, max: 300, step: 1, value: 8 },
+            boxes: { label: 'boxes', min: 1, max: 20, step: 1, value: 8 },
+            top: { label: 'top box heavier', min: 1, max: 100, step: 1, value: 1, unit: '×' }
+        },
+        tallest: 420,
+        view: (p) => [-1, -0.9, 2 + BARS + 1.1 * p.boxes, p.boxes + 0.3],
+        setup: (p, ask) => {
+            const [error, left, inTheEnd, ...forces] = ask('column', [p.boxes, p.top, p.sweeps]).engine;
+            return { error, left, inTheEnd, found: forces.slice(0, p.boxes), due: forces.slice(p.boxes) };
+        },
+        draw: (stage, t, s, p) => {
+            stage.floor(0);
+            const length = (force) => (1.1 * p.boxes * force) / s.due[0];
+            s.due.forEach((due, k) => {
+                const isTop = k + 1 === p.boxes;
+                stage.body({ rings: [[[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]]] }, [0, k + 0.5],
+                    { colour: stage.colour(isTop && p.top > 1 ? 1 : 0) });
+                const bar = (force) => [[BARS, k - 0.26], [BARS + length(force), k - 0.26], [BARS + length(force), k + 0.26], [BARS, k + 0.26]];
+                stage.line([[0.62, k], [BARS - 0.12, k]], stage.soft, { width: 1, dash: [2, 4] });
+                stage.area(bar(s.found[k]), stage.colour(2), 0.85);
+                stage.line([...bar(due), bar(due)[0]], stage.ink, { width: 1.4, dash: [4, 3] });
+            });
+        },
+        readout: (t, s, p) => {
+            const rows = [['worst error of a force', share(s.error)], ['one more sweep leaves of it', share(s.left)]];
+            if (s.inTheEnd >= 0) rows.push(['in the long run, closed form', share(s.inTheEnd)]);
+            rows.push(['under the lowest box', `${short(s.found[0])} of ${s.due[0]} weights of a box`]);
+            return rows;
+        },
+        legend: [['line', 2, 'force found so far'], ['ghost', 'ink', 'weight to bear']]
     });
 
     flyingLive('11-coming-to-rest/slope', {
@@ -67,9 +105,9 @@
 
     flyingLive('11-coming-to-rest/topple', {
         controls: {
-            boxes: { label: 'boxes', min: 1, max: 12, step: 1, value: 6, show: (n) => String(n) },
+            boxes: { label: 'boxes', min: 1, max: 12, step: 1, value: 6 },
             speed: { label: 'speed of the ball', min: 0, max: 16, step: 0.5, value: 7.5, unit: 'm/s' },
-            top: { label: 'top box heavier', min: 1, max: 200, step: 1, value: 1, show: (x) => String(x) + '×' },
+            top: { label: 'top box heavier', min: 1, max: 200, step: 1, value: 1, unit: '×' },
             mu: { label: 'friction', min: 0, max: 1, step: 0.05, value: 0.5 },
             step: { label: 'length of a step', options: STEPS, value: '1/60' },
             warm: { label: 'warm start', check: true, value: true }

@@ -10,7 +10,7 @@
 
     flyingLive('13-the-simulator/two', {
         controls: {
-            count: { label: 'polygons', min: 2, max: 60, step: 1, value: 24, show: (n) => String(n) },
+            count: { label: 'polygons', min: 2, max: 60, step: 1, value: 24 },
             e: { label: 'restitution', min: 0, max: 0.9, step: 0.05, value: 0.4 },
             mu: { label: 'friction', min: 0, max: 1, step: 0.05, value: 0.5 },
             g: { label: 'gravity', min: 0, max: 20, step: 0.5, value: 10, unit: 'm/s\u00b2' },

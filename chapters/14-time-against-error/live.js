@@ -2,6 +2,7 @@
 'use strict';
 
 (function () {
+    const { short } = FlyingStage;
     const NAMES = ['from wall to wall', 'Euler', 'symplectic Euler', 'Verlet'];
     const ROUNDS = 15;
     const LEAST = 3; // a measurement takes so long at least [ms]
@@ -71,8 +72,8 @@
             const rows = [['rounds', `${s.round} of ${ROUNDS}`]];
             const best = s.entries[0];
             const last = s.entries[s.entries.length - 1];
-            if (best.times.length) rows.push(['from wall to wall', `${(1e6 * median(best.times)).toFixed(2)} \u00b5s, off by ${best.error.toExponential(1)} m`]);
-            if (last.times.length) rows.push([`Verlet, ${last.steps} steps`, `${(1e6 * median(last.times)).toFixed(0)} \u00b5s, off by ${last.error.toExponential(1)} m`]);
+            if (best.times.length) rows.push(['from wall to wall', `${(1e6 * median(best.times)).toFixed(2)} \u00b5s, off by ${short(best.error)} m`]);
+            if (last.times.length) rows.push([`Verlet, ${last.steps} steps`, `${(1e6 * median(last.times)).toFixed(0)} \u00b5s, off by ${short(last.error)} m`]);
             return rows;
         },
         legend: NAMES.map((name, k) => ['dot', k, name])

@@ -11,11 +11,11 @@
 
     flyingLive('17-heaps/pour', {
         controls: {
-            count: { label: 'bodies', min: 10, max: 150, step: 10, value: 80, show: (n) => String(n) },
+            count: { label: 'bodies', min: 10, max: 150, step: 10, value: 80 },
             kind: { label: 'shapes', options: [['discs', 'discs'], ['boxes', 'boxes'], ['both', 'discs and boxes']], value: 'both' },
             mu: { label: 'friction', min: 0, max: 1, step: 0.05, value: 0.5 },
             e: { label: 'restitution', min: 0, max: 0.8, step: 0.05, value: 0.1 },
-            heavy: { label: 'every tenth heavier', min: 1, max: 100, step: 1, value: 1, show: (x) => String(x) + '×' },
+            heavy: { label: 'every tenth heavier', min: 1, max: 100, step: 1, value: 1, unit: '×' },
             step: { label: 'length of a step', options: STEPS, value: '1/60' }
         },
         view: (p) => [-6, -0.5, 6, Math.max(8, 1.2 * Math.ceil(p.count / 10) + 1)],
@@ -40,7 +40,7 @@
         },
         readout: (t, s, p, run) => [['steps made', String(run.events)],
             ['bodies that lie still', `${run.states().filter((state, k) => !run.isStatic(k) && lies(state)).length} of ${p.count}`]],
-        legend: [['body', 0, 'moves'], ['body', 'fixed', 'pale: lies still, and no bit changes']],
+        legend: [['body', 0, 'moves'], ['body', 1, 'made heavier'], ['body', 'fixed', 'pale: lies still, and no bit changes']],
         strip: { label: 'energy, in joules', value: (t, s, p, run) => run.energy }
     });
 })();

@@ -53,7 +53,7 @@
     });
 
     flyingLive('18-two-balls/billiard', {
-        controls: { digits: { label: 'digits after the 3', min: 0, max: 4, step: 1, value: 1, show: (n) => String(n) } },
+        controls: { digits: { label: 'digits after the 3', min: 0, max: 4, step: 1, value: 1 } },
         view: [-0.45, -0.9, 4.6, 1],
         until: 4,
         speed: 0.5,

@@ -71,7 +71,7 @@ void write_module(const Folders& folders, const Tools& tools, const fs::path& ht
         fmt::format("{} '{}' '{}' > '{}'", tools.node, (folders.kit / "pack_module.js").string(), tools.module,
                     (html / "live/module.js").string());
     if (std::system(command.c_str()) != 0)
-        problems.add({"pack_module.js", 0}, "a module that could not be packed", "node, and the engine's module");
+        problems.add({"pack_module.js", 0}, "a module that could not be packed", "node, zopfli, and the engine's module");
 }
 
 void write_recordings(const Woven& woven, const fs::path& html, Problems& problems)

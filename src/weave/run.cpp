@@ -11,6 +11,7 @@
 #include "weave/annotated.hpp"
 #include "weave/claims.hpp"
 #include "weave/finish.hpp"
+#include "weave/light_svg.hpp"
 #include "weave/live_matter.hpp"
 #include "weave/manual_front.hpp"
 #include "weave/receipts.hpp"
@@ -119,51 +120,24 @@ bool run_doxygen(const Folders& folders, const Tools& tools, const Woven& woven,
     return made && warnings == 0;
 }
 
-/// The book's sheet and scripts, and its letters: of Debian's fonts those signs that the book may need.
-void copy_theme(const Folders& folders, const fs::path& html, Problems& problems)
+/// The letters of the text and of its formulas: of Debian's fonts the signs that the pages have.
+void make_letters(const Folders& folders, const fs::path& html, Problems& problems)
 {
-    for (const char* name : {"book.css", "page.js", "search.js"})
-        copy(folders.kit / "theme" / name, html / "theme" / name, problems);
-    const std::string charis = "/usr/share/fonts/truetype/charis/CharisSIL-";
-    const std::string inter = "/usr/share/fonts/opentype/inter/Inter-";
-    const std::string mono = "/usr/share/fonts/truetype/jetbrains-mono/JetBrainsMono-";
-    const std::pair<std::string, std::string> fonts[] = {
-        {"serif", charis + "Regular.ttf"},     {"serif-italic", charis + "Italic.ttf"},
-        {"serif-bold", charis + "Bold.ttf"},   {"sans", inter + "Regular.otf"},
-        {"sans-bold", inter + "SemiBold.otf"}, {"mono", mono + "Regular.ttf"},
-        {"mono-italic", mono + "Italic.ttf"}};
-    for (const auto& [name, source] : fonts) {
-        const fs::path made = folders.build / "letters" / (name + ".woff2");
-        std::error_code error;
-        fs::create_directories(made.parent_path(), error);
-        if (!fs::exists(made) &&
-            !run(fmt::format(
-                     "/usr/bin/python3 -m fontTools.subset {} --flavor=woff2 "
-                     "--layout-features='kern,liga,tnum,lnum' --no-hinting "
-                     "--unicodes='U+20-7E,U+A0-17F,U+2BC,U+2C9,U+391-3D6,U+2000-2044,U+2070-208E,U+20AC,U+2190-2194,"
-                     "U+2208,U+2211,U+2212,U+221A,U+221E,U+222B,U+2248,U+2260,U+2261,U+2264,U+2265,U+22C5,"
-                     "U+2500-2502,U+25B6,U+25CF,U+25D0,U+2713,U+27E8,U+27E9' --output-file={}",
-                     source, quoted(made)),
-                 folders.build / "letters.log")) {
-            problems.add({source, 0}, "a font that can't be made small: " + tail(folders.build / "letters.log"),
-                         "fonts-sil-charis, fonts-inter, fonts-jetbrains-mono, python3-fonttools, python3-brotli");
-            return;
-        }
-        copy(made, html / "theme/fonts" / made.filename(), problems);
-    }
+    const fs::path log = folders.build / "letters.log";
+    if (!run(fmt::format("/usr/bin/python3 {} {} {}", quoted(folders.kit / "letters.py"), quoted(html),
+                         quoted(folders.build / "letters")),
+             log))
+        problems.add({"letters.py", 0}, "fonts that can't be made small: " + tail(log),
+                     "katex, fonts-sil-charis, fonts-inter, fonts-jetbrains-mono, python3-fonttools, python3-brotli");
 }
 
-/// What the pages load, beside what Doxygen itself copies.
+/// What the pages load, beside what Doxygen itself copies: sheets, scripts, figures.
 void copy_matter(const Woven& woven, const Folders& folders, const fs::path& html, Problems& problems)
 {
     const fs::path katex = "/usr/share/javascript/katex";
     copy(katex / "katex.min.css", html / "katex/katex.min.css", problems);
-    std::error_code error;
-    for (const auto& font : fs::directory_iterator(katex / "fonts/", error))
-        if (font.path().extension() == ".woff2")
-            copy(font.path(), html / "katex/fonts" / font.path().filename(), problems);
-
-    copy_theme(folders, html, problems);
+    for (const char* name : {"book.css", "page.js", "search.js"})
+        copy(folders.kit / "theme" / name, html / "theme" / name, problems);
 
     for (const Chapter& chapter : woven.material.chapters) {
         for (const ChapterText* text : texts_of(chapter)) {
@@ -172,7 +146,7 @@ void copy_matter(const Woven& woven, const Folders& folders, const fs::path& htm
                 if (block.kind != BlockKind::figure) continue;
                 const fs::path drawn = drawn_file(woven.material, chapter, block.name + ".svg");
                 const fs::path made = html / "figures" / (name + ".svg");
-                if (!write_file(made, lighter_svg(read_file(drawn).value_or(""))))
+                if (!write_file(made, light_svg(read_file(drawn).value_or(""))))
                     problems.add({made.string(), 0}, "can't be written", "a figure of the book");
             }
         }
@@ -255,6 +229,7 @@ void make_book(const Folders& folders, const Tools& tools, Problems& problems)
     write_module_maps(woven.material, manual, html, problems);
     if (!write_file(html / "theme/search-index.js", search_index(woven.material, manual)))
         problems.add({"search-index.js", 0}, "a file that can't be written", "a folder to write to");
+    make_letters(folders, html, problems);
     check_links(html, problems);
     if (!problems.empty()) return;
     std::error_code error;

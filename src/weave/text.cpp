@@ -131,31 +131,6 @@ std::optional<double> to_number(std::string_view text)
     return number;
 }
 
-std::string lighter_svg(std::string_view svg)
-{
-    constexpr std::size_t k_decimals = 2;
-    constexpr std::string_view k_path = " d=\"";
-    const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
-    std::string light;
-    light.reserve(svg.size());
-    std::size_t at = 0;
-    while (at < svg.size()) {
-        const std::size_t start = std::min(svg.find(k_path, at), svg.size());
-        const std::size_t path = std::min(start + k_path.size(), svg.size());
-        const std::size_t end = std::min(svg.find('"', path), svg.size());
-        light += svg.substr(at, path - at);
-        for (std::size_t k = path; k < end;) {
-            light += svg[k];
-            if (svg[k++] != '.') continue;
-            const std::size_t digits = k;
-            while (k < end && is_digit(svg[k])) ++k;
-            light += svg.substr(digits, std::min(k - digits, k_decimals));
-        }
-        at = end;
-    }
-    return light;
-}
-
 namespace {
 
 /// Whether a name in code is surely the one that Doxygen links it to.

@@ -35,10 +35,6 @@ namespace flying::weave {
 /// The number that the whole text is, or nothing.
 [[nodiscard]] std::optional<double> to_number(std::string_view text);
 
-/// An SVG whose paths have two decimals at most: a hundredth of its units is less than can be seen, and a quarter of
-/// the file is saved.
-[[nodiscard]] std::string lighter_svg(std::string_view svg);
-
 /// A line of code from Doxygen with those of its links that lead where they say. Doxygen looks names up without regard
 /// to where they stand, so that a variable of a function is linked to whatever else has its name somewhere. Left are
 /// types, constants, calls, and what stands behind its owner.

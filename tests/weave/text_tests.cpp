@@ -164,12 +164,3 @@ TEST_CASE("a live figure needs a recording for where the engine can't run")
     tree.write("build/figures/01-hinge/swing.ndjson", "{\"shapes\": []}\n");
     CHECK(tree.problems() == "");
 }
-
-TEST_CASE("an SVG's paths lose decimals that can't be seen, and nothing else of it changes")
-{
-    CHECK(lighter_svg("<path style=\"o:0.0206667;\" d=\"M 102.917969 -3.5 L 7 0.123456e-5 Z\"/><g "
-                      "transform=\"matrix(0.12345)\"/>") ==
-          "<path style=\"o:0.0206667;\" d=\"M 102.91 -3.5 L 7 0.12e-5 Z\"/><g transform=\"matrix(0.12345)\"/>");
-    CHECK(lighter_svg("<path d=\"M 1.2345") == "<path d=\"M 1.23");
-    CHECK(lighter_svg("").empty());
-}

@@ -2,7 +2,6 @@
 'use strict';
 
 (function (home) {
-    const { short } = home.FlyingStage;
 
     function make(tag, attributes = {}, ...inside) {
         const element = document.createElement(tag);
@@ -33,8 +32,11 @@
         }
         const input = make('input', { type: 'range', name: key, min: of.min, max: of.max, step: of.step, value: of.value });
         const shown = make('output');
+        // As many decimals as the step has; a unit stands apart, but for signs that belong to the number
+        const decimals = (String(of.step).split('.')[1] || '').length;
+        const unit = !of.unit || '\u00b0\u00d7'.includes(of.unit) ? of.unit || '' : '\u202f' + of.unit;
         const show = () => {
-            const text = of.show ? of.show(values[key]) : short(values[key]) + (of.unit ? '\u202f' + of.unit : '');
+            const text = of.show ? of.show(values[key]) : values[key].toFixed(decimals).replace('-', '\u2212') + unit;
             shown.textContent = text;
             input.setAttribute('aria-valuetext', text);
         };

@@ -312,7 +312,7 @@
             if (this.legend && !this.legend.firstChild)
                 for (const [kind, colour, text] of experiment.legend) {
                     const of = sign(kind);
-                    of.style.color = colour === 'ink' ? '' : colour === 'fixed' ? 'var(--live-soft)' : stage.colour(colour);
+                    of.style.color = colour === 'ink' ? '' : colour === 'fixed' ? 'var(--live-soft)' : typeof colour === 'string' ? colour : stage.colour(colour);
                     this.legend.append(make('span', {}, of, text));
                 }
             const rows = experiment.readout ? experiment.readout(time, state, p, run, this.kept) : [];
@@ -388,6 +388,7 @@
             live.push(made);
         }
         home.flyingFigures = live;
+        document.fonts.ready.then(() => live.forEach((figure) => figure.draw()));
         if (asked.has('steps'))
             for (const figure of live) {
                 figure.go(Number(asked.get('steps')) * FRAME);

@@ -2,6 +2,7 @@
 'use strict';
 
 (function (home) {
+    const FONT = '"Book Sans", system-ui, sans-serif';
     const PALETTE = ['#2f7fc4', '#d4602b', '#3f9a57', '#9a5bb5', '#c29a12', '#1f9ca6', '#c24b6e', '#7b8894'];
     const TALLEST = 440;
 
@@ -165,7 +166,7 @@
 
         words(point, text, { colour = this.ink, size = 14, align = 'left', shift = [0, 0] } = {}) {
             const c = this.context;
-            c.font = `${size}px system-ui, "Segoe UI", Roboto, "Noto Sans", sans-serif`;
+            c.font = `${size}px ${FONT}`;
             c.textAlign = align;
             c.textBaseline = 'middle';
             const [x, y] = this.at(point);
@@ -218,7 +219,7 @@
             const width = this.canvas.clientWidth;
             const dots = home.devicePixelRatio || 1;
             const c = stage.context;
-            const font = '12.5px system-ui, "Segoe UI", Roboto, "Noto Sans", sans-serif';
+            const font = `12.5px ${FONT}`;
             const { points } = this;
             const values = points.map((point) => point[1]);
             let low = Math.min(...values, this.zero ? 0 : Infinity);
@@ -226,7 +227,8 @@
             if (!points.length) [low, high] = [0, 1];
 
             // On a narrow page the greatest value is written under the label, and the strip is higher
-            const size = points.length ? 'up to ' + short(Math.abs(high) > Math.abs(low) ? high : low) : '';
+            const most = Math.abs(high) > Math.abs(low) ? high : low;
+            const size = points.length ? 'up to ' + (Number.isInteger(most) ? most : short(most)) : '';
             if (high - low < 1e-300) high = low + 1;
             c.font = font;
             const isNarrow = c.measureText(this.label).width + c.measureText('up to \u2212' + short(1.1e-10)).width + 24 > width;
