@@ -9,9 +9,11 @@ flying_module(live scene)
 file(GLOB live_pieces CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/chapters/*/live.cpp)
 target_sources(flying_live PRIVATE ${live_pieces})
 if(FLYING_WASM)
-    # A page's module is small rather than quick (the preset says so), but for where heaps spend their time
+    # A page's module is small rather than quick (the preset says so), but for where heaps, and polygons that touch, spend
+    # their time
     set_property(SOURCE rest/find_contacts.cpp rest/heap_sweeps.cpp rest/island_sweeps.cpp rest/narrow_phase.cpp
         rest/sweep_batches.cpp rest/sweeps.cpp APPEND PROPERTY COMPILE_OPTIONS -Os)
+    target_compile_options(flying_collide PRIVATE -Os)
     add_executable(flying_wasm ${CMAKE_CURRENT_SOURCE_DIR}/live/exports.cpp)
     target_link_libraries(flying_wasm PRIVATE flying_live)
     set_target_properties(flying_wasm PROPERTIES OUTPUT_NAME flying SUFFIX .wasm

@@ -195,10 +195,10 @@ struct RigidMotion
 }
 
 /// Takes energy out of the rise of an island's bodies relative to a way that it goes as one rigid body, as much as
-/// there is.
+/// there is. What remains to be taken.  [J]
 ///
 /// by  what is to be taken [J]
-void rise_less(RestData& data, const Island& island, const RigidMotion& rigid, double by)
+[[nodiscard]] double rise_less(RestData& data, const Island& island, const RigidMotion& rigid, double by)
 {
     const auto way_of = [&](int member) {
         const Vec2 arm = data.bodies.list[member].state.position - rigid.centre;
@@ -209,7 +209,7 @@ void rise_less(RestData& data, const Island& island, const RigidMotion& rigid, d
         const Vec2 own = data.motion.shift[member] - way_of(member);
         lift -= data.motion.field[member].dot(own) / data.motion.now[member].inv_mass;
     }
-    if (!(lift > 0.0)) return; // they fall, and to fall less would be a gain
+    if (!(lift > 0.0)) return by; // they fall, and to fall less would be a gain
     const double part = by < lift ? 1.0 - by / lift : 0.0;
     for (const int member : island.members) {
         const Vec2 common = way_of(member);
@@ -217,6 +217,7 @@ void rise_less(RestData& data, const Island& island, const RigidMotion& rigid, d
         data.motion.shift[member] = common + part * (data.motion.shift[member] - common);
         data.motion.turn[member] = turn + part * (data.motion.turn[member] - turn);
     }
+    return by - std::min(by, lift);
 }
 
 } // namespace
@@ -229,10 +230,14 @@ void limit_energy(RestData& data, const Island& island)
     ++data.counts.limited;
     data.counts.energy_limited += gain.gained;
     const RigidMotion rigid = free_motion(data, island, data.motion.now);
+    const bool is_held = static_hold(data, island.points).directions > 0;
     // Round a centre the field's work isn't in proportion to the way, so that it takes more than one round
     for (int round = 0; round < rest_tolerance::k_quick_rounds && gain.gained > rounding; ++round) {
-        const double left = slow_down(data, island, rigid, gain.gained);
-        if (left > rounding) rise_less(data, island, free_way(data, island), left);
+        double left = slow_down(data, island, rigid, gain.gained);
+        if (left > rounding) left = rise_less(data, island, free_way(data, island), left);
+        // What slides along something static has its friction, too, to hold it
+        if (left > rounding && is_held) left = rise_less(data, island, RigidMotion{}, left);
+        if (left > rounding && is_held) (void)slow_down(data, island, RigidMotion{}, left);
         gain = gain_of(data, island);
     }
 }

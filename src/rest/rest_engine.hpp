@@ -171,6 +171,7 @@ private:
     void begin_awake();
     void measure_reach(std::span<const int> bodies);
     [[nodiscard]] bool list_pairs();
+    [[nodiscard]] bool list_what_impacts_reach();
     [[nodiscard]] bool wake_touched();
     void wake_all_with(int body);
     void solve_islands(int depth);

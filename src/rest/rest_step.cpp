@@ -104,8 +104,7 @@ void RestEngine::step()
         const int count = static_cast<int>(data_.pairs.pairs().size());
         data_.counts.pairs += count;
         for (int k = 0; k < count; ++k) find_contacts(data_, k, found_);
-    } while (wake_touched());
-    islands_.split(data_, moved_, found_);
+    } while (wake_touched() || list_what_impacts_reach());
     watch.stop(seconds_.collide);
     // [rest.step.find]
 
@@ -211,6 +210,24 @@ bool RestEngine::list_pairs()
     data_.counts.looks += boxes > 0 ? 1 : 0;
     data_.counts.boxes += boxes;
     return boxes > 0;
+}
+
+/// Splits the bodies into islands, and lists the pairs of those that an impact may throw: it gives none more than twice
+/// the speed of the fastest. (Of a heap few are thrown, and those may go back.) True where the list is another now.
+bool RestEngine::list_what_impacts_reach()
+{
+    islands_.split(data_, moved_, found_);
+    bool any = false;
+    for (const Island& island : islands_.all()) {
+        const auto closes = [](const ContactPoint& c) { return std::isfinite(c.closes_at); };
+        if (is_heap(island) || std::none_of(island.points.begin(), island.points.end(), closes)) continue;
+        const double thrown = data_.motion.span * 2.0 * top_speed(data_, island);
+        for (const int member : island.members) {
+            any = any || thrown > farthest_[member];
+            farthest_[member] = std::max(farthest_[member], thrown);
+        }
+    }
+    return any && list_pairs();
 }
 
 void RestEngine::solve_islands(int depth)
