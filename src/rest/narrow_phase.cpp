@@ -10,10 +10,12 @@
 namespace flying {
 namespace {
 
-/// Where two parts cross so that neither has a corner in the other: those along the shortest way that parts them, if
-/// that is over a side.
+/// Where two parts cross so that neither has a corner in the other, as corners that slide past each other do: those along
+/// the shortest way that parts them, if that is over a side.
+///
+/// deep  overlap that they have at least [sizes]
 [[nodiscard]] Manifold points_of_crossing(const RestBodies& bodies, const RestPair& pair, const Pose& pose_a,
-                                          const Pose& pose_b)
+                                          const Pose& pose_b, double deep)
 {
     const auto* a = std::get_if<Polygon>(&bodies.shapes[pair.a].parts[pair.part_a].shape);
     const auto* b = std::get_if<Polygon>(&bodies.shapes[pair.b].parts[pair.part_b].shape);
@@ -21,7 +23,7 @@ namespace {
     const Pose a_from_b = relative_pose(pose_a, pose_b);
     const Axis axis = greatest_separation(*a, *b, a_from_b);
     const double size = std::min(bodies.radius[pair.a], bodies.radius[pair.b]);
-    if (!(axis.separation < -rest_tolerance::k_deep * size)) return {};
+    if (!(axis.separation < -deep * size)) return {};
     const bool of_a = axis.owner == Owner::a;
     const std::vector<char>& real = bodies.real_edges[of_a ? pair.a : pair.b][of_a ? pair.part_a : pair.part_b];
     if (!real.empty() && !real[axis.edge]) return {};
@@ -42,7 +44,11 @@ namespace {
     }
     const Manifold manifold =
         outline_points(a, b, margin, bodies.touch_gap(pair.a, pose_a.position, pair.b, pose_b.position));
-    return manifold.count > 0 ? manifold : points_of_crossing(bodies, pair, pose_a, pose_b);
+    if (manifold.count > 0 && manifold.contacts[0].separation < 0.0) return manifold; // the lowest stands first
+    // Where there is a point, another pair of parts may hold the corner that is inside, so that only more counts
+    const double deep = manifold.count > 0 ? rest_tolerance::k_most_overlap : rest_tolerance::k_deep;
+    const Manifold crossing = points_of_crossing(bodies, pair, pose_a, pose_b, deep);
+    return crossing.count > 0 ? crossing : manifold;
 }
 
 [[nodiscard]] bool any_has_cuts(const RestBodies& bodies, const RestPair& pair)

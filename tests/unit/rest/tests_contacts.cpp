@@ -37,7 +37,9 @@ TEST_CASE("a corner at the bottom of a notch touches both flanks, along their no
     for (const double lean : {0.0, 0.1, -0.3}) {
         RestBody notch{Polygon({{Vec2(-2.0, 1.0), Vec2(-2.0, -1.0), Vec2(2.0, -1.0), Vec2(2.0, 1.0), Vec2(1.0, 1.0),
                                  Vec2(0.0, 0.0), Vec2(-1.0, 1.0)}}),
-                       {}, {}, {0.0, 0.5}};
+                       {},
+                       {},
+                       {0.0, 0.5}};
         notch.is_static = true;
         const std::vector<Vec2> spike = {Vec2(0.0, 0.0), Vec2(0.1, 0.5), Vec2(-0.1, 0.5)};
         RestBody rod{Polygon({spike}), {}, {1.0, 6.0}, {0.0, 0.5}};
@@ -54,4 +56,27 @@ TEST_CASE("a corner at the bottom of a notch touches both flanks, along their no
         }
         CHECK(found[0].n_x * found[1].n_x < 0.0);
     }
+}
+
+TEST_CASE("corners that have slid past each other: sides that cross touch, though neither corner is inside")
+{
+    // The stone's left corner lies beyond the plank's lower left one, and above it; its right corner is a little below
+    RestBody plank{Polygon({{Vec2(-0.388594, -0.0753964), Vec2(0.388594, -0.0753964), Vec2(0.388594, 0.0753964),
+                             Vec2(-0.388594, 0.0753964)}}),
+                   {},
+                   {1.0, 6.0},
+                   {0.0, 0.5}};
+    plank.state.position = Vec2(-4.6621385593477829, 0.15913785489046628);
+    plank.state.angle = std::atan2(-0.13384096843129029, 0.9910028229875909);
+    RestBody stone{Polygon({{Vec2(0.0514389, 0.00526448), Vec2(0.0119378, 0.0635715), Vec2(-0.0638522, 0.0859409),
+                             Vec2(-0.05164, -0.0541721), Vec2(0.0157392, -0.0621132), Vec2(0.101091, -0.0505679)}}),
+                   {},
+                   {1.0, 6.0},
+                   {0.0, 0.5}};
+    stone.state.position = Vec2(-4.9837365698819402, 0.060215594037458645);
+    stone.state.angle = std::atan2(0.11803982872803963, 0.99300886140751787);
+    RestData data = data_of({plank, stone});
+    const std::vector<ContactPoint> found = contacts_of(data);
+    const auto is_overlap = [](const ContactPoint& c) { return c.gap < -0.001 && c.n_y < -0.9; };
+    CHECK(std::any_of(found.begin(), found.end(), is_overlap));
 }
