@@ -9,14 +9,25 @@
 namespace flying {
 namespace {
 
-/// The lowest gap of a pair; `margin` where it is greater.  [m]
-[[nodiscard]] double gap_of(const RestData& data, const RestPair& pair, const BodyState& a, const BodyState& b,
-                            double margin)
+/// The lowest point of a pair; one of this gap where there is none as low.
+[[nodiscard]] Contact lowest_point(const RestData& data, const RestPair& pair, const BodyState& a, const BodyState& b,
+                                   double gap)
 {
-    const Manifold manifold = look(data, pair, pose_of(a), pose_of(b), margin);
-    double least = margin;
-    for (int k = 0; k < manifold.count; ++k) least = std::min(least, manifold.contacts[k].separation);
-    return least;
+    const Manifold manifold = look(data, pair, pose_of(a), pose_of(b), gap);
+    Contact lowest;
+    lowest.separation = gap;
+    for (int k = 0; k < manifold.count; ++k) {
+        if (manifold.contacts[k].separation < lowest.separation) lowest = manifold.contacts[k];
+    }
+    return lowest;
+}
+
+/// How fast two bodies close the gap at a point.  [m/s]
+[[nodiscard]] double closing_speed(const Contact& contact, const BodyState& a, const BodyState& b)
+{
+    const Vec2 of_a = a.velocity + cross(a.spin, Vec2(contact.point - a.position));
+    const Vec2 of_b = b.velocity + cross(b.spin, Vec2(contact.point - b.position));
+    return contact.normal.dot(of_a - of_b);
 }
 
 } // namespace
@@ -40,13 +51,20 @@ Meetings find_meetings(const RestData& data, std::span<const BodyBefore> before,
     for (const RestPair& pair : data.pairs.pairs()) {
         if (!is_thrown(pair.a) && !is_thrown(pair.b)) continue;
         const double size = std::min(data.bodies.radius[pair.a], data.bodies.radius[pair.b]);
-        const double depth = -gap_of(data, pair, data.bodies.list[pair.a].state, data.bodies.list[pair.b].state, 0.0);
+        const BodyState& a = data.bodies.list[pair.a].state;
+        const BodyState& b = data.bodies.list[pair.b].state;
+        const Contact deepest = lowest_point(data, pair, a, b, 0.0);
+        const double depth = -deepest.separation;
         if (!(depth > rest_tolerance::k_most_overlap * size)) continue;
 
-        // As if the gap had closed evenly
-        const double gap = gap_of(data, pair, state_before(pair.a), state_before(pair.b), size);
-        const double share = gap > 0.0 ? gap / (gap + depth) : 0.5;
-        meetings.first = std::min(meetings.first, share * data.motion.span);
+        // What met nothing that it knew of came in as fast as it now goes. If it goes out again, the gap closed evenly
+        const double ago = depth / closing_speed(deepest, a, b);
+        double when = data.motion.span - ago;
+        if (!(ago > 0.0 && when > 0.0)) {
+            const double gap = lowest_point(data, pair, state_before(pair.a), state_before(pair.b), size).separation;
+            when = (gap > 0.0 ? gap / (gap + depth) : 0.5) * data.motion.span;
+        }
+        meetings.first = std::min(meetings.first, when);
         for (const int body : {pair.a, pair.b}) {
             if (moved.has(body)) meetings.islands.push_back(before[body].island);
         }
