@@ -51,12 +51,14 @@ namespace {
            std::max(turn_of(c.a), turn_of(c.b)) * slide;
 }
 
-/// A pair that stays fair, however its two turn, need not be looked at.
+/// A pair that stays fair, however its two turn, need not be looked at. Of bodies that are cut this isn't known: a
+/// corner that is no point may be lower than all points, along another normal.
 ///
 /// points  all of the pair
 [[nodiscard]] bool may_be_unfair(const RestData& data, std::span<const ContactPoint> points)
 {
     const ContactPoint& c = points.front();
+    if ((data.bodies.has_cuts(c.a) || data.bodies.has_cuts(c.b)) && comes_nearer(data, c.a, c.b)) return true;
     const double fair = rest_tolerance::k_fair_overlap * std::min(data.bodies.radius[c.a], data.bodies.radius[c.b]);
     // Corners that are no points were further away, by all that the two were thought to reach where there is one point
     double next = points.size() > 1 ? 0.0 : data.motion.reach[c.a] + data.motion.reach[c.b];
