@@ -4,11 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "rest/energy_limit.hpp"
 #include "rest/impacts.hpp"
 #include "rest/rest_tolerance.hpp"
 #include "rest/step_field.hpp"
-#include "rest/sweeps.hpp"
 
 namespace flying {
 

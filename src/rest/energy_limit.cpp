@@ -53,12 +53,6 @@ double work_of_contacts(const RestData& data, const Island& island)
     return work;
 }
 
-bool is_lossless(const Island& island)
-{
-    return std::all_of(island.points.begin(), island.points.end(),
-                       [](const ContactPoint& c) { return c.restitution == 1.0 && c.friction == 0.0; });
-}
-
 double neutral_share(const RestData& data, const Island& island, std::span<const Mover> before,
                      std::span<const Mover> after, Way way)
 {

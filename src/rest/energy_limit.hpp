@@ -20,9 +20,6 @@ struct EnergyGain
 /// The work of the contacts' forces on an island whose bodies move by the mean of their velocities before and after.  [J]
 [[nodiscard]] double work_of_contacts(const RestData& data, const Island& island);
 
-/// Nothing may take energy from an island: none of its contacts loses any, by impact or by friction.
-[[nodiscard]] bool is_lossless(const Island& island);
-
 /// How far bodies get with the velocities that impulses bring them.
 enum class Way
 {

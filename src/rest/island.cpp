@@ -3,10 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rest/energy_limit.hpp"
 #include "rest/rest_tolerance.hpp"
 
 namespace flying {
+
+bool is_lossless(const Island& island)
+{
+    return std::all_of(island.points.begin(), island.points.end(),
+                       [](const ContactPoint& c) { return c.restitution == 1.0 && c.friction == 0.0; });
+}
 
 bool is_heap(const Island& island)
 {

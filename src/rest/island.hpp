@@ -43,6 +43,9 @@ struct Island
 [[nodiscard]] double still_speed(const RestData& data, const Island& island);
 /// None of it moved when the step began.
 [[nodiscard]] bool stood(const RestData& data, const Island& island);
+/// Nothing may take energy from an island: none of its contacts loses any, by impact or by friction.
+[[nodiscard]] bool is_lossless(const Island& island);
+
 /// A slip has ended, or turned round, between two sets of velocities.
 /// still  slip below this has ended [m/s]
 [[nodiscard]] bool any_slip_ended(const Island& island, std::span<const Mover> before, std::span<const Mover> after,

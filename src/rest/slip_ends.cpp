@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rest/contact_forces.hpp"
 #include "rest/rest_tolerance.hpp"
 
 namespace flying {
+
 void SlipEnds::part(RestData& data, Island& island)
 {
     const double still = rest_tolerance::k_slip * field_speed(data, island);

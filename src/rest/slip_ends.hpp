@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "rest/contact_forces.hpp"
+#include "rest/island.hpp"
 
 namespace flying {
 
