@@ -61,7 +61,7 @@ install(FILES ${PROJECT_SOURCE_DIR}/docs/chapter.cmake ${PROJECT_SOURCE_DIR}/doc
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/theme DESTINATION ${CMAKE_INSTALL_DATADIR}/weave COMPONENT weave)
 install(FILES ${PROJECT_SOURCE_DIR}/tests/main.cpp DESTINATION ${CMAKE_INSTALL_DATADIR}/weave/tests COMPONENT weave)
 install(FILES ${PROJECT_SOURCE_DIR}/tests/support/receipts.hpp ${PROJECT_SOURCE_DIR}/tests/support/receipts.cpp
-        ${PROJECT_SOURCE_DIR}/tests/support/listener.hpp
+        ${PROJECT_SOURCE_DIR}/tests/support/listener.hpp ${PROJECT_SOURCE_DIR}/tests/support/steps.cpp
     DESTINATION ${CMAKE_INSTALL_DATADIR}/weave/tests/support COMPONENT weave)
 set(WEAVE_KIT_FOLDER ${CMAKE_INSTALL_DATADIR}/weave)
 set(WEAVE_BIN_FOLDER ${CMAKE_INSTALL_BINDIR})

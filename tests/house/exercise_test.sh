@@ -89,6 +89,14 @@ tests.cpp:3: ERROR: test case THREW exception: f was asked a million times
 T
 )"
 
+same "no end, as tests/support/steps.cpp says it" "    the test:  all pairs
+    it stopped: it was not done after 500 million steps" "$(feedback <<'T'
+TEST CASE:  all pairs
+
+ERROR: test case THREW exception: it was not done after 500 million steps
+
+T
+)"
 same "an exception within a check" "    the test:  marches
     tried:     march(f)
     it stopped: f was asked a million times

@@ -27,7 +27,7 @@ TEST_CASE("the count is that of looking at every pair")
     }
 }
 
-TEST_CASE("a million intervals that all share a place are half a million million pairs")
+TEST_CASE("a million intervals that all share a place are half a trillion pairs")
 {
     std::vector<Interval> spans;
     for (int k = 0; k < 1'000'000; ++k) spans.push_back({-1.0 - k, 1.0 + k});

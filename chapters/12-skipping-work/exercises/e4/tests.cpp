@@ -19,13 +19,24 @@ TEST_CASE("joined late, and in any order")
     CHECK(islands(none, {{4, 5}, {2, 3}, {0, 1}, {3, 4}, {5, 0}}) == std::vector<int>(6, 0));
 }
 
+constexpr int k_many = 1000000;
+
 TEST_CASE("a chain of a million bodies")
 {
-    constexpr int k_count = 1000000;
     std::vector<std::pair<int, int>> contacts;
-    for (int k = k_count - 1; k > 0; --k) contacts.emplace_back(k, k - 1);
-    const std::vector<int> found = islands(std::vector<bool>(k_count, false), contacts);
-    REQUIRE(found.size() == k_count);
+    for (int k = k_many - 1; k > 0; --k) contacts.emplace_back(k, k - 1);
+    const std::vector<int> found = islands(std::vector<bool>(k_many, false), contacts);
+    REQUIRE(found.size() == k_many);
+    CHECK(found.front() == 0);
+    CHECK(found.back() == 0);
+}
+
+TEST_CASE("a million bodies that all touch the last")
+{
+    std::vector<std::pair<int, int>> contacts;
+    for (int k = k_many - 1; k > 0; --k) contacts.emplace_back(k_many - 1, k - 1);
+    const std::vector<int> found = islands(std::vector<bool>(k_many, false), contacts);
+    REQUIRE(found.size() == k_many);
     CHECK(found.front() == 0);
     CHECK(found.back() == 0);
 }
