@@ -175,6 +175,13 @@ const WORDS = [
     ['zeno', /chapter_1[01]/], ['event queue', /chapter_10|EventQueue/], ['pi', /chapter_/], ['stack', /chapter_11/], ['complementarity', /chapter_11/],
     ['sleep', /chapter_1[127]/], ['kepler', /chapter_16/], ['euler', /chapter_01/], ['verlet', /chapter_01/], ['centre of mass', /chapter_0[24]/],
     ['rounding', /chapter_/], ['Polygon', /./], ['(8.4)', /chapter_07.html#eq/], ['exercise 5.1', /chapter_04/], ['playground', /playground/],
+    // Words of other books
+    ['torque', /chapter_02/], ['tunnelling', /chapter_08/], ['continuous collision detection', /chapter_08/], ['SAT', /chapter_05/], ['penetration', /chapter_05/],
+    ['broad phase', /chapter_09/], ['narrow phase', /chapter_09/], ['spatial hash', /chapter_09/], ['bounding box', /chapter_09/], ['priority queue', /chapter_10/],
+    ['event-driven', /chapter_10/], ['chaos', /chapter_10/], ['ideal gas', /chapter_10/], ['union-find', /chapter_17/], ['LCP', /chapter_11/], ['Gauss-Seidel', /chapter_11/],
+    ['coefficient of friction', /chapter_07/], ['coefficient of restitution', /chapter_18/], ['conservation of momentum', /chapter_(07|18)/], ["Newton's cradle", /chapter_07/],
+    ['cancellation', /chapter_(18|02|03)/], ['shoelace formula', /chapter_04/], ['centroid', /chapter_04/], ['ear clipping', /chapter_06/], ['leapfrog', /chapter_01/],
+    ['Runge-Kutta', /chapter_01/], ['deterministic', /chapter_01/], ['orbit', /chapter_(01|16)/], ['snapshot', /chapter_13/], ['warm start', /chapter_1[17]/],
 ];
 
 async function checkSearch(browser) {
