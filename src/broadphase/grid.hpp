@@ -47,7 +47,7 @@ public:
     void move(int body, const Cell& to);
     [[nodiscard]] const Cell& cell_of(int body) const { return cell_of_[body]; }
 
-    /// Name a static body to all who come within `margin` of its box.
+    /// Name a static body to all that come within `margin` of its box.
     /// box     may be infinite in one direction or both
     /// margin  bounding radius of the largest body that moves  [m]
     void insert_static(int body, const Aabb& box, double margin);

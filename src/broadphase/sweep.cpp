@@ -65,7 +65,7 @@ void Sweep::line_up(std::span<const BoxedBody> bodies)
 
 
 
-/// Let everyone step back past those that start later. False, and no order, where that is
+/// Let each box step back past those that start later. False, and no order, where that is
 /// not over soon: then so much has changed that sorting afresh is cheaper.
 bool Sweep::put_right()
 {

@@ -87,7 +87,7 @@ void BlockSystem::order(int count, std::span<const Edge> edges)
         return;
     }
 
-    // Eliminate first who has the fewest neighbours left (approximate minimum degree)
+    // Eliminate first what has the fewest neighbours left (approximate minimum degree)
     std::vector<Eigen::Triplet<double>> entries;
     entries.reserve(2 * edges.size() + count);
     for (int k = 0; k < count; ++k) entries.emplace_back(k, k, 1.0);
@@ -107,7 +107,7 @@ void BlockSystem::order(int count, std::span<const Edge> edges)
 
 void BlockSystem::fill_in(int count, std::span<const Edge> edges)
 {
-    // Start from who touches whom
+    // Start from what touches what
     if (static_cast<int>(columns_.size()) < count) columns_.resize(count);
     for (int k = 0; k < count; ++k) columns_[k].clear();
     for (const Edge& edge : edges) {

@@ -111,7 +111,7 @@ void IslandSolver::forget_what_suits_worse(const Island& island)
     apply(island);
 }
 
-/// NarrowPhase for the pieces, then takes off what rounding leaves, until all points are content.
+/// Looks for the pieces, then takes off what rounding leaves, until all points are content.
 bool IslandSolver::improve(const Island& island, From from)
 {
     double before = std::numeric_limits<double>::infinity();

@@ -56,7 +56,7 @@ namespace {
     return bodies.has_cuts(pair.a) || bodies.has_cuts(pair.b);
 }
 
-// Where surfaces of neighbours act as one (collide/seams.hpp): who neighbours whom.
+// Where surfaces of neighbours act as one (collide/seams.hpp): what neighbours what.
 
 /// Adds the seams of a part with a part of another body.
 void find_seams_with(const RestBodies& bodies, int body, int part, int neighbour, int neighbours_part,

@@ -105,7 +105,6 @@ inline constexpr std::size_t k_most_from_nothing = 256;
 /// [points] Pieces of one that begins with nothing; it rarely takes more than three.
 inline constexpr int k_path_pieces = 4;
 
-// ---- Impacts in rounds (impact)
 // ---- Interior point (interior_point, island_solver)
 /// Rounds in which limits of friction follow normal impulses.
 inline constexpr int k_limit_rounds = 3;
@@ -140,7 +139,7 @@ inline constexpr double k_room_reaches = 3.0;
 /// parts that had no point are looked at where two come nearer by more; and sweeps may add so much in one step.
 inline constexpr double k_deep = 0x1p-10;
 
-/// NarrowPhase at a pair that closes, each at the moment that the last one foresaw.
+/// Looks at a pair that closes, each at the moment that the last one foresaw.
 inline constexpr int k_looks = 5;
 
 /// [speeds that the field gives in a step] What bears, and comes nearer no faster than this, goes on to bear.
@@ -219,7 +218,6 @@ inline constexpr int k_most_parts = 256;
 /// [steps] Shorter parts of a step are not cut again: an island takes what comes out.
 inline constexpr double k_shortest_part = 0x1p-10;
 
-// ---- Impacts (impacts)
 // ---- Heaps (heap_sweeps)
 /// [speeds that the field gives in a step] Impulses that sweeps leave no further from right than this are taken for
 /// those of the direct solve.

@@ -21,7 +21,7 @@ struct Hold
     bool presses = false; ///< gravity pulls A into B at some point
 };
 
-/// NarrowPhase at pairs of bodies as they start.
+/// Looks at pairs of bodies as they start.
 class Starts
 {
 public:

@@ -101,7 +101,7 @@ struct Place
 /// Largest distance that any body has gone from its first place, at the last look.
 [[nodiscard]] Measure largest_shift();
 
-/// NarrowPhase every `every` seconds up to `until`, the start included.
+/// Looks every `every` seconds up to `until`, the start included.
 [[nodiscard]] std::vector<double> looks_every(double every, double until);
 
 } // namespace flying::bench
