@@ -68,7 +68,7 @@ void paint_ground(cairo_t* cairo, const Picture& picture, const Layout& layout, 
     cairo_clip(cairo);
 }
 
-/// As one fill, so that no overlap shows. Of many, each hides those before it: transparency takes half as long again.
+/// As one fill, so that no overlap shows. Of many, each hides those before it: transparency takes a quarter longer.
 void paint_trail(cairo_t* cairo, const Trail& trail, const ViewMap& map, const Theme& theme, bool is_crowd)
 {
     constexpr double k_strength = 0.22;

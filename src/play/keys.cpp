@@ -48,6 +48,7 @@ void more_sides(Stage& stage, int more)
 void escape(Stage& stage)
 {
     const bool was_busy = stage.hand.grip || stage.hand.is_pressed || !stage.hand.points.empty();
+    if (!stage.hand.points.empty()) stage.notice = {}; // what was wrong with the drawing goes with it
     cancel(stage);
     stage.arrow_keys = ArrowKeys::pointer;
     stage.mode_until = 0.0;

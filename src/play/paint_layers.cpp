@@ -114,7 +114,7 @@ void paint_islands(cairo_t* cairo, const Stage& stage, const ViewMap& map, const
     }
 }
 
-/// Opaque, and each by itself: less work than all in one path, and less than half of what it is with any transparency.
+/// Opaque, and each by itself: two thirds of the work that all are in one path, with any transparency.
 void paint_centroids(cairo_t* cairo, const Stage& stage, const ViewMap& map, const Theme& theme)
 {
     constexpr double k_line = 1.5; // [pixels]

@@ -18,6 +18,7 @@ namespace flying {
 namespace {
 
 constexpr double k_sync_every = 0.2; ///< [s]
+constexpr int k_narrow = 760;        ///< less wide, controls would take more room than what they control [pixels]
 
 bool has(Gdk::ModifierType modifiers, Gdk::ModifierType one)
 {
@@ -48,7 +49,8 @@ MainWindow::MainWindow(Stage& stage, const WindowOptions& options)
     row_.append(canvas_);
     row_.append(panel_);
     set_child(row_);
-    panel_.set_visible(options.has_panel);
+    panel_.set_visible(options.has_panel && options.width >= k_narrow);
+    if (options.has_panel && options.width < k_narrow) stage_.say("F9 shows the controls, F1 all keys");
     scene_words_ = std::filesystem::path(options.scene).stem().string();
     panel_.show_scene(options.scene, scene_words_);
     if (!options.face.empty()) load_face(options.face);
