@@ -68,15 +68,16 @@ void paint_ground(cairo_t* cairo, const Picture& picture, const Layout& layout, 
     cairo_clip(cairo);
 }
 
-/// As one fill, so that no overlap shows. Of many, each hides those before it: transparency takes a quarter longer.
-void paint_trail(cairo_t* cairo, const Trail& trail, const ViewMap& map, const Theme& theme, bool is_crowd)
+/// As one fill, so that no overlap shows.
+/// shines  through those before it
+void paint_trail(cairo_t* cairo, const Trail& trail, const ViewMap& map, const Theme& theme, bool shines)
 {
     constexpr double k_strength = 0.22;
     add_trail_path(cairo, trail, map);
     cairo_set_fill_rule(cairo, CAIRO_FILL_RULE_WINDING);
     const Colour colour = body_colour(trail.colour, theme);
-    if (is_crowd) use(cairo, mixed(theme.paper, colour, k_strength));
-    else use(cairo, colour, k_strength);
+    if (shines) use(cairo, colour, k_strength);
+    else use(cairo, mixed(theme.paper, colour, k_strength));
     cairo_fill(cairo);
 }
 
@@ -260,7 +261,7 @@ void paint(cairo_t* cairo, const Picture& picture, SurfaceSize size, const Theme
     const Aabb sight = sight_of(cairo, layout.map);
     smooth_edges(cairo, picture.trails.size());
     for (const Trail& trail : picture.trails) {
-        if (is_in_sight(trail, sight)) paint_trail(cairo, trail, layout.map, theme, picture.trails.size() > k_crowd);
+        if (is_in_sight(trail, sight)) paint_trail(cairo, trail, layout.map, theme, picture.trails_shine);
     }
     smooth_edges(cairo, 0);
     for (const DrawnBody& body : picture.bodies) {
