@@ -40,6 +40,7 @@ void paint_stage(cairo_surface_t* image, const Stage& stage, SurfaceSize size, i
 {
     cairo_surface_flush(image);
     unsigned char* pixels = cairo_image_surface_get_data(image);
+    if (!pixels) return; // there was no memory for it
     const int stride = cairo_image_surface_get_stride(image);
     const auto paint_band = [&](int band) {
         const int top = band * size.height / bands;
