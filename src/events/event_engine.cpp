@@ -2,51 +2,36 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <span>
+#include <utility>
 
+#include "events/cell_exit.hpp"
+#include "events/disc_blow.hpp"
+#include "events/fetch_ahead.hpp"
 #include "events/stage_timer.hpp"
-#include "math/tolerance.hpp"
-#include "motion/flight.hpp"
-#include "toi/gap_tolerance.hpp"
 
 namespace flying {
 
-EventEngine::EventEngine(std::vector<EventBody> bodies, const EventEngineOptions& options) : options_(options)
+EventEngine::EventEngine(std::vector<EventBody> bodies, const EventEngineOptions& options)
+    : options_(options),
+      bodies_(std::move(bodies)),
+      surfaces_(bodies_),
+      rules_(options, bodies_),
+      foreseen_(bodies_.count(), options.skips_search)
 {
-    for (EventBody& body : bodies) {
-        const BodyState& state = body.flyer.state;
-        const bool is_disc = std::holds_alternative<Disc>(body.shape);
-        const Kind kind = body.is_static ? Kind::is_static : is_disc ? Kind::disc : Kind::polygon;
-        const int id = static_cast<int>(rows_.size());
-        rows_.push_back({state.position, state.velocity, state.time, bounding_radius(body.shape), 0, kind, id});
-        places_.push_back({id, 0});
-        sheets_.push_back({state.angle, state.spin, body.inertia, body.material, 0});
-        if (!body.is_static) acceleration_ = body.flyer.acceleration;
-        if (body.flyer.central) central_ = *body.flyer.central;
-        shapes_.push_back(std::move(body.shape));
-    }
-    bounces_.resize(rows_.size());
-    waiting_.resize(rows_.size());
-    near_.resize(rows_.size() + 1);
-    find_seams_of_statics();
-    set_up_grid();
+    bounces_.resize(static_cast<std::size_t>(bodies_.count()));
+    near_.resize(static_cast<std::size_t>(bodies_.count()) + 1);
+    set_up_cells();
     predict_all();
-}
-
-Pose EventEngine::pose(int body) const { return {rows_[body].position, Rotation::of(sheets_[body].angle)}; }
-
-/// Bound on the speed of any point of a body.  [m/s]
-double EventEngine::top_speed(int body) const
-{
-    const double spin = sheets_[body].spin;
-    return rows_[body].velocity.norm() + (spin == 0.0 ? 0.0 : std::abs(spin) * rows_[body].radius);
 }
 
 EventEngine::Resume EventEngine::resume() const
 {
     Resume resume{now_, log_.value(), max_overlap_, {}, energy_lost_, {}, bounces_};
-    for (const Place& place : places_) resume.crowding.push_back(sheets_[place.row].crowding);
-    for (int body = 0; body < body_count(); ++body) resume.presence.push_back(presence(body));
+    for (int body = 0; body < body_count(); ++body) {
+        resume.crowding.push_back(bodies_.sheet(bodies_.row_of(body)).crowding);
+        resume.presence.push_back(presence(body));
+    }
     return resume;
 }
 
@@ -57,44 +42,47 @@ void EventEngine::go_on_from(const Resume& resume, const std::vector<BodyState>&
     max_overlap_ = resume.max_overlap;
     energy_lost_ = resume.energy_lost;
     bounces_ = resume.bounces;
-    for (std::size_t k = 0; k < places_.size(); ++k) sheets_[places_[k].row].crowding = resume.crowding[k];
     for (std::size_t k = 0; k < states.size(); ++k) {
-        const int row = places_[k].row;
-        rows_[row].position = states[k].position;
-        rows_[row].time = states[k].time;
-        set_motion(row, states[k].velocity, states[k].spin);
-        sheets_[row].angle = states[k].angle;
-        if (resume.presence[k] != Presence::flies) rows_[row].time = now_; // it has a cell, and doesn't leave it
+        const int row = bodies_.row_of(static_cast<int>(k));
+        if (!bodies_.never_moves(row)) bodies_.put(row, resume.presence[k], states[k]);
     }
+    for (int body = 0; body < body_count(); ++body) bodies_.set_crowding(bodies_.row_of(body), resume.crowding[body]);
 
     // Put the bodies into the cells in which they are by now, and foresee all anew
-    queue_.clear();
-    for (Waiting& waiting : waiting_) waiting = {};
-    set_up_grid();
-    for (std::size_t k = 0; k < states.size(); ++k) {
-        if (resume.presence[k] == Presence::flies) continue;
-        const int row = places_[k].row;
-        rows_[row].time = states[k].time;
-        rows_[row].velocity = Vec2::Zero();
-        sheets_[row].spin = 0.0;
-        rows_[row].kind = kind_of(row, resume.presence[k]);
-    }
+    foreseen_.clear();
+    set_up_cells();
     predict_all();
+}
+
+void EventEngine::place(int body, Presence presence, const BodyState& state)
+{
+    const int row = bodies_.row_of(body);
+    bodies_.put(row, presence, state);
+    foreseen_.forget(row);
+    bounces_[body] = {};
+    if (presence == Presence::away) return;
+
+    // Enter the cells where others look, and look at the bodies there
+    if (neighbours_.has_cells()) neighbours_.move(row, neighbours_.cells().cell_at(state.position));
+    predict_anew(row);
+    if (foreseen_.has_grown()) foreseen_.sweep(bodies_);
 }
 
 std::optional<EventFailure> EventEngine::advance(double time, std::int64_t most)
 {
+    constexpr int k_fast_rows = 4096; // as many as the fast memory holds
+    const bool fetches_ahead = neighbours_.has_cells() && body_count() > k_fast_rows;
     noticed_ = false;
-    for (std::int64_t handled = 0; !queue_.empty();) {
-        const Event event = queue_.next();
+    for (std::int64_t handled = 0; !foreseen_.is_empty();) {
+        const Event event = foreseen_.next();
         if (!(event.time <= time)) break;
         if (handled == most) return std::nullopt;
-        queue_.pop();
-        if (fetches_ahead_) fetch_ahead();
+        foreseen_.pop();
+        if (fetches_ahead) counts_.fetched += fetch_ahead(foreseen_, bodies_, neighbours_.cells());
         // [events.advance.stale]
-        if (!is_current(event)) {
+        if (!bodies_.is_current(event)) {
             ++counts_.stale;
-            if (is_called(event)) await(owner_of(event));
+            if (foreseen_.is_called(bodies_, event)) await(Foreseen::owner_of(bodies_, event));
             continue;
         }
         // [events.advance.stale]
@@ -111,29 +99,58 @@ std::optional<EventFailure> EventEngine::advance(double time, std::int64_t most)
 std::optional<EventFailure> EventEngine::handle(const Event& event)
 {
     switch (event.kind) {
-    case Event::Kind::impact: return handle_impact(event);
-    case Event::Kind::look: handle_look(event); return std::nullopt;
-    case Event::Kind::cell: handle_cell(event); return std::nullopt;
+    case Event::Kind::impact:
+        return handle_impact(event);
+    case Event::Kind::look:
+        handle_look(event);
+        return std::nullopt;
+    case Event::Kind::cell:
+        handle_cell(event);
+        return std::nullopt;
     }
     return std::nullopt;
 }
 
 std::optional<EventFailure> EventEngine::handle_impact(const Event& event)
 {
-    const int a = row_of(event.a);
-    const int b = row_of(event.b);
-    noticed_ = notices_all_ || rows_[a].kind == Kind::lies || rows_[b].kind == Kind::lies;
+    using Kind = BodyRows::Kind;
+    const int a = bodies_.row_of(event.a);
+    const int b = bodies_.row_of(event.b);
+    noticed_ = notices_all_ || bodies_[a].kind == Kind::lies || bodies_[b].kind == Kind::lies;
     if (!strike_discs(event, a, b)) {
         if (auto failure = strike(event, a, b)) return failure;
     }
 
     // [events.impact.foresee]
-    predict_after_impact(a, -1);
-    predict_after_impact(b, is_fixed(a) ? -1 : a);
-    if (queue_.size() > sweep_at_) sweep_queue();
-    if (grid_ && counts_.cells > line_up_at_) line_up_again();
+    Predictor predictor = this->predictor();
+    predict_after_impact(predictor, a, -1);
+    predict_after_impact(predictor, b, bodies_.is_fixed(a) ? -1 : a);
+    if (foreseen_.has_grown()) foreseen_.sweep(bodies_);
+    if (neighbours_.has_cells() && counts_.cells > line_up_at_) line_up_again();
     // [events.impact.foresee]
     return std::nullopt;
+}
+
+/// Let two plain discs strike each other. False, and nothing done, where they are anything else.
+bool EventEngine::strike_discs(const Event& event, int a, int b)
+{
+    if (!rules_.is_plain) return false;
+    const StageTimer timer(options_.seconds, seconds_.impact);
+    const std::optional<DiscBlow> blow = blow_of_discs(bodies_, a, b, event.time);
+    if (!blow) return false;
+    const auto write = [&](int body, const Vec2& position, const Vec2& velocity) {
+        const Vec2& before = bodies_[body].velocity;
+        energy_lost_ -= 0.5 * ((velocity - before).dot(velocity + before) / bodies_.sheet(body).inertia.inv_mass);
+        bodies_.set_motion(body, position, event.time, velocity);
+        bodies_.set_crowding(body, 0);
+        foreseen_.forget(body);
+    };
+    write(a, blow->position_a, blow->velocity_a);
+    write(b, blow->position_b, blow->velocity_b);
+    max_overlap_ = std::max(max_overlap_, blow->overlap);
+    ++counts_.impacts;
+    log_impact(event, a, b);
+    return true;
 }
 
 /// Impacts in a row, without room between them, after which a pair that sinks is crowded.
@@ -151,40 +168,41 @@ std::optional<EventFailure> EventEngine::strike(const Event& event, int a, int b
 
         // [events.impact.meet]
         // Bring the two bodies, and no other, to the moment of the impact
-        const bool a_moved = move_to(a, event.time);
-        const bool b_moved = move_to(b, event.time);
-        if (has_spun_out(a) || has_spun_out(b)) {
+        const bool a_moved = bodies_.move_to(a, event.time);
+        const bool b_moved = bodies_.move_to(b, event.time);
+        if (bodies_.has_spun_out(a) || bodies_.has_spun_out(b)) {
             return EventFailure{EventFailure::Kind::spun_out, event.time, event.a, event.b};
         }
-        const double touch = find_points(a, b, event.time);
+        find_meeting(bodies_, surfaces_, a, b, event.time, meeting_);
+        max_overlap_ = std::max(max_overlap_, meeting_.overlap);
         // [events.impact.meet]
 
         // [events.impact.crowding]
         // Where neither went anywhere since its last impact, or they creep into each other,
         // both are being crowded; a heavy body that hardly moves between the blows of a
         // light one is not
-        const bool creeps = is_creeping(a, b, touch);
+        const bool creeps = is_creeping(bodies_, a, b, meeting_);
         const bool has_room = !creeps && (a_moved || b_moved);
-        sheets_[a].crowding = has_room ? 0 : sheets_[a].crowding + 1;
-        sheets_[b].crowding = has_room ? 0 : sheets_[b].crowding + 1;
+        count_crowding(a, has_room);
+        count_crowding(b, has_room);
         // [events.impact.crowding]
 
-        // Each of many impacts at one moment may come late by a rounding. Beyond the tolerance of touching, what has come
-        // behind a side would be lost to the search
-        const auto is_polygon = [&](int body) { return std::holds_alternative<Polygon>(shape_of(body)); };
-        const auto is_wall = [&](int body) { return std::holds_alternative<HalfPlane>(shape_of(body)); };
+        // Each of many impacts at one moment may come late by a rounding. Beyond the tolerance of touching, what has
+        // come behind a side would be lost to the search
+        const auto is_polygon = [&](int body) { return std::holds_alternative<Polygon>(bodies_.shape_of(body)); };
+        const auto is_wall = [&](int body) { return std::holds_alternative<HalfPlane>(bodies_.shape_of(body)); };
         const bool has_sides = (is_polygon(a) && !is_wall(b)) || (is_polygon(b) && !is_wall(a));
-        const auto is_deep = [&](const Touch& point) { return point.separation < -0.5 * touch; };
-        sinks = !has_room && has_sides && std::any_of(touches_.begin(), touches_.end(), is_deep);
+        const auto is_deep = [&](const Touch& point) { return point.separation < -0.5 * meeting_.touch; };
+        sinks = !has_room && has_sides && std::any_of(meeting_.touches.begin(), meeting_.touches.end(), is_deep);
 
         // [events.impact.push]
         // Push them apart
         const ImpactResult result =
-            resolve_impact({rows_[a].velocity, sheets_[a].spin, sheets_[a].inertia},
-                           {rows_[b].velocity, sheets_[b].spin, sheets_[b].inertia}, points_,
-                           combine(sheets_[a].material, sheets_[b].material));
-        energy_lost_ -= energy_change(a, result.velocity_a, result.spin_a);
-        energy_lost_ -= energy_change(b, result.velocity_b, result.spin_b);
+            resolve_impact({bodies_[a].velocity, bodies_.sheet(a).spin, bodies_.sheet(a).inertia},
+                           {bodies_[b].velocity, bodies_.sheet(b).spin, bodies_.sheet(b).inertia}, meeting_.points,
+                           combine(bodies_.sheet(a).material, bodies_.sheet(b).material));
+        energy_lost_ -= bodies_.energy_change(a, result.velocity_a, result.spin_a);
+        energy_lost_ -= bodies_.energy_change(b, result.velocity_b, result.spin_b);
         set_motion(a, result.velocity_a, result.spin_a);
         set_motion(b, result.velocity_b, result.spin_b);
         ended = result.ended;
@@ -192,16 +210,16 @@ std::optional<EventFailure> EventEngine::strike(const Event& event, int a, int b
         log_impact(event, a, b);
         // [events.impact.push]
         if (options_.ends_bounces) {
-            if (falls_) bounces_end = end_of_bounces(a, b, event.time, touch);
-            stays_on = stays(a, b, touch);
+            if (rules_.falls) bounces_end = end_of_bounces(bodies_, a, b, meeting_, event.time, bounces_);
+            stays_on = stays(bodies_, a, b, meeting_);
         }
     }
     if (!ended) return EventFailure{EventFailure::Kind::unresolved, event.time, event.a, event.b};
     if (bounces_end) return EventFailure{EventFailure::Kind::settled, event.time, event.a, event.b, *bounces_end};
     if (stays_on) return EventFailure{EventFailure::Kind::stays, event.time, event.a, event.b};
 
-    const int crowding_a = is_fixed(a) ? 0 : sheets_[a].crowding;
-    const int crowding_b = is_fixed(b) ? 0 : sheets_[b].crowding;
+    const int crowding_a = bodies_.is_fixed(a) ? 0 : bodies_.sheet(a).crowding;
+    const int crowding_b = bodies_.is_fixed(b) ? 0 : bodies_.sheet(b).crowding;
     if (std::max(crowding_a, crowding_b) > (sinks ? k_sinking : options_.most_crowded)) {
         return EventFailure{EventFailure::Kind::crowded, event.time, event.a, event.b};
     }
@@ -209,103 +227,136 @@ std::optional<EventFailure> EventEngine::strike(const Event& event, int a, int b
     return std::nullopt;
 }
 
-/// Bring a body to a moment; tells whether it went anywhere since its last impact.
-bool EventEngine::move_to(int body, double time)
+void EventEngine::count_crowding(int body, bool has_room)
 {
-    Row& row = rows_[body];
-    if (is_fixed(body)) return false;
-    const double way = top_speed(body) * (time - row.time);
-
-    const BodyState after = state_at(flyer_of(body), time);
-    row.position = after.position;
-    row.velocity = after.velocity;
-    row.time = time;
-    sheets_[body].angle = after.angle;
-    return way > tolerance::k_touch * row.radius;
-}
-
-/// The pair approaches no faster than what presses it together brings about within the tolerance of touching: its hops
-/// can't be told from contact that lasts, however fast it slides or rolls.
-bool EventEngine::is_creeping(int a, int b, double touch) const
-{
-    double press = std::max(pull_on(a).norm(), pull_on(b).norm());
-    for (const int body : {a, b}) {
-        const double spin = sheets_[body].spin;
-        if (spin != 0.0 && !is_fixed(body)) press += spin * spin * rows_[body].radius;
-    }
-    double approach = 0.0;
-    for (const ImpactPoint& point : points_) {
-        const Vec2 velocity_a = rows_[a].velocity + cross(sheets_[a].spin, point.r_a);
-        const Vec2 velocity_b = rows_[b].velocity + cross(sheets_[b].spin, point.r_b);
-        approach = std::max(approach, point.normal.dot(velocity_a - velocity_b));
-    }
-    constexpr double k_hop = 16.0; // tolerances of touching
-    return approach * approach <= 2.0 * press * (k_hop * touch);
+    bodies_.set_crowding(body, has_room ? 0 : bodies_.sheet(body).crowding + 1);
 }
 
 /// New velocities, which make all that was foreseen of the body stale.
 void EventEngine::set_motion(int body, const Vec2& velocity, double spin)
 {
-    Row& row = rows_[body];
-    if (row.kind == Kind::is_static) return;
-    if (row.kind == Kind::lies) row.kind = Kind::away;
-    row.velocity = velocity;
-    sheets_[body].spin = spin;
-    forget(body);
+    bodies_.set_motion(body, velocity, spin);
+    foreseen_.forget(body);
 }
 
 void EventEngine::log_impact(const Event& event, int row_a, int row_b)
 {
     last_impact_ = event;
     log_.add(static_cast<std::uint64_t>(event.a) << 32 | static_cast<std::uint32_t>(event.b));
-    const Row& a = rows_[row_a];
-    const Row& b = rows_[row_b];
-    log_.add(std::array{event.time, a.position.x(), a.position.y(), a.velocity.x(), a.velocity.y(), sheets_[row_a].angle,
-                        sheets_[row_a].spin, b.position.x(), b.position.y(), b.velocity.x(), b.velocity.y(),
-                        sheets_[row_b].angle, sheets_[row_b].spin});
+    const BodyRows::Row& a = bodies_[row_a];
+    const BodyRows::Row& b = bodies_[row_b];
+    const BodyRows::Sheet& more_a = bodies_.sheet(row_a);
+    const BodyRows::Sheet& more_b = bodies_.sheet(row_b);
+    log_.add(std::array{event.time, a.position.x(), a.position.y(), a.velocity.x(), a.velocity.y(), more_a.angle,
+                        more_a.spin, b.position.x(), b.position.y(), b.velocity.x(), b.velocity.y(), more_b.angle,
+                        more_b.spin});
 }
 
-/// All points at which a pair touches at the time of its impact; where rounding hides even the one that was foreseen, the
-/// search is widened until it shows.
-/// Returns the tolerance of touching.  [m]
-double EventEngine::find_points(int a, int b, double time)
+void EventEngine::handle_look(const Event& event)
 {
-
-    const double radius_a = std::isinf(rows_[a].radius) ? rows_[b].radius : rows_[a].radius;
-    const double radius_b = std::isinf(rows_[b].radius) ? rows_[a].radius : rows_[b].radius;
-    const double reach = std::max(rows_[a].position.norm(), rows_[b].position.norm());
-    const GapTolerance tolerance = gap_tolerance(std::min(radius_a, radius_b), std::max(radius_a, radius_b), reach,
-                                                 top_speed(a) + top_speed(b), time);
-
-    const Shape& shape_a = shape_from_row(a, disc_a_);
-    const Shape& shape_b = shape_from_row(b, disc_b_);
-    const Pose pose_a = pose(a);
-    const Pose pose_b = pose(b);
-
-    constexpr double k_gather = 16.0; // the depth that a prediction accepts, and rounding on either side of it
-    constexpr double k_widen = 16.0;
-    constexpr int k_most_tries = 8;
-    double slack = k_gather * tolerance.touch;
-    for (int k = 0; k < k_most_tries; ++k, slack *= k_widen) {
-        find_touches(shape_a, pose_a, shape_b, pose_b, slack, touches_);
-        if (!touches_.empty()) break;
-    }
-
-    points_.clear();
-    if (has_seams(a) || has_seams(b)) {
-        touch_surface(a, b, slack);
-        return tolerance.touch;
-    }
-    add_points();
-    return tolerance.touch;
+    const StageTimer timer(options_.seconds, seconds_.look);
+    ++counts_.looks;
+    predictor().look(bodies_.row_of(event.a), bodies_.row_of(event.b), event.time);
+    if (event.owner == Event::Owner::none) foreseen_.call_all();
+    else await(Foreseen::owner_of(bodies_, event));
 }
 
-void EventEngine::add_points()
+void EventEngine::handle_cell(const Event& event)
 {
-    for (const Touch& touch : touches_) {
-        points_.push_back({touch.r_a, touch.r_b, touch.normal});
-        max_overlap_ = std::max(max_overlap_, -touch.separation);
+    const StageTimer timer(options_.seconds, seconds_.cells);
+    ++counts_.cells;
+    const int body = bodies_.row_of(event.a);
+    const Cell from = neighbours_.cells().cell_of(body);
+    const Cell step = step_over(-1 - event.b);
+    const Cell to{from.column + step.column, from.row + step.row};
+    neighbours_.move(body, to);
+
+    // [events.handle_cell.new]
+    // Look at the bodies that were too far away until now, in the three cells ahead
+    Predictor predictor = this->predictor();
+    const Grid& cells = neighbours_.cells();
+    const auto look = [&](int other) {
+        if (other != body) predictor.predict_pair(body, other);
+    };
+    for (const Cell& cell : cells_ahead(from, step)) cells.for_each_in(cell, look);
+    const std::span<const int> known = cells.statics_near(from);
+    for (const int other : cells.statics_near(to)) {
+        if (std::find(known.begin(), known.end(), other) == known.end()) look(other);
     }
+    predictor.predict_cell(body, event.time);
+    await(body);
+    // [events.handle_cell.new]
+}
+
+/// Cells for the bodies as they are now, and the rows in their order.
+void EventEngine::set_up_cells()
+{
+    neighbours_ = {};
+    if (options_.pair_finder != PairFinder::grid) return;
+    if (bodies_.is_central()) return; // when a curved flight leaves its cell is not foreseen: look at all pairs
+    neighbours_ = Neighbours(bodies_, now_);
+    if (!neighbours_.has_cells()) return;
+    line_up(neighbours_.order_along_curve(bodies_, now_));
+    neighbours_.enter(bodies_, now_);
+}
+
+/// As BodyRows::line_up.
+void EventEngine::line_up(const std::vector<int>& old_rows)
+{
+    bodies_.line_up(old_rows);
+    foreseen_.line_up(old_rows);
+
+    // By the time bodies have crossed so many cells, neighbours are no longer the same
+    constexpr std::int64_t k_cells_a_body = 16;
+    line_up_at_ = counts_.cells + k_cells_a_body * body_count();
+}
+
+void EventEngine::line_up_again()
+{
+    const std::vector<int> order = neighbours_.order_along_curve(bodies_);
+    line_up(order);
+    neighbours_.line_up(bodies_, order);
+}
+
+Predictor EventEngine::predictor()
+{
+    return {{rules_, bodies_, neighbours_, surfaces_}, near_, foreseen_, counts_};
+}
+
+void EventEngine::predict_all()
+{
+    const StageTimer timer(options_.seconds, seconds_.predict);
+    Predictor predictor = this->predictor();
+    for (int a = 0; a < body_count(); ++a) {
+        if (bodies_.is_fixed(a)) {
+            predictor.predict_static(a);
+            foreseen_.call_all();
+            continue;
+        }
+        predictor.predict_cell(a, std::max(now_, bodies_[a].time));
+        predictor.predict_partners(a, [&](int other) { return other > a || bodies_.is_fixed(other); });
+        await(a);
+    }
+    foreseen_.sweep(bodies_);
+}
+
+void EventEngine::predict_after_impact(Predictor& predictor, int body, int partner)
+{
+    if (bodies_.is_fixed(body)) return;
+    const StageTimer timer(options_.seconds, seconds_.predict);
+    predictor.predict_cell(body, bodies_[body].time);
+    predictor.predict_struck(body, partner);
+    await(body);
+}
+
+/// Foresee all of a body that has just been put where it is.
+void EventEngine::predict_anew(int body)
+{
+    const StageTimer timer(options_.seconds, seconds_.predict);
+    Predictor predictor = this->predictor();
+    if (!bodies_.is_fixed(body)) predictor.predict_cell(body, now_);
+    predictor.predict_partners(body, [](int) { return true; });
+    await(body);
 }
 
 } // namespace flying

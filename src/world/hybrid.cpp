@@ -8,20 +8,14 @@
 #include "math/tolerance.hpp"
 #include "rest/stopwatch.hpp"
 #include "world/leaning.hpp"
+#include "world/reach_in_step.hpp"
+#include "world/step_length.hpp"
 
 namespace flying {
 namespace {
 
-
-/// [steps] A step that would be shorter is joined to the next.
-constexpr double k_shortest = 0x1p-20;
-
 /// [roundings] A step that ends this little after a moment ends there.
 constexpr double k_same_moment = 4.0;
-
-/// [sizes] The way of a body in one step: no more, if few enough halvings of the step do it.
-constexpr double k_way = 0x1p-2;
-constexpr int k_most_halvings = 10;
 
 /// [steps] A body that will touch nothing for so long may be let go.
 constexpr double k_ahead = 2.0;
@@ -29,21 +23,26 @@ constexpr double k_ahead = 2.0;
 constexpr char k_clear_steps = 2;
 
 /// Whether a failure is one that ends by giving the bodies to the resting integrator.
-[[nodiscard]] bool is_taken(const EventFailure& failure) { return failure.kind != EventFailure::Kind::spun_out; }
+[[nodiscard]] bool is_taken(const EventFailure& failure)
+{
+    return failure.kind != EventFailure::Kind::spun_out;
+}
 
 [[nodiscard]] Hybrid::Change::Why reason_of(EventFailure::Kind kind)
 {
     switch (kind) {
-    case EventFailure::Kind::settled: return Hybrid::Change::Why::settled;
-    case EventFailure::Kind::unresolved: return Hybrid::Change::Why::unresolved;
-    case EventFailure::Kind::stays: return Hybrid::Change::Why::stays;
-    default: return Hybrid::Change::Why::crowded;
+    case EventFailure::Kind::settled:
+        return Hybrid::Change::Why::settled;
+    case EventFailure::Kind::unresolved:
+        return Hybrid::Change::Why::unresolved;
+    case EventFailure::Kind::stays:
+        return Hybrid::Change::Why::stays;
+    default:
+        return Hybrid::Change::Why::crowded;
     }
 }
 
-
 } // namespace
-
 
 Hybrid::Hybrid(EventEngine engine, std::vector<Material> materials, const Setting& setting)
     : setting_(setting), flying_(std::move(engine)), materials_(std::move(materials))
@@ -89,7 +88,8 @@ void Hybrid::set_up_resting()
     for (int k = 0; k < flying_.body_count(); ++k) {
         const bool moves = movers_.of(k) != BodyMover::none;
         const Vec2 gravity = moves ? uniform_acceleration(setting_.field) : Vec2(Vec2::Zero());
-        bodies.push_back({flying_.shape(k), flying_.flyer(k).state, flying_.inertia(k), materials_[k], gravity, !moves, !moves});
+        bodies.push_back(
+            {flying_.shape(k), flying_.flyer(k).state, flying_.inertia(k), materials_[k], gravity, !moves, !moves});
     }
     resting_.emplace(std::move(bodies), options, flying_.time());
 }
@@ -100,8 +100,6 @@ void Hybrid::set_stopwatch(double (*seconds)())
     flying_.set_clock(seconds);
     if (resting_) resting_->set_clock(seconds);
 }
-
-
 
 std::optional<EventFailure> Hybrid::advance(double time, std::int64_t most)
 {
@@ -144,8 +142,6 @@ void Hybrid::finish_step()
     watch.stop(seconds_between_steps_);
 }
 
-
-
 /// Bring those that lean to a moment within their step.
 void Hybrid::cut(double time)
 {
@@ -167,49 +163,11 @@ void Hybrid::step_by(double length, double end)
     energy_of_steps_ += change;
 }
 
-/// Of the present step: a whole one has its length to the bit, whatever the difference of its ends rounds to.  [s]
+/// Of the present step.  [s]
 double Hybrid::step_length() const
 {
-    const double from = resting_->time();
-    const double count = std::round(from / setting_.step);
-    const bool is_whole = from == count * setting_.step && *step_ends_ == (count + 1.0) * setting_.step;
-    return is_whole ? setting_.step : *step_ends_ - from;
+    return length_of_step(setting_.step, resting_->time(), *step_ends_);
 }
-
-
-/// The first multiple of the step's length, halved so often, after a moment, but for one that is all but reached.
-double Hybrid::next_end(double time, int halvings) const
-{
-    const double h = std::ldexp(setting_.step, -halvings);
-    double count = std::floor(time / h) + 1.0;
-    while (count * h - time < k_shortest * h) count += 1.0;
-    return count * h;
-}
-
-
-
-/// How fast the body changes places, by its size.  [1/s]
-double Hybrid::pace(const BodyState& state, int k) const
-{
-    const auto* central = std::get_if<CentralField>(&setting_.field);
-    double size = radius_[k];
-    if (central) size = std::min(size, (state.position - central->centre).norm()); // the field changes as fast
-    return state.velocity.norm() / size + std::abs(state.spin);
-}
-
-/// How often the step must be halved for bodies to stay within a small part of their size.
-///
-/// pace  of the fastest [1/s]
-int Hybrid::halvings_for(double pace) const
-{
-    if (setting_.policy == EngineChoice::rest) return 0;
-    int halvings = 0;
-    for (double way = pace * setting_.step; way > k_way && halvings < k_most_halvings; way *= 0.5) ++halvings;
-    return halvings;
-}
-
-
-
 
 void Hybrid::answer_impact(const Event& impact)
 {
@@ -243,7 +201,6 @@ std::vector<Hybrid::Blow> Hybrid::blows_of(int a, int b) const
 }
 // [hybrid.blows_of]
 
-
 void Hybrid::take_blow(const Blow& blow)
 {
     // The event engine took note of what it gave to a body that lay still; by now others may have moved it
@@ -262,9 +219,6 @@ void Hybrid::take_blow(const Blow& blow)
     ways_.clear();
     resting_->set_state(body, state);
 }
-
-
-
 
 /// Take the two bodies of a failure, and those near them.
 void Hybrid::take(const EventFailure& failure)
@@ -307,45 +261,51 @@ void Hybrid::take_in(const std::vector<int>& bodies, Change change)
     changes_.push_back(std::move(change));
 }
 
-
-/// Take in every body that may meet one that leans before the step ends, and again those that may meet these.
+/// Take in every body that may meet one that leans before the step ends, and say when that is.
 void Hybrid::take_in_all_near()
 {
     step_ends_.reset();
     if (!any_leans()) return;
-    double fastest = 0.0;
-    for (const int k : movers_.list(BodyMover::rest)) fastest = std::max(fastest, pace(resting_->state(k), k));
-    int halvings = halvings_for(fastest);
-    step_ends_ = next_end(resting_->time(), halvings);
-    if (setting_.policy == EngineChoice::rest) return;
+    if (setting_.policy == EngineChoice::rest) {
+        step_ends_ = next_end(setting_.step, resting_->time(), 0);
+        return;
+    }
     begin_hand_over();
-    std::vector<int> near = find_near();
-    while (!near.empty()) {
-        // Those that come fast need short steps, in which fewer come near
-        double fastest_near = fastest;
-        for (const int k : near) fastest_near = std::max(fastest_near, pace(flying_.flyer(k).state, k));
-        if (const int needed = halvings_for(fastest_near); needed > halvings) {
-            halvings = needed;
-            step_ends_ = next_end(resting_->time(), halvings);
-            near = find_near();
-            continue;
-        }
+    const StepPlan plan = plan_step(start_of_step(), hand_over_);
+    step_ends_ = plan.end;
+    for (const std::vector<int>& near : plan.taken) {
         Change change;
         change.why = Change::Why::near;
         take_in(near, change);
-        for (const int k : near) fastest = std::max(fastest, pace(resting_->state(k), k));
-        near = find_near_to(hand_over_.add(leaning(near)));
     }
-    hand_over_.end();
 }
 
+StepStart Hybrid::start_of_step() const
+{
+    return {flying_, *resting_, movers_, radius_, setting_.field, setting_.step};
+}
+
+/// Tell the rules of handing over of those that lean; of those that sleep only where others slept before.
+void Hybrid::begin_hand_over()
+{
+    const StepStart start = start_of_step();
+    if (others_sleep_) hand_over_.set_asleep(leaning_among(movers_.list(BodyMover::asleep), start));
+    others_sleep_ = false;
+    hand_over_.begin(leaning_among(movers_.list(BodyMover::rest), start));
+}
+
+/// A flight leads, before the step ends, to where a body that leans may be.
+bool Hybrid::comes_near(int body) const
+{
+    if (!step_ends_ || setting_.policy == EngineChoice::rest) return false;
+    const Aabb box = flight_box(flying_.flyer(body), radius_[body], flying_.time(), *step_ends_);
+    return !std::isfinite(box.max.x()) || hand_over_.is_near(box);
+}
 
 bool Hybrid::any_leans() const
 {
     return !movers_.list(BodyMover::rest).empty();
 }
-
-
 
 void Hybrid::let_go_of_the_clear()
 {
@@ -363,7 +323,7 @@ void Hybrid::let_go_of_the_clear()
 
     // What would be taken in again by one that stays, stays
     begin_hand_over();
-    hand_over_.reach(next_end(resting_->time(), 0) - resting_->time());
+    hand_over_.reach(next_end(setting_.step, resting_->time(), 0) - resting_->time());
     const std::vector<int> going = hand_over_.may_leave(std::move(may_go));
     if (going.empty()) return;
 
@@ -384,8 +344,6 @@ void Hybrid::let_go_of_the_clear()
     }
     changes_.push_back(std::move(change));
 }
-
-
 
 /// Tell the event engine what has fallen asleep, and what has woken.
 void Hybrid::follow_sleep()
@@ -413,8 +371,6 @@ void Hybrid::follow_sleep()
     others_sleep_ = others_sleep_ || !asleep.empty() || !woken.empty();
     if (!any_leans()) step_ends_.reset();
 }
-
-
 
 bool Hybrid::is_within_step(int body) const
 {
@@ -444,11 +400,10 @@ BodyState Hybrid::state(int body)
     return state;
 }
 
-
-
 Hybrid::Memory Hybrid::memory() const
 {
-    Memory memory{flying_.resume(), {}, movers_.all(), clear_, step_ends_.value_or(0.0), energy_of_steps_, energy_of_blows_};
+    Memory memory{flying_.resume(), {}, movers_.all(), clear_, step_ends_.value_or(0.0), energy_of_steps_,
+                  energy_of_blows_};
     if (resting_) memory.resting = resting_->memory();
     return memory;
 }
@@ -471,5 +426,13 @@ void Hybrid::go_on_from(const Memory& memory, const std::vector<BodyState>& flig
     hand_over_.reach(*step_ends_ - resting_->time());
 }
 
+double Hybrid::energy(int body, const BodyState& state) const
+{
+    const Inertia& inertia = flying_.inertia(body);
+    if (inertia.inv_mass == 0.0) return 0.0;
+    const double shift = state.velocity.squaredNorm() / inertia.inv_mass;
+    const double turn = state.spin * state.spin / inertia.inv_moment_of_inertia;
+    return 0.5 * (shift + turn) + potential_at(setting_.field, state.position) / inertia.inv_mass;
+}
 
 } // namespace flying

@@ -13,6 +13,7 @@
 #include "world/movers.hpp"
 #include "world/policy.hpp"
 #include "world/report.hpp"
+#include "world/step_plan.hpp"
 
 namespace flying {
 
@@ -43,9 +44,18 @@ public:
     /// A hand-over before the scene gives it its words.
     struct Change
     {
-        enum class Why { leaning, crowded, settled, stays, unresolved, near, free };
+        enum class Why
+        {
+            leaning,
+            crowded,
+            settled,
+            stays,
+            unresolved,
+            near,
+            free
+        };
         Why why = Why::crowded;
-        double time = 0.0;        ///< when it happened [s]
+        double time = 0.0; ///< when it happened [s]
         std::vector<int> bodies;
         int a = -1; ///< the pair whose impact led to it, where one did
         int b = -1;
@@ -66,8 +76,8 @@ public:
 
     /// The moment last asked for, or at which a run stopped early.  [s]
     [[nodiscard]] double clock() const { return clock_; }
-    /// A body at the clock. Between the ends of a step, a body that leans is asked on the way on which the step leads it;
-    /// should a blow end the step before, after the clock, it will have gone the way of the shorter step.
+    /// A body at the clock. Between the ends of a step, a body that leans is asked on the way on which the step leads
+    /// it; should a blow end the step before, after the clock, it will have gone the way of the shorter step.
     [[nodiscard]] BodyState state(int body);
     [[nodiscard]] BodyMover mover(int body) const { return movers_.of(body); }
     /// The clock stands between the ends of a step that moves the body.
@@ -124,42 +134,30 @@ private:
     void take_in_all_near();
     void let_go_of_the_clear();
     void follow_sleep();
-    void find_step_end();
     [[nodiscard]] bool any_leans() const;
-    [[nodiscard]] Leaning leaning(int body) const;
-    [[nodiscard]] std::vector<Leaning> leaning(std::span<const int> bodies) const;
+    [[nodiscard]] StepStart start_of_step() const;
     void begin_hand_over();
-    [[nodiscard]] Aabb flight_box(int body) const;
     [[nodiscard]] bool comes_near(int body) const;
-    [[nodiscard]] double greatest_pull(const Vec2& place) const;
-    [[nodiscard]] double bow_of(const Flyer& flyer, double from, double left) const;
     [[nodiscard]] double energy(int body, const BodyState& state) const;
-    [[nodiscard]] double next_end(double time, int halvings) const;
     [[nodiscard]] double step_length() const;
-    [[nodiscard]] double pace(const BodyState& state, int body) const;
-    [[nodiscard]] int halvings_for(double pace) const;
-    [[nodiscard]] std::vector<int> find_near();
-    [[nodiscard]] std::vector<int> find_near_to(std::span<const BoxCells::Entry> reaches);
 
     Setting setting_;
-    double (*seconds_)() = nullptr;          // a clock, lent; or null
-    double seconds_between_steps_ = 0.0;     // spent on which integrator has which body
-    double clock_ = 0.0;                     // [s]
+    double (*seconds_)() = nullptr;      // a clock, lent; or null
+    double seconds_between_steps_ = 0.0; // spent on which integrator has which body
+    double clock_ = 0.0;                 // [s]
     EventEngine flying_;
     std::optional<RestEngine> resting_;
     std::vector<Material> materials_;
-    std::vector<double> radius_;             // of bounding circles [m]
+    std::vector<double> radius_; // of bounding circles [m]
     Movers movers_;
-    std::vector<char> clear_;                // steps in a row after which a body was clear, no more than counts
-    std::optional<double> step_ends_;        // the present step, where some body leans that is awake [s]
+    std::vector<char> clear_;         // steps in a row after which a body was clear, no more than counts
+    std::optional<double> step_ends_; // the present step, where some body leans that is awake [s]
     HandOver hand_over_;
-    bool others_sleep_ = true;               // than it knows
-    BoxCells flights_;                       // until the step ends, of bodies that came near nothing at first
-    bool has_flights_ = false;
+    bool others_sleep_ = true; // than it knows
     std::vector<Change> changes_;
     double energy_of_steps_ = 0.0;
     double energy_of_blows_ = 0.0;
-    std::vector<std::vector<Leg>> ways_;     // through the present step, where it was looked at within; else empty
+    std::vector<std::vector<Leg>> ways_; // through the present step, where it was looked at within; else empty
 };
 
 } // namespace flying

@@ -58,6 +58,10 @@ using Book = std::map<std::string, std::vector<int>>;
 /// Files longer than a number of lines.
 [[nodiscard]] std::vector<std::string> length_faults(const std::vector<Source>& sources, int most);
 
+/// Classes with more private functions or more members than that.
+[[nodiscard]] std::vector<std::string> class_faults(const std::vector<Source>& sources, int most_functions,
+                                                    int most_members);
+
 /// Region markers `// [name]` that don't come as a pair within their file.
 [[nodiscard]] std::vector<std::string> marker_faults(const std::vector<Source>& sources);
 

@@ -168,6 +168,31 @@ TEST_CASE("a file of 501 lines is found, one of 500 is not")
     CHECK(house::length_faults(tree.sources(), 500) == Faults{"src/math/b.hpp: 501 lines, at most 500"});
 }
 
+// ---- Size of classes
+// ---------------------------------------------------------------------------------------------------
+
+TEST_CASE("no class of those that hand bodies between events and rest has over 25 private functions or 20 members")
+{
+    std::vector<Source> sources = engine_and_outer();
+    std::erase_if(sources, [](const Source& source) { return source.module != "events" && source.module != "world"; });
+    check_none(house::class_faults(sources, 25, 20));
+}
+
+TEST_CASE("a class with a private function or a member too many is found, whatever else it holds")
+{
+    const Tree tree(
+        Files{{"src/math/a.hpp", "struct Plain\n{\n    int a = 0;\n    int b[2] = {1, 2};\n    std::vector<int(*)(int)> c;\n};\n"
+                                 "class Busy\n{\npublic:\n    Busy() : a_(1) {}\n    void go();\n    void stop();\n\n"
+                                 "private:\n    using Numbers = std::vector<int>;\n    enum class Kind { one, two };\n"
+                                 "    struct Inner\n    {\n        int x = 0;\n        int y = 0;\n    };\n"
+                                 "    [[nodiscard]] int one(int a = f(2)) const { int b = 2; return a; }\n"
+                                 "    template <typename T>\n    void two();\n    static constexpr double k = 2.0;\n"
+                                 "    std::function<int(int)> a_;\n    int (*b_)() = nullptr;\n};\n"}});
+    CHECK(house::class_faults(tree.sources(), 2, 3).empty());
+    CHECK(house::class_faults(tree.sources(), 1, 2) == Faults{"src/math/a.hpp:2: Plain has 3 members, at most 2",
+                                                              "src/math/a.hpp:8: Busy has 2 private functions, at most 1"});
+}
+
 // ---- Regions
 // ----------------------------------------------------------------------------------------------------------
 

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "events/body_rows.hpp"
+#include "events/event_queue.hpp"
+#include "events/waiting.hpp"
+
+namespace flying {
+
+/// All that is foreseen. Events are noted one after the other; then they find their places, in the queue or beside a
+/// body.
+class Foreseen
+{
+public:
+    /// bodies       how many there are
+    /// lets_wait    only the first event of a body goes into the queue; else all do
+    explicit Foreseen(int bodies, bool lets_wait) : waiting_(static_cast<std::size_t>(bodies)), lets_wait_(lets_wait) {}
+
+    /// Note an impact of two bodies, or that they must be looked at again, for what comes next.
+    /// p, q  in any order
+    void note_pair(double time, const BodyRows::Row& p, const BodyRows::Row& q, Event::Kind kind)
+    {
+        noted_.push_back({time, p.id < q.id ? p.id : q.id, p.id < q.id ? q.id : p.id, p.stamp + q.stamp, kind});
+    }
+    /// Note that a body leaves its cell.
+    void note_cell(double time, const BodyRows::Row& row, int side)
+    {
+        noted_.push_back({time, row.id, -1 - side, row.stamp, Event::Kind::cell});
+    }
+    /// Put what was noted of a body where it belongs: the first of its events into the queue, the others beside the
+    /// body.
+    ///
+    /// Returns how many that waited have been overtaken, as far as was asked.
+    std::int64_t await(const BodyRows& bodies, int row);
+    /// Put what was noted into the queue, for it belongs to no one body.
+    void call_all();
+    /// A body was pushed: what was foreseen of it is overtaken.
+    void forget(int row)
+    {
+        waiting_[row].count = 0;
+        waiting_[row].called = k_never;
+    }
+
+    [[nodiscard]] bool is_empty() const { return queue_.empty(); }
+    /// The first of all events; only where there is one.
+    [[nodiscard]] const Event& next() { return queue_.next(); }
+    void pop() { queue_.pop(); }
+    /// The event that comes so many places after the first, as far as it is known; else null.
+    [[nodiscard]] const Event* upcoming(std::size_t places) const { return queue_.upcoming(places); }
+
+    /// It is the first event of its owner: when it is over or overtaken, the next one's turn has come.
+    [[nodiscard]] bool is_called(const BodyRows& bodies, const Event& event) const
+    {
+        return event.owner != Event::Owner::none && waiting_[owner_of(bodies, event)].called == event.time;
+    }
+    /// Row of the body whose event it is, of one that has an owner.
+    [[nodiscard]] static int owner_of(const BodyRows& bodies, const Event& event)
+    {
+        return bodies.row_of(event.owner == Event::Owner::b ? event.b : event.a);
+    }
+    [[nodiscard]] const Waiting& waiting(int row) const { return waiting_[row]; }
+
+    /// The queue has grown to twice what it was after it was swept.
+    [[nodiscard]] bool has_grown() const { return queue_.size() > sweep_at_; }
+    /// Drop the events that no longer count.
+    void sweep(const BodyRows& bodies);
+    void clear();
+    /// As BodyRows::line_up.
+    void line_up(std::span<const int> old_rows);
+
+private:
+    EventQueue queue_;
+    std::vector<Waiting> waiting_; // by row
+    std::vector<Event> noted_;     // since the last that found their places
+    bool lets_wait_;
+    std::size_t sweep_at_ = 0;
+};
+
+} // namespace flying

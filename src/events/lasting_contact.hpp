@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "events/body_rows.hpp"
+#include "events/meeting.hpp"
+
+namespace flying {
+
+// Where impacts would follow each other without end: what tells that two bodies lean on each other from here on. Bodies
+// are named by their rows, a and b as in the meeting.
+
+/// The pair approaches no faster than what presses it together brings about within the tolerance of touching: its hops
+/// can't be told from contact that lasts, however fast it slides or rolls. Before the impact.
+[[nodiscard]] bool is_creeping(const BodyRows& bodies, int a, int b, const Meeting& meeting);
+
+/// After an impact that takes speed away, two bodies part at some point by so little that the field, which presses them
+/// together there, ends that within the tolerance of touching. Impact would follow impact with no time between them:
+/// from here on the two lean on each other.
+[[nodiscard]] bool stays(const BodyRows& bodies, int a, int b, const Meeting& meeting);
+
+/// Bounces of one body on one flat thing, undisturbed.
+struct Bounces
+{
+    int on = -1; ///< -1 where the last impact was none of them
+    Vec2 normal = Vec2::Zero();
+    double end = 0.0; ///< [s]
+};
+
+/// When bounces end that have just shrunk to a touch; nothing where they haven't. After the impact.
+///
+/// A disc that leaves something flat at speed v, pressed on by g, is back after 2 v/g, and leaves with e v: all hops
+/// together take 2 v / (g (1 - e)). Neither its spin nor its sliding knows of the normal motion. The end is found at
+/// the first bounce, where v has all its digits, and kept as long as nothing else is met.
+///
+/// time     of the impact [s]
+/// bounces  of each body, by id: those of the two are noted, or forgotten
+[[nodiscard]] std::optional<double> end_of_bounces(const BodyRows& bodies, int a, int b, const Meeting& meeting,
+                                                   double time, std::vector<Bounces>& bounces);
+
+} // namespace flying

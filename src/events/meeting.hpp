@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include "collide/touching.hpp"
+#include "events/body_rows.hpp"
+#include "events/static_surfaces.hpp"
+#include "response/impact.hpp"
+
+namespace flying {
+
+/// Where two bodies touch at the moment of their impact. Made anew for each impact in the memory of the last.
+struct Meeting
+{
+    std::vector<Touch> touches;      ///< those that were looked at last
+    std::vector<ImpactPoint> points; ///< all at which the impact acts
+    double touch = 0.0;              ///< the tolerance of touching [m]
+    double overlap = 0.0;            ///< the deepest of the points, 0 where none overlaps [m]
+};
+
+/// All points at which a pair touches; where rounding hides even the one that was foreseen, the search is widened until
+/// it shows. Where a static body's surface goes on over others, those at which they are touched are among them.
+///
+/// a, b  rows, of the lower and the higher id, both at their places at `time` [s]
+void find_meeting(const BodyRows& bodies, const StaticSurfaces& surfaces, int a, int b, double time, Meeting& meeting);
+
+} // namespace flying

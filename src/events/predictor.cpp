@@ -1,0 +1,180 @@
+#include "events/predictor.hpp"
+
+#include <algorithm>
+
+#include "events/cell_exit.hpp"
+#include "toi/discs.hpp"
+#include "toi/predict.hpp"
+
+namespace flying {
+namespace {
+
+/// Beyond this factor, two squares that were rounded a handful of times each are in the order of what they stand for.
+constexpr double k_surely = 1.0 + 0x1p-48;
+
+} // namespace
+
+PredictionRules::PredictionRules(const EventEngineOptions& options, const BodyRows& bodies)
+    : falls(bodies.acceleration() != Vec2::Zero() || !options.skips_absent_field),
+      searches_all(bodies.is_central() || !options.skips_search),
+      is_plain(!falls && !searches_all),
+      skips_static_pairs(options.skips_static_pairs),
+      skips_far_features(options.skips_far_features),
+      skips_apart_rings(options.skips_apart_rings),
+      skips_far_vertices(options.skips_far_vertices)
+{
+}
+
+void Predictor::predict_cell(int body, double now)
+{
+    if (!neighbours_.has_cells()) return;
+    const BodyRows::Row& row = rows_[body];
+    const Grid& grid = neighbours_.cells();
+    const Cell& cell = grid.cell_of(body);
+    const CellExit exit = rules_.falls
+                              ? next_cell_exit(bodies_.flyer_of(body), cell, grid.cell_size(), now)
+                              : straight_exit(row.position, row.velocity, row.time, cell, grid.cell_size(), now);
+    if (exit.time != k_never) foreseen_.note_cell(exit.time, row, exit.side);
+}
+
+void Predictor::predict_struck(int body, int partner)
+{
+    const bool is_plain = neighbours_.has_cells() && rules_.is_plain && rows_[body].kind == BodyRows::Kind::disc;
+    if (is_plain) predict_near(body, partner);
+    else predict_partners(body, [&](int other) { return other != partner; });
+}
+
+void Predictor::predict_static(int body)
+{
+    // Two static bodies never meet; with the skip off, look all the same
+    for (int other = body + 1; other < bodies_.count(); ++other) {
+        if (!bodies_.is_fixed(other)) continue;
+        if (rules_.skips_static_pairs) ++counts_.static_pairs_skipped;
+        else predict_pair(body, other);
+    }
+}
+
+/// Two bodies under one acceleration: discs meet when their circles do; others are looked at when their bounding
+/// circles do. The same numbers as `predict`, straight from the rows: in every product both signs turn with the order
+/// of the two.
+void Predictor::predict_movers(int a, int b)
+{
+
+    const BodyRows::Row& row_a = rows_[a];
+    const BodyRows::Row& row_b = rows_[b];
+    const double start = std::max(row_a.time, row_b.time);
+    const double t_a = start - row_a.time;
+    const double t_b = start - row_b.time;
+    Vec2 offset = (row_a.position + t_a * row_a.velocity) - (row_b.position + t_b * row_b.velocity);
+    Vec2 rate = row_a.velocity - row_b.velocity;
+    if (rules_.falls) {
+        const Vec2& g = bodies_.acceleration();
+        offset = position_after(row_a.position, row_a.velocity, g, t_a) -
+                 position_after(row_b.position, row_b.velocity, g, t_b);
+        rate = (row_a.velocity + t_a * g) - (row_b.velocity + t_b * g);
+    }
+    const double reach = row_a.radius + row_b.radius;
+
+    // [events.predict_movers.kinds]
+    double time = k_never;
+    auto kind = Event::Kind::impact;
+    if (row_a.kind == BodyRows::Kind::disc && row_b.kind == BodyRows::Kind::disc) {
+        time = start + time_to_meet(offset, rate, reach);
+    } else if (rules_.skips_far_features) {
+        // [events.predict_movers.circles]
+        const double radius = bounding_reach(reach);
+        const bool parts = offset.dot(rate) >= 0.0 && offset.squaredNorm() > radius * radius; // seen without a root
+        const Passage passage = parts ? Passage{} : passage_through_circle(offset, rate, radius);
+        if (!(passage.leave > 0.0)) {
+            ++counts_.far_features_skipped;
+            return;
+        }
+        if (passage.enter <= 0.0) {
+            predict_general(a, b, start, 1); // the circles meet already
+            return;
+        }
+        time = start + passage.enter;
+        kind = Event::Kind::look;
+        // [events.predict_movers.circles]
+    } else {
+        predict_general(a, b, start, 1);
+        return;
+    }
+    if (time != k_never) foreseen_.note_pair(time, row_a, row_b, kind);
+    // [events.predict_movers.kinds]
+}
+
+/// The same as `predict_partners` for a disc that has just been struck where nothing falls: no body's note is younger
+/// than its own, so that only the others are brought to its moment.
+void Predictor::predict_near(int body, int partner)
+{
+    int* const near = near_.data();
+    const int* const end = neighbours_.gather_movers(body, near);
+    const auto count = static_cast<int>(end - near);
+    const BodyRows::Row* const rows = rows_;
+    const BodyRows::Row row = rows[body];
+
+    // Keep those that come near enough, and those that need a closer look
+    int* kept = near;
+    for (const int* place = near; place != end; ++place) {
+        const int q = *place;
+        const BodyRows::Row& other = rows[q];
+        const double t = row.time - other.time;
+        const double offset_x = row.position.x() - (other.position.x() + t * other.velocity.x());
+        const double offset_y = row.position.y() - (other.position.y() + t * other.velocity.y());
+        const double rate_x = row.velocity.x() - other.velocity.x();
+        const double rate_y = row.velocity.y() - other.velocity.y();
+        const double reach = row.radius + other.radius;
+        const double miss = offset_x * rate_y - offset_y * rate_x;
+        const bool closes = offset_x * rate_x + offset_y * rate_y < 0.0;
+        const bool passes = miss * miss > (rate_x * rate_x + rate_y * rate_y) * (reach * reach) * k_surely;
+        const bool is_plain = (other.kind == BodyRows::Kind::disc) & (t >= 0.0);
+        *kept = q;
+        const bool is_other = (q != body) & (q != partner);
+        kept += (((closes & !passes) | !is_plain) & is_other) ? 1 : 0;
+    }
+
+    for (const int* place = near; place != kept; ++place) {
+        const BodyRows::Row& other = rows[*place];
+        if (other.kind != BodyRows::Kind::disc || !(other.time <= row.time)) {
+            predict_pair(body, *place);
+            continue;
+        }
+        const double t = row.time - other.time;
+        const Vec2 offset = row.position - (other.position + t * other.velocity);
+        const double reach = row.radius + other.radius;
+        const double wait = time_to_meet(offset, row.velocity - other.velocity, reach);
+        if (wait != k_never) foreseen_.note_pair(row.time + wait, row, other, Event::Kind::impact);
+    }
+    counts_.predictions += count - 1;
+    counts_.far_pairs_skipped += bodies_.count() - count;
+    neighbours_.for_each_static(body, [&](int other) { predict_pair(body, other); });
+}
+
+/// Any two bodies, looked at through no more than so many windows: what happens later may never come to be, for one of
+/// them may be struck before.
+void Predictor::predict_general(int p, int q, double from, int windows)
+{
+    if (!bodies_.can_meet(p, q)) return;
+    const bool in_order = rows_[p].id < rows_[q].id;
+    const int a = in_order ? p : q;
+    const int b = in_order ? q : p;
+    PredictOptions options;
+    options.windows = windows;
+    options.skips_far_features = rules_.skips_far_features;
+    options.skips_apart_rings = rules_.skips_apart_rings;
+    options.skips_far_vertices = rules_.skips_far_vertices;
+    options.seams_a = surfaces_.seams_of(rows_[a].id);
+    options.seams_b = surfaces_.seams_of(rows_[b].id);
+    ++counts_.searches;
+    const Prediction prediction =
+        predict(bodies_.shape_of(a), bodies_.flyer_of(a), bodies_.shape_of(b), bodies_.flyer_of(b), from, options);
+    if (prediction.kind == Prediction::Kind::never) {
+        ++counts_.far_features_skipped;
+        return;
+    }
+    const auto kind = prediction.kind == Prediction::Kind::impact ? Event::Kind::impact : Event::Kind::look;
+    foreseen_.note_pair(prediction.time, rows_[a], rows_[b], kind);
+}
+
+} // namespace flying

@@ -1,0 +1,49 @@
+#include "world/step_length.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+namespace flying {
+namespace {
+
+/// [steps] A step that would be shorter is joined to the next.
+constexpr double k_shortest = 0x1p-20;
+
+/// [sizes] The way of a body in one step: no more, if few enough halvings of the step do it.
+constexpr double k_way = 0x1p-2;
+constexpr int k_most_halvings = 10;
+
+} // namespace
+
+double next_end(double step, double time, int halvings)
+{
+    const double h = std::ldexp(step, -halvings);
+    double count = std::floor(time / h) + 1.0;
+    while (count * h - time < k_shortest * h) count += 1.0;
+    return count * h;
+}
+
+double length_of_step(double step, double from, double end)
+{
+    const double count = std::round(from / step);
+    const bool is_whole = from == count * step && end == (count + 1.0) * step;
+    return is_whole ? step : end - from;
+}
+
+double pace_of(const BodyState& state, double radius, const Field& field)
+{
+    const auto* central = std::get_if<CentralField>(&field);
+    double size = radius;
+    if (central) size = std::min(size, (state.position - central->centre).norm()); // the field changes as fast
+    return state.velocity.norm() / size + std::abs(state.spin);
+}
+
+int halvings_for(double step, double pace)
+{
+    int halvings = 0;
+    for (double way = pace * step; way > k_way && halvings < k_most_halvings; way *= 0.5) ++halvings;
+    return halvings;
+}
+
+} // namespace flying

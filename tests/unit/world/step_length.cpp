@@ -1,0 +1,47 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "math/random.hpp"
+#include "world/step_length.hpp"
+
+using namespace flying;
+
+TEST_CASE("steps end at whole multiples of their length, the next or the one after, halved or not")
+{
+    Random random(2711);
+    for (int k = 0; k < 10'000; ++k) {
+        const double step = random.uniform(0.001, 0.1);
+        const double time = random.uniform(0.0, 1000.0);
+        const int halvings = k % 11;
+        const double h = std::ldexp(step, -halvings);
+        const double end = next_end(step, time, halvings);
+        CHECK(end == std::round(end / h) * h);
+        CHECK(end > time);
+        CHECK(end - time <= h * (1.0 + 0x1p-20) + 1e-12); // rounding of times below 1000
+        // Halves of halves lead to the ends of whole steps
+        CHECK(next_end(step, time, halvings) <= next_end(step, time, 0) + 1e-12);
+    }
+}
+
+TEST_CASE("a whole step has its length to the bit wherever it lies")
+{
+    constexpr double k_step = 1.0 / 60.0;
+    for (int k = 0; k < 100'000; ++k) {
+        const double from = k * k_step;
+        CHECK(length_of_step(k_step, from, (k + 1.0) * k_step) == k_step);
+        CHECK(length_of_step(k_step, from, from + 0.005) == from + 0.005 - from);
+    }
+}
+
+TEST_CASE("a step is halved as often as the formula says, and no more than ten times")
+{
+    Random random(2712);
+    for (int k = 0; k < 10'000; ++k) {
+        const double step = random.uniform(0.001, 0.1);
+        const double pace = std::exp(random.uniform(0.0, 12.0));
+        const double needed = std::ceil(std::log2(4.0 * pace * step));
+        CHECK(halvings_for(step, pace) == static_cast<int>(std::min(10.0, std::max(0.0, needed))));
+    }
+}
