@@ -82,7 +82,7 @@ std::optional<EventFailure> EventEngine::advance(double time, std::int64_t most)
         // [events.advance.stale]
         if (!bodies_.is_current(event)) {
             ++counts_.stale;
-            if (foreseen_.is_called(bodies_, event)) await(Foreseen::owner_of(bodies_, event));
+            if (foreseen_.is_called(bodies_, event)) await(ForeseenEvents::owner_of(bodies_, event));
             continue;
         }
         // [events.advance.stale]
@@ -258,7 +258,7 @@ void EventEngine::handle_look(const Event& event)
     ++counts_.looks;
     predictor().look(bodies_.row_of(event.a), bodies_.row_of(event.b), event.time);
     if (event.owner == Event::Owner::none) foreseen_.call_all();
-    else await(Foreseen::owner_of(bodies_, event));
+    else await(ForeseenEvents::owner_of(bodies_, event));
 }
 
 void EventEngine::handle_cell(const Event& event)

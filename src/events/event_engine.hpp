@@ -117,7 +117,7 @@ private:
     StaticSurfaces surfaces_;
     PredictionRules rules_;
     Neighbours neighbours_;
-    Foreseen foreseen_;
+    ForeseenEvents foreseen_;
     std::vector<Bounces> bounces_; // by id
     double now_ = 0.0;             // [s]
     double max_overlap_ = 0.0;     // [m]

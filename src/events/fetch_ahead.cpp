@@ -11,11 +11,11 @@ constexpr std::size_t k_bodies = 9;
 constexpr std::size_t k_cells = 6;
 constexpr std::size_t k_neighbours = 3;
 
-void fetch_bodies(const Event& event, const Foreseen& foreseen, const BodyRows& bodies, const Grid& cells)
+void fetch_bodies(const Event& event, const ForeseenEvents& foreseen, const BodyRows& bodies, const Grid& cells)
 {
     if (!bodies.is_current(event)) {
         if (event.owner == Event::Owner::none) return;
-        __builtin_prefetch(&foreseen.waiting(Foreseen::owner_of(bodies, event)));
+        __builtin_prefetch(&foreseen.waiting(ForeseenEvents::owner_of(bodies, event)));
         return;
     }
     for (const int id : {event.a, event.b}) {
@@ -28,7 +28,7 @@ void fetch_bodies(const Event& event, const Foreseen& foreseen, const BodyRows& 
     }
 }
 
-void fetch_cells(const Event& event, const Foreseen& foreseen, const BodyRows& bodies, const Grid& cells)
+void fetch_cells(const Event& event, const ForeseenEvents& foreseen, const BodyRows& bodies, const Grid& cells)
 {
     const bool is_current = bodies.is_current(event);
     if (is_current) {
@@ -41,7 +41,7 @@ void fetch_cells(const Event& event, const Foreseen& foreseen, const BodyRows& b
         }
     }
     if ((event.b < 0 || !is_current) && foreseen.is_called(bodies, event)) {
-        const Waiting& waiting = foreseen.waiting(Foreseen::owner_of(bodies, event));
+        const Waiting& waiting = foreseen.waiting(ForeseenEvents::owner_of(bodies, event));
         for (int k = 0; k < waiting.count; ++k) {
             if (waiting.entries[k].with >= 0) bodies.fetch_place(waiting.entries[k].with);
         }
@@ -70,7 +70,7 @@ int fetch_neighbours(const Event& event, const BodyRows& bodies, const Grid& cel
 
 } // namespace
 
-int fetch_ahead(const Foreseen& foreseen, const BodyRows& bodies, const Grid& cells)
+int fetch_ahead(const ForeseenEvents& foreseen, const BodyRows& bodies, const Grid& cells)
 {
     if (const Event* event = foreseen.upcoming(k_places)) {
         bodies.fetch_place(event->a);

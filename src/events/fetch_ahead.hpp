@@ -10,6 +10,6 @@ namespace flying {
 /// then the rows of those that still count, then the cells about them, then the rows of the bodies in them.
 ///
 /// Returns how many rows were asked for last. Pays for more bodies than the fast memory holds.
-[[nodiscard]] int fetch_ahead(const Foreseen& foreseen, const BodyRows& bodies, const Grid& cells);
+[[nodiscard]] int fetch_ahead(const ForeseenEvents& foreseen, const BodyRows& bodies, const Grid& cells);
 
 } // namespace flying

@@ -4,7 +4,7 @@
 
 namespace flying {
 
-std::int64_t Foreseen::await(const BodyRows& bodies, int row)
+std::int64_t ForeseenEvents::await(const BodyRows& bodies, int row)
 {
     if (!lets_wait_) call_all(); // with the skip off, all go into the queue
     const int id = bodies[row].id;
@@ -46,25 +46,25 @@ std::int64_t Foreseen::await(const BodyRows& bodies, int row)
     return stale;
 }
 
-void Foreseen::call_all()
+void ForeseenEvents::call_all()
 {
     for (const Event& event : noted_) queue_.push(event);
     noted_.clear();
 }
 
-void Foreseen::sweep(const BodyRows& bodies)
+void ForeseenEvents::sweep(const BodyRows& bodies)
 {
     queue_.keep_if([&](const Event& event) { return bodies.is_current(event) || is_called(bodies, event); });
     sweep_at_ = std::max<std::size_t>(2 * queue_.size(), 1024);
 }
 
-void Foreseen::clear()
+void ForeseenEvents::clear()
 {
     queue_.clear();
     for (Waiting& waiting : waiting_) waiting = {};
 }
 
-void Foreseen::line_up(std::span<const int> old_rows)
+void ForeseenEvents::line_up(std::span<const int> old_rows)
 {
     std::vector<Waiting> waiting;
     waiting.reserve(waiting_.size());

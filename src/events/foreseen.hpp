@@ -13,12 +13,15 @@ namespace flying {
 
 /// All that is foreseen. Events are noted one after the other; then they find their places, in the queue or beside a
 /// body.
-class Foreseen
+class ForeseenEvents
 {
 public:
     /// bodies       how many there are
     /// lets_wait    only the first event of a body goes into the queue; else all do
-    explicit Foreseen(int bodies, bool lets_wait) : waiting_(static_cast<std::size_t>(bodies)), lets_wait_(lets_wait) {}
+    explicit ForeseenEvents(int bodies, bool lets_wait)
+        : waiting_(static_cast<std::size_t>(bodies)), lets_wait_(lets_wait)
+    {
+    }
 
     /// Note an impact of two bodies, or that they must be looked at again, for what comes next.
     /// p, q  in any order

@@ -41,7 +41,7 @@ public:
         const StaticSurfaces& surfaces;
     };
     /// near  workspace, with room for one more than all bodies
-    Predictor(const Sight& sight, std::vector<int>& near, Foreseen& foreseen, EventCounts& counts)
+    Predictor(const Sight& sight, std::vector<int>& near, ForeseenEvents& foreseen, EventCounts& counts)
         : rules_(sight.rules),
           bodies_(sight.bodies),
           rows_(sight.bodies.data()),
@@ -89,7 +89,7 @@ private:
     const Neighbours& neighbours_;
     const StaticSurfaces& surfaces_;
     std::vector<int>& near_; // workspace: rows of those about one body
-    Foreseen& foreseen_;
+    ForeseenEvents& foreseen_;
     EventCounts& counts_;
 };
 

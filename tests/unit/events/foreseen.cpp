@@ -34,7 +34,7 @@ Told tell(std::uint64_t seed, bool lets_wait)
     constexpr int k_bodies = 12;
     Random random(seed);
     BodyRows bodies = some_bodies(k_bodies);
-    Foreseen foreseen(k_bodies, lets_wait);
+    ForeseenEvents foreseen(k_bodies, lets_wait);
     std::vector<Event> noted;
     const auto foresee = [&](int body, double now) {
         // More than find room beside a body
@@ -67,7 +67,7 @@ Told tell(std::uint64_t seed, bool lets_wait)
             told.handled.push_back(event.time);
             expect_until(event.time);
         }
-        if (is_called) (void)foreseen.await(bodies, Foreseen::owner_of(bodies, event));
+        if (is_called) (void)foreseen.await(bodies, ForeseenEvents::owner_of(bodies, event));
         if (counts && k % 5 == 0) {
             bodies.set_motion(event.a, Vec2::Zero(), 0.0);
             foreseen.forget(event.a);
