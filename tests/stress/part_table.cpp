@@ -89,6 +89,7 @@ void run_table(const Job& job, Tally& tally)
         std::ofstream(path, std::ios::binary) << breaking::line_of("run", table.run) << '\n';
     }
     for (const Trial& trial : all_trials()) {
+        if (job.row != 0 && job.row != trial.number) continue;
         const Row* before = table.row(trial.name);
         if (before && before->holds && before->is_whole) {
             tally.note(fmt::format("        {:>2} {}: done before", trial.number, trial.name));
