@@ -103,7 +103,7 @@ Reached flush_tiles(const Share&)
 
 Reached low_step(const Share&)
 {
-    // Slides to the right until its foot is at the step; then no foot goes on at half its speed or more
+    // They slide until they are at the step; no foot may go on from there at half its speed or more
     Reached reached;
     reached.value = 1.0;
     constexpr int k_boxes = 40;
@@ -122,7 +122,7 @@ Reached low_step(const Share&)
             scene.bodies.push_back(still(rectangle(10.0, 0.3, {9.0, height - 0.15})));
             const double width = random.uniform(0.4, 1.4);
             const double tall = random.uniform(0.2, 0.6);
-            const double speed = random.uniform(3.0, 15.0);
+            const double speed = random.uniform(5.0, 15.0);
             scene.bodies.push_back(rectangle(width, tall, {random.uniform(0.0, 2.0), 0.5 * tall}, {speed, 0.0}));
             World world = world_of(scene);
             const int box = world.body_count() - 1;
@@ -139,7 +139,7 @@ Reached low_step(const Share&)
         if (!all_trip) break;
         reached.value = height;
     }
-    reached.amount = fmt::format("{} boxes of 0.2 to 1.4 m against each of seven steps, 3 to 15 m/s", k_boxes);
+    reached.amount = fmt::format("{} boxes of 0.2 to 1.4 m against each of seven steps, 5 to 15 m/s", k_boxes);
     return reached;
 }
 

@@ -122,7 +122,7 @@ Scene heap_of(int count, double heaviest, Masses masses, Random& random)
     for (int k = 0; k < count; ++k) {
         const double smallness = random.uniform(); // 0 the largest, 1 the smallest
         const double radius = 0.5 * std::pow(20.0, -smallness);
-        BodyDef body = disc(radius, {0.5 + k % 11 + random.uniform(0.0, 0.4), 0.6 + 1.1 * (k / 11)});
+        BodyDef body = disc(radius, {0.6 + 1.15 * (k % 10) + random.uniform(0.0, 0.1), 0.6 + 1.1 * (k / 10)});
         if (k % 2 == 1) body.shape = RegularDef{3 + random.below(5), radius};
         double share = random.uniform(); // 0 the lightest, 1 the heaviest
         if (masses == Masses::heavy_are_small) share = smallness;
