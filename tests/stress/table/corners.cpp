@@ -218,6 +218,7 @@ Reached cones(const Share&)
     // In grooves of any two slopes whose planes both press
     Random random(25);
     int tried = 0;
+    int off_by_more = 0;
     while (tried < 200) {
         Groove groove;
         groove.left = random.uniform(0.05, 1.5);

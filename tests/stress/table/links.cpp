@@ -37,10 +37,10 @@ PolygonDef link_shape()
     };
     constexpr double k_pi = std::numbers::pi;
     const Vec2 knob(1.0, 0.0);
-    arc(knob, k_knob, -k_pi + 0.5, k_pi - 0.5, 10);           // round the knob, from below the neck to above it
-    arc(Vec2::Zero(), 0.30, 0.16, k_pi - 0.55, 8);            // over the back of the jaw
-    arc(Vec2::Zero(), k_hold, k_pi - 0.75, -k_pi + 0.75, 10); // inside it, back again
-    arc(Vec2::Zero(), 0.30, -k_pi + 0.55, -0.16, 8);          // under the back of the jaw
+    arc(knob, k_knob, -k_pi + 0.3, k_pi - 0.3, 10);         // round the knob, from below the neck to above it
+    arc(Vec2::Zero(), 0.30, 0.1, k_pi - 0.35, 8);           // over the back of the jaw
+    arc(Vec2::Zero(), k_hold, k_pi - 0.5, -k_pi + 0.5, 10); // inside it, back again
+    arc(Vec2::Zero(), 0.30, -k_pi + 0.35, -0.1, 8);         // under the back of the jaw
     return {outline, {}};
 }
 
@@ -55,7 +55,8 @@ struct Chain
 
 struct Pulled
 {
-    double overlap = 0.0; ///< over the smaller size, or the way that a knob has left its jaw over its own radius
+    double overlap = 0.0; ///< over the smaller size
+    int loose = 0;        ///< knobs that have left their jaws
     double seconds = 0.0; ///< of computing for a simulated second, the worst
 };
 
@@ -88,7 +89,7 @@ Pulled pull(const Chain& chain, double until)
         const Pose holder = pose_of(world.state(k + 1));
         const Pose held = pose_of(world.state(k));
         const double apart = (held * Vec2(Vec2(1.0, 0.0) - centroid) - holder * Vec2(-centroid)).norm();
-        pulled.overlap = std::max(pulled.overlap, (apart - (k_hold - k_knob)) / k_knob);
+        pulled.loose += apart > k_hold ? 1 : 0;
     }
     return pulled;
 }
@@ -100,13 +101,18 @@ Reached chains(const Share&)
     constexpr double k_until = 3.0;
     Reached reached;
     double worst = 0.0;
+    int loose = 0;
     for (const Chain& chain : all) {
         const Pulled pulled = pull(chain, k_until);
         reached.value = std::max(reached.value, pulled.overlap);
         worst = std::max(worst, pulled.seconds);
+        loose += pulled.loose;
     }
+    if (loose > 0) reached.value = std::max(reached.value, 1.0); // the deepest overlap has been, and is gone
     reached.amount = fmt::format("six chains of 10 or 30 links, let go at several angles, {} s", k_until);
-    reached.remark = fmt::format("at most {:.2g} s of computing for a simulated second; under 1 s was the aim", worst);
+    reached.remark =
+        fmt::format("{} joints came loose; at most {:.2g} s of computing for a simulated second; under 1 s was the aim",
+                    loose, worst);
     return reached;
 }
 
@@ -146,8 +152,7 @@ Reached rings(const Share&)
 }
 
 constexpr std::array k_trials = {
-    Trial{26, "a chain of interlocked links", "overlap, or a knob out of its jaw, over its size", 1e-2, false, "",
-          chains},
+    Trial{26, "a chain of interlocked links", "overlap over the smaller size", 1e-2, false, "", chains},
     Trial{26, "rings poured", "overlap over the smaller size", 1e-2, false, "", rings},
 };
 
