@@ -62,12 +62,11 @@ int main()
     };
     value("heaviest ratio", "a heavy box on a light one");
     value("tallest stack", "a stack of boxes");
-    value("far units", "far from the origin, 1e12 sizes");
-    value("thinnest", "slivers");
-    value("stick", "sticking on a slope");
     value("energy change", "energy over a thousand million collisions");
+    value("lowest step", "a low step on the way");
+    value("off on tiles", "over flush tiles");
     value("heap overlap", "a heap of masses 1 : 1e4, sizes 1 : 20");
-    value("chain seconds", "a chain of interlocked links");
-    value("ring seconds", "rings poured");
+    value("momentum gained", "towers on a smooth floor");
+    value("energy of squares", "touching at the start, e = 1");
     return 0;
 }

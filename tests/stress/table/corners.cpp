@@ -230,11 +230,14 @@ Reached cones(const Share&)
         if (std::min(pushes.left, pushes.right) < 0.01) continue; // it climbs out
         ++tried;
         const double off = off_in(groove, pushes);
-        if (off > reached.value)
+        off_by_more += off > 1e-9 ? 1 : 0;
+        if (off > std::max(reached.value, 1e-9))
             reached.remark =
                 fmt::format("most at slopes {:.2f}, {:.2f}, mu {:.2f}", groove.left, groove.right, groove.mu);
         reached.value = std::max(reached.value, off);
     }
+    reached.remark +=
+        fmt::format("{}{} grooves off by more than asked", reached.remark.empty() ? "" : "; ", off_by_more);
     reached.amount =
         fmt::format("a disc that spins in a corner, mu from 0.3 to 10, and in {} grooves, mu from 0.03 to 10", tried);
     return reached;
