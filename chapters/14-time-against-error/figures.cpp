@@ -139,6 +139,11 @@ int main(int argc, char** argv)
         std::fprintf(stderr, "%s: found no records; expected the file of a run of ./course bench\n", FLYING_SECOND);
         return 1;
     }
+    const auto growth = read_record_file(FLYING_GROWTH);
+    if (!growth) {
+        std::fprintf(stderr, "%s: found no records; expected the file of a run of ./course bench\n", FLYING_GROWTH);
+        return 1;
+    }
     draw_orders(folder);
     trace_race(folder);
     draw_late(folder);
@@ -156,7 +161,7 @@ int main(int argc, char** argv)
             draw_diagram(folder + "/second-" + diagram.name + suffix + ".svg", diagram, k);
         }
     }
-    for (const GrowthRecord& growth : records->growths) draw_growth(folder + "/growth-" + growth.name + ".svg", growth);
+    for (const GrowthRecord& one : growth->growths) draw_growth(folder + "/growth-" + one.name + ".svg", one);
     draw_ratios(folder + "/ratios.svg", *records);
     draw_skips(folder + "/skips.svg", *records);
 

@@ -57,18 +57,6 @@ std::string ratio_text(const std::optional<double>& ratio)
     return text;
 }
 
-/// The exponent over the larger half of the sizes.
-double exponent(const std::vector<std::pair<double, double>>& points)
-{
-    std::vector<double> x;
-    std::vector<double> y;
-    for (std::size_t k = points.size() / 2; k < points.size(); ++k) {
-        x.push_back(points[k].first);
-        y.push_back(points[k].second);
-    }
-    return slope(x, y).value_or(0.0);
-}
-
 /// That of a scene by its name; an empty one where the run has no such scene.
 Row row_named(const Records& records, const std::string& name)
 {
@@ -105,23 +93,7 @@ int main()
         won += row.at_their_best && row.worst < 1.0 ? 1 : 0;
     }
 
-    std::printf("\nGrowth: exponent over the larger half of the sizes, and the largest size\n");
-    for (const GrowthRecord& growth : records.growths) {
-        for (const auto& [engine, points] : growth.curves) {
-            std::printf("%-9s %-9s %5.2f  %8.0f bodies, %.3g s\n", growth.name.c_str(), engine.c_str(),
-                        exponent(points), points.back().first, points.back().second);
-        }
-    }
-
     std::printf("\n");
-    for (const GrowthRecord& growth : records.growths) {
-        if (growth.name != "discs") continue;
-        for (const auto& [engine, points] : growth.curves) {
-            std::printf("exponent of discs, %s = %.2f\n", engine.c_str(), exponent(points));
-        }
-        const auto& [size, seconds] = growth.curves.at("flying").back();
-        std::printf("most discs = %.0f\nseconds for the most discs = %.2g s\n", size, seconds);
-    }
     std::printf("scenes = %td\n", std::count_if(records.diagrams.begin(), records.diagrams.end(), is_race));
     std::printf("scenes reached = %d\n", reached);
     std::printf("scenes never slower = %d\n", won);

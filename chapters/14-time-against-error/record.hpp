@@ -62,6 +62,7 @@ struct GrowthRecord
     std::string title;
     std::string what;                                                     ///< what the seconds are for
     std::map<std::string, std::vector<std::pair<double, double>>> curves; ///< engine: size and seconds
+    std::map<std::string, double> bytes_per_body;                         ///< engine: held after its largest run [B]
 };
 
 /// One scene with each of its skips turned off in turn. The first entry has none turned off.
@@ -101,7 +102,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RunRecord, name, date, machine, compiler, pee
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PointRecord, hertz, seconds, measures)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CurveRecord, engine, points, why_not)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DiagramRecord, name, title, why, truth, bodies, until, measures, curves)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(GrowthRecord, name, title, what, curves)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(GrowthRecord, name, title, what, curves, bytes_per_body)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SkipsRecord::Entry, without, seconds, saved, same_bits, alters)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SkipsRecord, scene, until, entries)
 

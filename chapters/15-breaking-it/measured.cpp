@@ -32,18 +32,20 @@ int main()
 {
     const auto table = read_table_file(FLYING_MEASURED);
     if (!table) {
-        std::fprintf(stderr, "%s: found no table; expected the file of a run of ./course stress table\n", FLYING_MEASURED);
+        std::fprintf(stderr, "%s: found no table; expected the file of a run of ./course stress table\n",
+                     FLYING_MEASURED);
         return 1;
     }
-    std::printf("Run of %s\n%s\n%s\n\n", table->run.date.c_str(), table->run.machine.c_str(), table->run.compiler.c_str());
+    std::printf("Run of %s\n%s\n%s\n\n", table->run.date.c_str(), table->run.machine.c_str(),
+                table->run.compiler.c_str());
     int holds = 0;
     int long_ones = 0;
     for (const Row& row : table->rows) {
         const char* verdict = !row.holds ? "falls short" : row.is_whole ? "holds" : "holds so far";
         std::printf("%2d  %s: %s\n", row.number, row.name.c_str(), verdict);
         char text[160];
-        std::snprintf(text, sizeof text, "%s: %.3g; asked: %s %.3g", row.measure.c_str(), row.reached, row.at_least ? "at least" : "at most",
-                      row.bound);
+        std::snprintf(text, sizeof text, "%s: %.3g; asked: %s %.3g", row.measure.c_str(), row.reached,
+                      row.at_least ? "at least" : "at most", row.bound);
         print(text, 4);
         if (!row.amount.empty()) print("tried: " + row.amount, 4);
         if (!row.remark.empty()) print("seen: " + row.remark, 4);
@@ -51,8 +53,8 @@ int main()
         holds += row.holds ? 1 : 0;
         long_ones += row.is_whole ? 0 : 1;
     }
-    std::printf("\nrows = %zu\nrows that hold = %d\nrows that fall short = %zu\nrows still on their way = %d\n", table->rows.size(), holds,
-                table->rows.size() - static_cast<std::size_t>(holds), long_ones);
+    std::printf("\nrows = %zu\nrows that hold = %d\nrows that fall short = %zu\nrows still on their way = %d\n",
+                table->rows.size(), holds, table->rows.size() - static_cast<std::size_t>(holds), long_ones);
     double seconds = 0.0;
     for (const Row& row : table->rows) seconds += row.seconds;
     std::printf("minutes of computing = %.0f\n", seconds / 60.0);
@@ -62,12 +64,12 @@ int main()
     };
     value("heaviest ratio", "a heavy box on a light one");
     value("tallest stack", "a stack of boxes");
-    value("far units", "far from the origin, 1e12 sizes");
-    value("thinnest", "slivers");
-    value("stick", "sticking on a slope");
     value("energy change", "energy over a thousand million collisions");
+    value("lowest step", "a low step on the way");
+    value("off on tiles", "over flush tiles");
     value("heap overlap", "a heap of masses 1 : 1e4, sizes 1 : 20");
-    value("chain seconds", "a chain of interlocked links");
-    value("ring seconds", "rings poured");
+    value("speed left in a heap", "the same heap comes to rest");
+    value("momentum gained", "towers on a smooth floor");
+    value("energy of squares", "touching at the start, e = 1");
     return 0;
 }

@@ -368,8 +368,7 @@ Expected<Scene> read_scene_text(std::string_view text, const std::string& filena
 
     const toml::parse_result parsed = toml::parse(text);
     if (!parsed) {
-        faults.add(parsed.error().source().begin, "", "this is no TOML: " + std::string(parsed.error().description()),
-                   "");
+        faults.add(parsed.error().source().begin, "", "this is no TOML: " + on_one_line(parsed.error().description()), "");
         return faults.in_order();
     }
 

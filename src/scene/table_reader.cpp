@@ -56,14 +56,20 @@ Faults FaultList::in_order() const
     return faults;
 }
 
-std::string in_quotes(std::string_view text)
+std::string on_one_line(std::string_view text)
 {
-    constexpr std::size_t k_longest = 40;
     std::string shown;
-    for (const char c : text.substr(0, k_longest)) {
+    for (const char c : text) {
         const auto byte = static_cast<unsigned char>(c);
         shown += byte < 0x20 || byte == 0x7f ? '?' : c;
     }
+    return shown;
+}
+
+std::string in_quotes(std::string_view text)
+{
+    constexpr std::size_t k_longest = 40;
+    std::string shown = on_one_line(text.substr(0, k_longest));
 
     // Don't cut a character of several bytes in two
     if (text.size() > k_longest) {
@@ -279,7 +285,8 @@ void TableReader::refuse_unknown_keys()
 {
     for (const auto& [key, node] : *table_) {
         if (std::find(known_.begin(), known_.end(), key.str()) != known_.end()) continue;
-        faults_->add_unknown_key(key.source().begin, label_, "the unknown key " + in_quotes(key.str()), one_of(key.str(), known_));
+        faults_->add_unknown_key(key.source().begin, label_, "the unknown key " + in_quotes(key.str()),
+                                 one_of(key.str(), known_));
     }
 }
 

@@ -47,6 +47,9 @@ private:
     std::vector<Placed> faults_;
 };
 
+/// Text with a question mark for each character that can't be printed, line ends among them.
+[[nodiscard]] std::string on_one_line(std::string_view text);
+
 /// Text between quotation marks for a message: at most forty bytes of it, what can't be printed as a question mark.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 

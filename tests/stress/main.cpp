@@ -72,11 +72,12 @@ constexpr Part k_parts[] = {
 
 void print_help()
 {
-    fmt::print("./course stress [PART...] [--seed N] [--count N]\n\n"
+    fmt::print("./course stress [PART...] [--seed N] [--count N] [--row N]\n\n"
                "Without a part: all of them, hours. Each finding is a line; the last line is the sum.\n"
                "  --seed N    the first seed, 1 where it isn't given: a run with --seed 1 --count 1000 and one with\n"
                "              --seed 1001 --count 1000 make the run with --seed 1 --count 2000\n"
-               "  --count N   how much of what the part counts\n\nParts:\n");
+               "  --count N   how much of what the part counts\n"
+               "  --row N     of the part `table`, this row alone\n\nParts:\n");
     for (const Part& part : k_parts)
         fmt::print("  {:<12} {} ({} {})\n", part.name, part.what, part.count, part.counted);
     fmt::print("\nThe part `tests` has the random cases that a test run has not, of these tests:\n");
@@ -115,10 +116,11 @@ int run(const std::vector<std::string_view>& arguments)
             print_help();
             return 0;
         }
-        if (word == "--seed" || word == "--count") {
+        if (word == "--seed" || word == "--count" || word == "--row") {
             const long value = k + 1 < arguments.size() ? number(arguments[++k]) : 0;
             if (value == 0) return refuse(fmt::format("expected a positive number after {}", word));
             if (word == "--seed") job.seed = static_cast<std::uint64_t>(value);
+            else if (word == "--row") job.row = value;
             else job.count = value;
         } else if (const Part* part = find_part(word)) {
             chosen.push_back(part);
@@ -132,7 +134,7 @@ int run(const std::vector<std::string_view>& arguments)
     }
 
     Tally tally;
-    for (const Part* part : chosen) part->run({job.seed, job.count != 0 ? job.count : part->count}, tally);
+    for (const Part* part : chosen) part->run({job.seed, job.count != 0 ? job.count : part->count, job.row}, tally);
     fmt::print("{} passed, {} failed\n", tally.passed(), tally.failed());
     return tally.failed() == 0 && tally.passed() > 0 ? 0 : 1;
 }

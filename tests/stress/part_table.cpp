@@ -1,7 +1,6 @@
 #include "stress.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <ctime>
 #include <exception>
 #include <filesystem>
@@ -44,7 +43,8 @@ std::string today()
 std::vector<Trial> all_trials()
 {
     std::vector<Trial> all;
-    for (const auto& some : {trials_of_flight(), trials_of_rest(), trials_of_doors(), trials_of_bits(), trials_of_length()})
+    for (const auto& some : {trials_of_flight(), trials_of_rest(), trials_of_crowds(), trials_of_corners(),
+                             trials_of_links(), trials_of_doors(), trials_of_bits(), trials_of_length()})
         all.insert(all.end(), some.begin(), some.end());
     std::stable_sort(all.begin(), all.end(), [](const Trial& a, const Trial& b) { return a.number < b.number; });
     return all;
@@ -89,6 +89,7 @@ void run_table(const Job& job, Tally& tally)
         std::ofstream(path, std::ios::binary) << breaking::line_of("run", table.run) << '\n';
     }
     for (const Trial& trial : all_trials()) {
+        if (job.row != 0 && job.row != trial.number) continue;
         const Row* before = table.row(trial.name);
         if (before && before->holds && before->is_whole) {
             tally.note(fmt::format("        {:>2} {}: done before", trial.number, trial.name));
@@ -98,9 +99,10 @@ void run_table(const Job& job, Tally& tally)
         const Row row = try_one(trial, {static_cast<double>(job.count), folder}, before ? before->seconds : 0.0);
         std::ofstream(path, std::ios::binary | std::ios::app) << breaking::line_of("row", row) << '\n';
         table.put(row);
-        tally.result(row.holds, fmt::format("{:>2} {}: {} {:.3g}, {} {:.3g} asked; {}{}{}", row.number, row.name, row.measure, row.reached,
-                                            row.at_least ? "at least" : "at most", row.bound, row.amount,
-                                            row.remark.empty() ? "" : "; " + row.remark, row.is_whole ? "" : " (to be gone on with)"));
+        tally.result(row.holds, fmt::format("{:>2} {}: {} {:.3g}, {} {:.3g} asked; {}{}{}", row.number, row.name,
+                                            row.measure, row.reached, row.at_least ? "at least" : "at most", row.bound,
+                                            row.amount, row.remark.empty() ? "" : "; " + row.remark,
+                                            row.is_whole ? "" : " (to be gone on with)"));
     }
 }
 

@@ -33,6 +33,7 @@ struct Job
 {
     std::uint64_t seed = 1; ///< of the first case; the next ones count upwards
     long count = 0;         ///< of what the part counts
+    long row = 0;           ///< of the table, this one alone; 0 for all
 };
 
 void run_roots(const Job& job, Tally& tally);

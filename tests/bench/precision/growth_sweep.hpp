@@ -13,7 +13,8 @@ namespace flying::bench {
 [[nodiscard]] std::vector<std::string> growth_names();
 
 /// Seconds of computing against the number of bodies, each engine up to the size at which a run takes longer than
-/// allowed. name  one of growth_names();  most  [s]
+/// allowed; and what its largest run holds in memory at its end.
+/// name  one of growth_names();  most  for a peer; ours may take five times as long  [s]
 [[nodiscard]] work::GrowthRecord grow(const std::string& name, Coarseness coarseness, double most, int repeats,
                                       const std::function<void(const std::string&)>& tell);
 

@@ -132,7 +132,7 @@ TEST_CASE("records come back from their lines as they were")
 {
     work::DiagramRecord diagram{"a", "title", "why", "truth", 3, 1.5, {"m [m]"}, {}};
     diagram.curves = {{"one", {{60.0, {0.1, 0.2, 0.30000000000000004}, {1e-300, -1.0}}}, ""}, {"two", {}, "too slow"}};
-    work::GrowthRecord growth{"g", "title", "seconds", {{"one", {{10.0, 1e-3}, {100.0, 1.0 / 3.0}}}}};
+    work::GrowthRecord growth{"g", "title", "seconds", {{"one", {{10.0, 1e-3}, {100.0, 1.0 / 3.0}}}}, {{"one", 64.0}}};
     work::SkipsRecord skips{
         "s", 2.0, {{"", {1.0, 2.0, 3.0}, 0, true, false}, {"grid", {4.0, 5.0, 6.0}, 7, false, true}}};
     const std::string text = work::line_of("run", a_run()) + "\n" + work::line_of("diagram", diagram) + "\n" +
@@ -145,6 +145,7 @@ TEST_CASE("records come back from their lines as they were")
     CHECK(work::line_of("diagram", *records->diagram("a")) == work::line_of("diagram", diagram));
     CHECK(records->diagram("a")->curves[0].points[0].seconds.high == 0.30000000000000004);
     CHECK(records->growths.at(0).curves.at("one")[1].second == 1.0 / 3.0);
+    CHECK(records->growths.at(0).bytes_per_body.at("one") == 64.0);
     CHECK(work::line_of("skips", records->skips.at(0)) == work::line_of("skips", skips));
 
     CHECK_FALSE(work::read_records(""));

@@ -1,26 +1,25 @@
 // What takes hours: a share at a time, gone on with where the last one stopped.
 
 #include <array>
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <fstream>
 #include <iterator>
 
 #include <fmt/format.h>
 
-#include "json/saved_run.hpp"
 #include "scene/generate.hpp"
 #include "stress/random_pairs.hpp"
 #include "table/trials.hpp"
+#include "json/saved_run.hpp"
 
 namespace flying::stress {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start)
+/// Of computing, so that a busy machine takes nothing from a share.  [s]
+double seconds_since(std::clock_t start)
 {
-    return std::chrono::duration<double>(Clock::now() - start).count();
+    return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
 /// Whole or not at all.
@@ -52,7 +51,7 @@ Reached missed_roots(const Share& share)
     const auto keep = [&] {
         write_text(path, fmt::format("{} {} {} {}\n", roots.next, roots.impacts, roots.wrong, roots.undecided));
     };
-    for (const auto start = Clock::now(); roots.next <= k_all && seconds_since(start) < share.seconds;) {
+    for (const auto start = std::clock(); roots.next <= k_all && seconds_since(start) < share.seconds;) {
         for (int k = 0; k < 2000; ++k, ++roots.next) {
             const RandomPair pair = random_pair(roots.next);
             const Verdict verdict = judge(pair, foresee(pair));
@@ -95,18 +94,19 @@ Reached long_gas(const Share& share)
         if (!resumed) throw std::runtime_error(path + ": " + resumed.faults().front().found);
         world = std::move(resumed).value();
     }
-    auto kept = Clock::now();
+    auto kept = std::clock();
     for (const auto start = kept; world.collisions() < k_all && seconds_since(start) < share.seconds;) {
         if (const auto failure = world.advance(1e12, 200'000)) throw std::runtime_error(failure->message);
         if (seconds_since(kept) < 60.0) continue;
         write_text(path, write_saved_run(scene, exact, world.snapshot()));
-        kept = Clock::now();
+        kept = std::clock();
     }
     write_text(path, write_saved_run(scene, exact, world.snapshot()));
     const Report report = world.report();
     Reached reached;
     reached.value = std::abs(report.energy.total() / report.initial_total - 1.0);
-    reached.amount = fmt::format("{} collisions of {}, 1024 discs, {:.0f} s of their time", report.collisions, k_all, report.time);
+    reached.amount =
+        fmt::format("{} collisions of {}, 1024 discs, {:.0f} s of their time", report.collisions, k_all, report.time);
     reached.remark = fmt::format("overlap at most {:.1e} m", report.max_overlap);
     reached.is_whole = report.collisions >= k_all;
     return reached;

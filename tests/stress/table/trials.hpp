@@ -14,10 +14,10 @@ namespace flying::stress {
 /// How far an attempt got.
 struct Reached
 {
-    double value = 0.0;     ///< in the unit of its row
-    std::string amount;     ///< how much was tried
-    std::string remark;     ///< what else was seen; may be empty
-    bool is_whole = true;   ///< all that the row asks for was tried
+    double value = 0.0;   ///< in the unit of its row
+    std::string amount;   ///< how much was tried
+    std::string remark;   ///< what else was seen; may be empty
+    bool is_whole = true; ///< all that the row asks for was tried
 };
 
 /// What a long attempt may take now, and where it keeps how far it is.
@@ -30,11 +30,11 @@ struct Share
 /// One row. A whole number of `reached` counts bodies, scenes or pairs.
 struct Trial
 {
-    int number = 0;         ///< of the table; rows of one number belong together
+    int number = 0; ///< of the table; rows of one number belong together
     const char* name = "";
     const char* measure = ""; ///< what `value` is, with its unit
     double bound = 0.0;
-    bool at_least = false;    ///< the value should be at least the bound; else at most
+    bool at_least = false;      ///< the value should be at least the bound; else at most
     const char* elsewhere = ""; ///< the best that is known of other engines
     Reached (*run)(const Share&) = nullptr;
 };
@@ -42,9 +42,12 @@ struct Trial
 /// In the order of their numbers within each.
 [[nodiscard]] std::span<const Trial> trials_of_flight();
 [[nodiscard]] std::span<const Trial> trials_of_rest();
-[[nodiscard]] std::span<const Trial> trials_of_doors(); ///< what a scene may say, and what is refused
-[[nodiscard]] std::span<const Trial> trials_of_bits();  ///< the same result whatever is asked, saved, renamed, compiled
-[[nodiscard]] std::span<const Trial> trials_of_length();///< those that take hours, a share at a time
+[[nodiscard]] std::span<const Trial> trials_of_crowds(); ///< many bodies: a gas that collapses, heaps, towers, lattices
+[[nodiscard]] std::span<const Trial> trials_of_corners(); ///< seams, steps, notches, knife edges
+[[nodiscard]] std::span<const Trial> trials_of_links();   ///< bodies that hold each other: chains and rings
+[[nodiscard]] std::span<const Trial> trials_of_doors();   ///< what a scene may say, and what is refused
+[[nodiscard]] std::span<const Trial> trials_of_bits(); ///< the same result whatever is asked, saved, renamed, compiled
+[[nodiscard]] std::span<const Trial> trials_of_length(); ///< those that take hours, a share at a time
 
 // ---- What several of them make ------------------------------------------------------------------------------------
 
@@ -102,6 +105,10 @@ inline World events_of(const Scene& scene)
     options.engine = EngineChoice::events;
     return world_of(scene, options);
 }
+
+/// Deepest overlap of two bodies, or of one with the box, over the bounding radius of the smaller one. The scene has a
+/// box.
+[[nodiscard]] double deepest_overlap(const World& world);
 
 /// Throws where the run can't go on.
 inline void run_to(World& world, double time)
