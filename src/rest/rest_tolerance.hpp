@@ -17,12 +17,9 @@ inline constexpr double k_stagnant = 16.0;
 /// is below a hundredth of the stack's own; corrections take what it leaves to rounding.
 inline constexpr double k_stiffness = 0x1p32;
 
-/// [speeds that the field gives in a step] Slower is still: what the solve leaves of an island that nothing moves, with
-/// room; and a hundredth of what a slope gives that is 1e-9 too steep.
+/// [speeds that the field gives in a step] Slower is still, and slip that is slower has ended: what the solve leaves of
+/// an island that nothing moves, with room; and a hundredth of what a slope gives that is 1e-9 too steep.
 inline constexpr double k_still = 0x1p-36;
-
-/// [speeds that the field gives in a step] Slip below this has ended.
-inline constexpr double k_slip = 0x1p-34;
 
 /// [pairs per body] A stack on a floor has one, a pyramid nearly two. Up to here one body in sixteen leans on a second
 /// one, and eliminating along the stack fills in few blocks.
@@ -32,8 +29,8 @@ inline constexpr double k_tall = 17.0 / 16.0;
 /// slip is a slide.
 inline constexpr double k_blow = 0x1p-10;
 
-/// [steps] What closes so soon closes now: less than it takes to pass a gap of 1e-9 m, so that each ball of a row is
-/// struck in its turn.
+/// [steps] What closes so soon closes now, and so near to the end closes in the next step: less than it takes to pass a
+/// gap of 1e-9 m, so that each ball of a row is struck in its turn.
 inline constexpr double k_at_once = 0x1p-32;
 
 /// [sine] Normals of static contacts this near to each other lead the same way.
@@ -64,55 +61,32 @@ inline constexpr double k_most_overlap = 0x1p-7;
 inline constexpr double k_rounding = 0x1p-46;
 
 /// Rounds of what ends by itself after a few, or never: impacts at one moment, steps of the interior point, pieces of a
-/// path that begins near its end. Elastic bodies packed between walls would go on for ever.
+/// path that begins near its end, corrections of what rounding leaves; and sweeps that lead nearer to where Newton's
+/// method works. Elastic bodies packed between walls would go on for ever.
 inline constexpr int k_patience = 64;
 
-/// Rounds of what is right after one or two, or after many: Newton's steps; and the parts of a step of many bodies.
+/// Rounds of what is right after one or two, or after many: Newton's steps; looks at a pair that closes, each at the
+/// moment that the last one foresaw; lines along curved ways; halvings of a step until all slips last; and the parts of
+/// a step of many bodies.
 inline constexpr int k_quick_rounds = 8;
+
+/// Rounds of what is near after two or three: pushes that take off overlap, each of which leaves about the square of
+/// what it found; limits of friction that follow normal impulses; ends of slips in one step; and, for each point,
+/// pieces of a path that begins with nothing.
+inline constexpr int k_few_rounds = 4;
 
 /// Points, or bodies, of the largest island that is followed in detail: the end of each slip, the moment of each
 /// impact. In larger ones all that a step brings comes at its start.
 inline constexpr int k_most_in_detail = 12;
 
-// ---- Path of solutions (piece_path)
-/// [shifts at the start] Where shifts grow beyond, the path comes from nowhere.
-inline constexpr double k_path_farthest = 0x1p10;
-
-/// [shifts] A path from nothing begins so much before the first point closes.
-inline constexpr double k_path_before = 0x1p-10;
-
-/// [shifts] Points have shifts that differ by up to this much, so that no two close at one place of the path.
-inline constexpr double k_path_apart = 0.25;
-
 // ---- Direct solver (piece_system, island_solver)
 /// [worst approach] A point that parts more slowly may still bear.
 inline constexpr double k_may_bear = 0.25;
 
-inline constexpr int k_corrections = 48;
-
-/// Sweeps that lead nearer to where Newton's method works.
-inline constexpr int k_leading_sweeps = 64;
-
 /// [greatest speeds] What parts so fast bears nothing.
 inline constexpr double k_never_bears = 0x1p20;
 
-/// Pieces of a path that begins near its end: one for so many points, and so many at least.
-inline constexpr int k_path_share = 2;
-
-/// Points of the largest island that is solved from nothing: that takes a system for each, and more.
-inline constexpr std::size_t k_most_from_nothing = 256;
-
-/// [points] Pieces of one that begins with nothing; it rarely takes more than three.
-inline constexpr int k_path_pieces = 4;
-
-// ---- Impacts in rounds (impact)
 // ---- Interior point (interior_point, island_solver)
-/// Rounds in which limits of friction follow normal impulses.
-inline constexpr int k_limit_rounds = 3;
-
-/// Steps in a row that don't halve the products: the way on is blocked, as it may be where friction is great.
-inline constexpr int k_interior_patience = 16;
-
 /// [unit energies] Products this small tell their greater number from the smaller.
 inline constexpr double k_interior_small = 0x1p-40;
 
@@ -140,17 +114,11 @@ inline constexpr double k_room_reaches = 3.0;
 /// parts that had no point are looked at where two come nearer by more; and sweeps may add so much in one step.
 inline constexpr double k_deep = 0x1p-10;
 
-/// NarrowPhase at a pair that closes, each at the moment that the last one foresaw.
-inline constexpr int k_looks = 5;
-
 /// [speeds that the field gives in a step] What bears, and comes nearer no faster than this, goes on to bear.
 inline constexpr double k_bearing_approach = 0x1p-24;
 
 /// [distances, speeds] By which separations, or approaches, that are compared may be off: far more than their rounding.
 inline constexpr double k_doubt = 0x1p-44;
-
-/// [steps] What closes later is left to the next step.
-inline constexpr double k_last_moment = 1.0 - 0x1p-30;
 
 // ---- Curved ways (curved_ways)
 /// Points of the largest island whose lines of push are followed along its ways.
@@ -159,10 +127,7 @@ inline constexpr int k_most_followed = 16;
 /// [1, or sizes] A line of push that changes by less within a step is straight.
 inline constexpr double k_straight = 0x1p-36;
 
-/// Rounds, each with lines along the ways that the last has found; and the part of what counts as touching that they
-/// may leave of a gap.
-inline constexpr int k_curve_rounds = 6;
-
+/// [gaps that count as touching] What a way may leave of a gap that it should close.
 inline constexpr double k_left_of_gap = 0.125;
 
 // ---- Steps of other lengths, and bodies that may fly again (rest_engine)
@@ -186,24 +151,15 @@ inline constexpr double k_most_push = 0.5;
 /// [energies] Rise that slowing down may end; where it is more, the step is made in halves.
 inline constexpr double k_fair_rise = 0x1p-8;
 
-/// Rounds of taking off overlap: each leaves about the square of what the last has found.
-inline constexpr int k_projection_rounds = 4;
-
 // ---- Seams (looks)
 /// [speeds] Two that part no faster than this, beside one that passes both, go together.
 inline constexpr double k_together = 0x1p-6;
 
-// ---- Ends of slip (slip_ends)
-/// Parts of one step.
-inline constexpr int k_slip_parts = 4;
-
-/// Bisections until a part of a step slips to its end.
-inline constexpr int k_slip_halvings = 10;
-
 // ---- Contact forces (contact_forces)
 // [rest.solve.limits]
 /// Bodies of the largest island that is solved whole however it moves, and whatever it takes, and whose step may be
-/// made in parts; more are a heap.
+/// made in parts; more are a heap. Also points of the largest one that is solved from nothing, which takes a system for
+/// each, and more.
 inline constexpr int k_most_whole = 64;
 
 /// [speeds that the field gives in a step] A large island that moves no faster stands, or begins to fall; its overlap
@@ -219,7 +175,6 @@ inline constexpr int k_most_parts = 256;
 /// [steps] Shorter parts of a step are not cut again: an island takes what comes out.
 inline constexpr double k_shortest_part = 0x1p-10;
 
-// ---- Impacts (impacts)
 // ---- Heaps (heap_sweeps)
 /// [speeds that the field gives in a step] Impulses that sweeps leave no further from right than this are taken for
 /// those of the direct solve.
