@@ -238,7 +238,7 @@ void find_contacts(RestData& data, int index, std::vector<ContactPoint>& found)
     for (int k = 0; k <= rest_tolerance::k_quick_rounds && !overlaps; ++k) {
         const double wait = next_closing(data, pair, ahead, moment, closing);
         if (wait == 0.0) closes_at = moment;
-        if (wait == 0.0 || !(moment + wait <= (1.0 - rest_tolerance::k_at_once) * data.motion.span)) break;
+        if (wait == 0.0 || !(moment + wait <= rest_tolerance::k_last_moment * data.motion.span)) break;
         moment += wait;
         ++data.counts.manifolds;
         ahead = look(data, pair, pose_at(data, pair.a, moment), pose_at(data, pair.b, moment), margin);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
 
 #include "rest/rest_tolerance.hpp"
 
@@ -21,7 +20,7 @@ bool PiecePath::follow(PieceSystem& pieces, ContactProblem& problem, Start start
     shift_.assign(2 * problem.points.size(), 0.0);
     if (start == Start::nothing) shift_from_nothing(problem);
     else shift_from_impulses(problem);
-    double left = start == Start::nothing ? 2.0 : 1.0;
+    double left = start == Start::nothing ? 1.0 + rest_tolerance::k_path_before : 1.0;
     start_springs(pieces, problem, left);
     double first = 1.0;
     Turn last;
@@ -32,8 +31,8 @@ bool PiecePath::follow(PieceSystem& pieces, ContactProblem& problem, Start start
         if (piece == 0) first = pieces.orientation();
         const double sign = first * pieces.orientation();
         measure_rates(pieces, problem, sign);
-        const Turn next = next_turn(pieces, problem, last, sign > 0.0 ? left : std::numeric_limits<double>::infinity());
-        if (next.point < 0 && sign < 0.0) return false; // it leads away for good
+        const double within = sign > 0.0 ? left : rest_tolerance::k_path_farthest - left;
+        const Turn next = next_turn(pieces, problem, last, within);
         left -= sign * next.way;
         for (Springs& s : springs_) {
             s.normal += next.way * s.normal_rate;
@@ -41,7 +40,7 @@ bool PiecePath::follow(PieceSystem& pieces, ContactProblem& problem, Start start
         }
         if (next.point < 0) {
             take_springs(pieces, problem);
-            return true;
+            return sign > 0.0;
         }
         pieces.set_mode(next.point, next.to);
         last = next;
@@ -55,7 +54,7 @@ void PiecePath::shift_from_nothing(const ContactProblem& problem)
     double top = 0.0; // [m/s]
     for (std::size_t k = 0; k < problem.points.size(); ++k) {
         const std::uint32_t mixed = static_cast<std::uint32_t>(k + 1) * k_golden;
-        shift_[2 * k] = 1.0 + static_cast<double>(mixed) * 0x1p-32;
+        shift_[2 * k] = 1.0 + rest_tolerance::k_path_apart * (static_cast<double>(mixed) * 0x1p-32);
         top = std::max(top, -problem.slip[2 * k] / shift_[2 * k]);
     }
     for (double& x : shift_) x *= top;

@@ -17,9 +17,12 @@ inline constexpr double k_stagnant = 16.0;
 /// is below a hundredth of the stack's own; corrections take what it leaves to rounding.
 inline constexpr double k_stiffness = 0x1p32;
 
-/// [speeds that the field gives in a step] Slower is still, and slip that is slower has ended: what the solve leaves of
-/// an island that nothing moves, with room; and a hundredth of what a slope gives that is 1e-9 too steep.
+/// [speeds that the field gives in a step] Slower is still: what the solve leaves of an island that nothing moves, with
+/// room; and a hundredth of what a slope gives that is 1e-9 too steep.
 inline constexpr double k_still = 0x1p-36;
+
+/// [speeds that the field gives in a step] Slip below this has ended.
+inline constexpr double k_slip = 0x1p-34;
 
 /// [pairs per body] A stack on a floor has one, a pyramid nearly two. Up to here one body in sixteen leans on a second
 /// one, and eliminating along the stack fills in few blocks.
@@ -29,8 +32,8 @@ inline constexpr double k_tall = 17.0 / 16.0;
 /// slip is a slide.
 inline constexpr double k_blow = 0x1p-10;
 
-/// [steps] What closes so soon closes now, and so near to the end closes in the next step: less than it takes to pass a
-/// gap of 1e-9 m, so that each ball of a row is struck in its turn.
+/// [steps] What closes so soon closes now: less than it takes to pass a gap of 1e-9 m, so that each ball of a row is
+/// struck in its turn.
 inline constexpr double k_at_once = 0x1p-32;
 
 /// [sine] Normals of static contacts this near to each other lead the same way.
@@ -79,6 +82,16 @@ inline constexpr int k_few_rounds = 4;
 /// impact. In larger ones all that a step brings comes at its start.
 inline constexpr int k_most_in_detail = 12;
 
+// ---- Path of solutions (piece_path)
+/// [shifts at the start] Where shifts grow beyond, the path comes from nowhere.
+inline constexpr double k_path_farthest = 0x1p10;
+
+/// [shifts] A path from nothing begins so much before the first point closes.
+inline constexpr double k_path_before = 0x1p-10;
+
+/// [shifts] Points have shifts that differ by up to this much, so that no two close at one place of the path.
+inline constexpr double k_path_apart = 0.25;
+
 // ---- Direct solver (piece_system, island_solver)
 /// [worst approach] A point that parts more slowly may still bear.
 inline constexpr double k_may_bear = 0.25;
@@ -120,6 +133,9 @@ inline constexpr double k_bearing_approach = 0x1p-24;
 /// [distances, speeds] By which separations, or approaches, that are compared may be off: far more than their rounding.
 inline constexpr double k_doubt = 0x1p-44;
 
+/// [steps] What closes later is left to the next step.
+inline constexpr double k_last_moment = 1.0 - 0x1p-30;
+
 // ---- Curved ways (curved_ways)
 /// Points of the largest island whose lines of push are followed along its ways.
 inline constexpr int k_most_followed = 16;
@@ -127,7 +143,6 @@ inline constexpr int k_most_followed = 16;
 /// [1, or sizes] A line of push that changes by less within a step is straight.
 inline constexpr double k_straight = 0x1p-36;
 
-/// [gaps that count as touching] What a way may leave of a gap that it should close.
 inline constexpr double k_left_of_gap = 0.125;
 
 // ---- Steps of other lengths, and bodies that may fly again (rest_engine)
@@ -183,9 +198,6 @@ inline constexpr double k_nearly_right = 0.125;
 /// [speeds that the field gives in a step] An island that was slower and stays so is at rest: what it was about to do
 /// is the price of its sleep. From rest, what accelerates by no more than this share of the field doesn't start.
 inline constexpr double k_rest_speed = 0x1p-8;
-
-/// [greatest speeds] Points that would have to close faster than that wait for the end of the sweeps.
-inline constexpr double k_far = 2.0;
 
 /// [energies of fall] What a sweep's changes are worth when there are enough of them.
 inline constexpr double k_enough = 0x1p-10;
