@@ -152,10 +152,8 @@ inline double error_looking_back(int count, int sweeps)
 {
     const std::vector<double> masses(count, 1.0);
     Column column = column_of(masses, 1.0);
-    std::vector<int> which(column.points.size());
-    for (std::size_t k = 0; k < which.size(); ++k) which[k] = static_cast<int>(k);
     SweepBatches batches;
-    batches.lay_out(column.points, which, column.movers, column.members);
+    batches.lay_out(column.points, column.movers, column.members);
     batches.sweep_ahead({sweeps, sweeps, 0.0});
     batches.get_impulses(column.points);
     return worst_error(column.points, weights_above(masses, 1.0));

@@ -210,10 +210,8 @@ TEST_CASE("wide sweeps have the bits of plain ones in the order of the batches")
             c.friction = 0.5;
             points.push_back(c);
         }
-        std::vector<int> which(points.size());
-        for (std::size_t k = 0; k < which.size(); ++k) which[k] = static_cast<int>(k);
         SweepBatches batches;
-        batches.lay_out(points, which, movers, members);
+        batches.lay_out(points, movers, members);
         batches.sweep_ahead({1, 1, 0.0});
         std::vector<SweepPoint> plain;
         for (const int k : batches.order()) plain.push_back(sweep_point(points[k]));

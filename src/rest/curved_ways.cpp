@@ -146,7 +146,7 @@ bool CurvedWays::follow(RestData& data, Island& island)
     bool content = true;
     for (int round = 1; content; ++round) {
         content = find_mean_velocities(data, island) && see_ends(data, island);
-        if (round == rest_tolerance::k_curve_rounds || (content && all_close(data))) break;
+        if (round == rest_tolerance::k_quick_rounds || (content && all_close(data))) break;
         content = content && bend_lines(data, island, true) != Bend::lost;
     }
     content = content && end_velocities(data, island);

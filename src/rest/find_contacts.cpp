@@ -235,7 +235,7 @@ void find_contacts(RestData& data, int index, std::vector<ContactPoint>& found)
     bool overlaps = false;
     for (int k = 0; k < manifold.count; ++k)
         overlaps = overlaps || manifold.contacts[k].separation < -rest_tolerance::k_deep * size;
-    for (int k = 0; k <= rest_tolerance::k_looks && !overlaps; ++k) {
+    for (int k = 0; k <= rest_tolerance::k_quick_rounds && !overlaps; ++k) {
         const double wait = next_closing(data, pair, ahead, moment, closing);
         if (wait == 0.0) closes_at = moment;
         if (wait == 0.0 || !(moment + wait <= rest_tolerance::k_last_moment * data.motion.span)) break;

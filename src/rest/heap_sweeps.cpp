@@ -48,7 +48,6 @@ void HeapSweeps::sweep_large(RestData& data, Island& island)
     plan.sweeps = data.options.sweeps;
     plan.most_sweeps = data.options.most_sweeps;
     plan.enough = rest_tolerance::k_enough * energy_of_fall(data, island);
-    plan.far_from_closing = rest_tolerance::k_far * std::max(before, field);
     plan.tolerance = rest_tolerance::k_blow * field;
     sweeps_.sweep(data.motion.now, members, points, plan, data.solver.counts());
     const bool is_slow = before <= rest_tolerance::k_standing * field;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "rest/push_lines.hpp"
 #include "rest/rest_tolerance.hpp"
@@ -259,10 +258,8 @@ bool InteriorPoint::solve(const ContactProblem& problem, BlockSystem& system, st
 {
     start(problem, limits);
     double missed = mean_product(0.0); // what the first numbers miss of the bounds, as a mean product
-    double least = std::numeric_limits<double>::infinity();
     bool small = false;
-    int waits = 0;
-    for (int k = 0; k < rest_tolerance::k_patience && !small && waits < rest_tolerance::k_interior_patience; ++k) {
+    for (int k = 0; k < rest_tolerance::k_patience && !small; ++k) {
         ++factorisations;
         if (!assemble(problem, system)) break;
 
@@ -281,10 +278,7 @@ bool InteriorPoint::solve(const ContactProblem& problem, BlockSystem& system, st
         }
         take(step, 1.0 - share);
         missed *= 1.0 - step * (1.0 - share);
-        const double now = mean_product(0.0);
-        waits = now < 0.5 * least ? 0 : waits + 1;
-        least = std::min(least, now);
-        small = now <= rest_tolerance::k_interior_small;
+        small = mean_product(0.0) <= rest_tolerance::k_interior_small;
     }
 
     // Of each pair only the greater number is left

@@ -20,8 +20,7 @@ namespace {
 /// Pieces of a path that begins near its end.
 [[nodiscard]] int few_pieces(std::size_t points)
 {
-    const int count = static_cast<int>(points);
-    return std::min(count / rest_tolerance::k_path_share + rest_tolerance::k_quick_rounds, rest_tolerance::k_patience);
+    return std::min(static_cast<int>(points) + rest_tolerance::k_quick_rounds, rest_tolerance::k_patience);
 }
 
 } // namespace
@@ -57,7 +56,7 @@ bool IslandSolver::solve(std::span<Mover> movers, std::span<const int> members, 
     for (const From from : {From::sweeps, From::within, From::nothing}) {
         const bool is_worth_it = effort == Effort::full || (effort == Effort::some && from == From::sweeps);
         if (content || !is_worth_it) break;
-        if (from == From::nothing && points.size() > rest_tolerance::k_most_from_nothing) break;
+        if (from == From::nothing && points.size() > rest_tolerance::k_most_whole) break;
         go_back_to_best(island);
         content = improve(island, from);
     }
@@ -84,7 +83,7 @@ void IslandSolver::end_approaches(std::span<Mover> movers, std::span<const int> 
     limits_.assign(points.size(), 0.0);
     pieces_.lend([&](BlockSystem& blocks, std::int64_t& factorisations) {
         for (std::size_t k = 0; k < points.size(); ++k) problem_.impulse[2 * k] = points[k].normal;
-        for (int round = 0; round < rest_tolerance::k_limit_rounds; ++round) {
+        for (int round = 0; round < rest_tolerance::k_few_rounds; ++round) {
             for (std::size_t k = 0; k < points.size(); ++k) {
                 const double most = points[k].friction * problem_.impulse[2 * k];
                 limits_[k] = round == 0 ? most : 0.5 * (limits_[k] + most);
@@ -115,7 +114,7 @@ void IslandSolver::forget_what_suits_worse(const Island& island)
 bool IslandSolver::improve(const Island& island, From from)
 {
     double before = std::numeric_limits<double>::infinity();
-    for (int k = 0; k < rest_tolerance::k_corrections; ++k) {
+    for (int k = 0; k < rest_tolerance::k_patience; ++k) {
         measure_slips(problem_, island.movers);
         if (!(k == 0 ? find_pieces(island, from) : find_from_here(island))) return false;
         take_impulses(island);
@@ -151,7 +150,7 @@ bool IslandSolver::find_pieces(const Island& island, From from)
         restore_free(island);
         measure_slips(problem_, island.movers);
         return path_.follow(pieces_, problem_, PiecePath::Start::nothing,
-                            rest_tolerance::k_path_pieces * static_cast<int>(island.points.size()));
+                            rest_tolerance::k_few_rounds * static_cast<int>(island.points.size()));
     }
     return false;
 }
@@ -187,11 +186,11 @@ void IslandSolver::sweep_on(const Island& island)
 {
     sweep_points_.clear();
     for (const ContactPoint& c : island.points) sweep_points_.push_back(sweep_point(c));
-    for (int k = 0; k < rest_tolerance::k_leading_sweeps; ++k) {
+    for (int k = 0; k < rest_tolerance::k_patience; ++k) {
         if (k % 2 == 0) sweep(sweep_points_, island.movers);
         else sweep_back(sweep_points_, island.movers);
     }
-    counts_.sweeps += rest_tolerance::k_leading_sweeps;
+    counts_.sweeps += rest_tolerance::k_patience;
     for (std::size_t k = 0; k < island.points.size(); ++k) {
         island.points[k].normal = sweep_points_[k].normal;
         island.points[k].tangent = sweep_points_[k].tangent;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -18,7 +17,6 @@ struct SweepPlan
     int most_sweeps = 0;     ///< as many where fewer don't bring a sweep's changes below `enough`
     double enough = 0.0;     ///< [J]
     double tolerance = -1.0; ///< where no point asks for a greater change, impulses stay as they are [m/s]
-    double far_from_closing = std::numeric_limits<double>::infinity(); ///< points that part so fast wait [m/s]
 };
 
 /// Sweeps over all points of a group (projected Gauss-Seidel), from where the step before has ended.
@@ -32,10 +30,6 @@ public:
                const SweepPlan& plan, SolveCounts& counts);
 
 private:
-    void sweep_far(std::span<ContactPoint> points, std::span<Mover> movers);
-
-    std::vector<int> swept_; // the points that are swept over
-    std::vector<int> far_;   // those that wait
     SweepBatches batches_;
 };
 

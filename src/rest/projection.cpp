@@ -220,7 +220,7 @@ void Projection::put_apart(RestData& data, const Island& island, double overlap,
     shift_before_.resize(data.motion.now.size());
     turn_before_.resize(data.motion.now.size());
     const std::span<const int> members = island.members;
-    for (int round = 0; round < rest_tolerance::k_projection_rounds && overlap > 0.0; ++round) {
+    for (int round = 0; round < rest_tolerance::k_few_rounds && overlap > 0.0; ++round) {
         double touch = data.bodies.touch_gap(points_[0].a, points_[0].b);
         for (const ContactPoint& c : points_) touch = std::min(touch, data.bodies.touch_gap(c.a, c.b));
         for (const int member : members) {

@@ -64,11 +64,19 @@ inline constexpr double k_most_overlap = 0x1p-7;
 inline constexpr double k_rounding = 0x1p-46;
 
 /// Rounds of what ends by itself after a few, or never: impacts at one moment, steps of the interior point, pieces of a
-/// path that begins near its end. Elastic bodies packed between walls would go on for ever.
+/// path that begins near its end, corrections of what rounding leaves; and sweeps that lead nearer to where Newton's
+/// method works. Elastic bodies packed between walls would go on for ever.
 inline constexpr int k_patience = 64;
 
-/// Rounds of what is right after one or two, or after many: Newton's steps; and the parts of a step of many bodies.
+/// Rounds of what is right after one or two, or after many: Newton's steps; looks at a pair that closes, each at the
+/// moment that the last one foresaw; lines along curved ways; halvings of a step until all slips last; and the parts of
+/// a step of many bodies.
 inline constexpr int k_quick_rounds = 8;
+
+/// Rounds of what is near after two or three: pushes that take off overlap, each of which leaves about the square of
+/// what it found; limits of friction that follow normal impulses; ends of slips in one step; and, for each point,
+/// pieces of a path that begins with nothing.
+inline constexpr int k_few_rounds = 4;
 
 /// Points, or bodies, of the largest island that is followed in detail: the end of each slip, the moment of each
 /// impact. In larger ones all that a step brings comes at its start.
@@ -88,30 +96,10 @@ inline constexpr double k_path_apart = 0.25;
 /// [worst approach] A point that parts more slowly may still bear.
 inline constexpr double k_may_bear = 0.25;
 
-inline constexpr int k_corrections = 48;
-
-/// Sweeps that lead nearer to where Newton's method works.
-inline constexpr int k_leading_sweeps = 64;
-
 /// [greatest speeds] What parts so fast bears nothing.
 inline constexpr double k_never_bears = 0x1p20;
 
-/// Pieces of a path that begins near its end: one for so many points, and so many at least.
-inline constexpr int k_path_share = 2;
-
-/// Points of the largest island that is solved from nothing: that takes a system for each, and more.
-inline constexpr std::size_t k_most_from_nothing = 256;
-
-/// [points] Pieces of one that begins with nothing; it rarely takes more than three.
-inline constexpr int k_path_pieces = 4;
-
 // ---- Interior point (interior_point, island_solver)
-/// Rounds in which limits of friction follow normal impulses.
-inline constexpr int k_limit_rounds = 3;
-
-/// Steps in a row that don't halve the products: the way on is blocked, as it may be where friction is great.
-inline constexpr int k_interior_patience = 16;
-
 /// [unit energies] Products this small tell their greater number from the smaller.
 inline constexpr double k_interior_small = 0x1p-40;
 
@@ -139,9 +127,6 @@ inline constexpr double k_room_reaches = 3.0;
 /// parts that had no point are looked at where two come nearer by more; and sweeps may add so much in one step.
 inline constexpr double k_deep = 0x1p-10;
 
-/// Looks at a pair that closes, each at the moment that the last one foresaw.
-inline constexpr int k_looks = 5;
-
 /// [speeds that the field gives in a step] What bears, and comes nearer no faster than this, goes on to bear.
 inline constexpr double k_bearing_approach = 0x1p-24;
 
@@ -157,10 +142,6 @@ inline constexpr int k_most_followed = 16;
 
 /// [1, or sizes] A line of push that changes by less within a step is straight.
 inline constexpr double k_straight = 0x1p-36;
-
-/// Rounds, each with lines along the ways that the last has found; and the part of what counts as touching that they
-/// may leave of a gap.
-inline constexpr int k_curve_rounds = 6;
 
 inline constexpr double k_left_of_gap = 0.125;
 
@@ -185,24 +166,15 @@ inline constexpr double k_most_push = 0.5;
 /// [energies] Rise that slowing down may end; where it is more, the step is made in halves.
 inline constexpr double k_fair_rise = 0x1p-8;
 
-/// Rounds of taking off overlap: each leaves about the square of what the last has found.
-inline constexpr int k_projection_rounds = 4;
-
 // ---- Seams (looks)
 /// [speeds] Two that part no faster than this, beside one that passes both, go together.
 inline constexpr double k_together = 0x1p-6;
 
-// ---- Ends of slip (slip_ends)
-/// Parts of one step.
-inline constexpr int k_slip_parts = 4;
-
-/// Bisections until a part of a step slips to its end.
-inline constexpr int k_slip_halvings = 10;
-
 // ---- Contact forces (contact_forces)
 // [rest.solve.limits]
 /// Bodies of the largest island that is solved whole however it moves, and whatever it takes, and whose step may be
-/// made in parts; more are a heap.
+/// made in parts; more are a heap. Also points of the largest one that is solved from nothing, which takes a system for
+/// each, and more.
 inline constexpr int k_most_whole = 64;
 
 /// [speeds that the field gives in a step] A large island that moves no faster stands, or begins to fall; its overlap
@@ -226,9 +198,6 @@ inline constexpr double k_nearly_right = 0.125;
 /// [speeds that the field gives in a step] An island that was slower and stays so is at rest: what it was about to do
 /// is the price of its sleep. From rest, what accelerates by no more than this share of the field doesn't start.
 inline constexpr double k_rest_speed = 0x1p-8;
-
-/// [greatest speeds] Points that would have to close faster than that wait for the end of the sweeps.
-inline constexpr double k_far = 2.0;
 
 /// [energies of fall] What a sweep's changes are worth when there are enough of them.
 inline constexpr double k_enough = 0x1p-10;

@@ -16,17 +16,17 @@ void SlipEnds::part(RestData& data, Island& island)
     if (field_speed(data, island) == 0.0 || !any_slip_ended(island, data.motion.before, data.motion.now, still)) return;
     start_.resize(data.motion.now.size());
     for (const int member : island.members) start_[member] = data.motion.before[member];
-    for (int part = 0; part < rest_tolerance::k_slip_parts; ++part) {
+    for (int part = 0; part < rest_tolerance::k_few_rounds; ++part) {
         // Find a time short enough for all slips to last; from there each goes on evenly to its end
         double time = left;
         int halvings = 0;
-        for (; halvings < rest_tolerance::k_slip_halvings; ++halvings) {
+        for (; halvings < rest_tolerance::k_quick_rounds; ++halvings) {
             time *= 0.5;
             scale_impulses(island, 0.5);
             find_impulses(data, island, start_, time);
             if (!any_slip_ended(island, start_, data.motion.now, still)) break;
         }
-        if (halvings == rest_tolerance::k_slip_halvings) {
+        if (halvings == rest_tolerance::k_quick_rounds) {
             // It ends at once
             scale_impulses(island, left / time);
             find_impulses(data, island, start_, left);

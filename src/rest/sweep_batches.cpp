@@ -43,9 +43,9 @@ void SweepBatches::colour_part(std::span<const ContactPoint> points, std::size_t
     for (const Run& run : runs_) used_[run.a] = used_[run.b] = 0;
     runs_.clear();
     in_kind_.assign(2 * k_colours, 0);
-    for (std::size_t k = from; k < which_.size() && runs_.size() < k_part;) {
-        const ContactPoint& c = points[which_[k]];
-        const int count = k + 1 < which_.size() && points[which_[k + 1]].pair == c.pair ? 2 : 1;
+    for (std::size_t k = from; k < points.size() && runs_.size() < k_part;) {
+        const ContactPoint& c = points[k];
+        const int count = k + 1 < points.size() && points[k + 1].pair == c.pair ? 2 : 1;
         Run run{static_cast<int>(k), count, place_[c.a], place_[c.b], 0};
         run.kind = 2 * colour_of(run) + (count - 1);
         ++in_kind_[run.kind];
@@ -86,20 +86,19 @@ void SweepBatches::clear(Batch& batch)
     }
 }
 
-void SweepBatches::lay_out(std::span<const ContactPoint> points, std::span<const int> which,
-                           std::span<const Mover> movers, std::span<const int> members)
+void SweepBatches::lay_out(std::span<const ContactPoint> points, std::span<const Mover> movers,
+                           std::span<const int> members)
 {
     place_.assign(movers.size(), static_cast<int>(members.size())); // of none
     for (std::size_t k = 0; k < members.size(); ++k) place_[members[k]] = static_cast<int>(k);
     bodies_.assign(members.size() + 1, Body{});
     set_velocities(movers, members);
-    which_.assign(which.begin(), which.end());
-    lane_of_.resize(which.size());
+    lane_of_.resize(points.size());
     runs_.clear();
     used_.assign(bodies_.size(), 0);
     batch_count_ = 0;
     point_count_ = 0;
-    for (std::size_t k = 0; k < which.size();) k = lay_out_part(k, points, movers);
+    for (std::size_t k = 0; k < points.size();) k = lay_out_part(k, points, movers);
 }
 
 /// Returns where the next part begins.
@@ -116,7 +115,7 @@ std::size_t SweepBatches::lay_out_part(std::size_t from, std::span<const Contact
         const int place = places_[run.kind]++;
         Batch& batch = batches_[place / 8];
         const int pair = place % 8;
-        set_lane(batch, pair, points, std::span(which_).subspan(run.first, run.count), movers);
+        set_lane(batch, pair, points.subspan(run.first, run.count), movers);
         for (int i = 0; i < run.count; ++i) lane_of_[run.first + i] = 4 * (batch.first + 2 * i) + pair;
     }
     return runs_.back().first + runs_.back().count;
@@ -125,17 +124,16 @@ std::size_t SweepBatches::lay_out_part(std::size_t from, std::span<const Contact
 std::vector<int> SweepBatches::order() const
 {
     // The first points of all pairs of a batch, then the second ones: pairs of a batch know nothing of each other
-    std::vector<int> order(which_.size());
+    std::vector<int> order(lane_of_.size());
     std::iota(order.begin(), order.end(), 0);
     std::sort(order.begin(), order.end(), [&](int i, int j) { return lane_of_[i] < lane_of_[j]; });
-    for (int& k : order) k = which_[k];
     return order;
 }
 
-void SweepBatches::set_lane(Batch& batch, int pair, std::span<const ContactPoint> points, std::span<const int> which,
-                            std::span<const Mover> movers)
+/// points  of the pair
+void SweepBatches::set_lane(Batch& batch, int pair, std::span<const ContactPoint> points, std::span<const Mover> movers)
 {
-    const ContactPoint& c = points[which[0]];
+    const ContactPoint& c = points[0];
     Row& row = batch.rows[pair / 4];
     const int lane = pair % 4;
     row.a[lane] = place_[c.a];
@@ -146,7 +144,7 @@ void SweepBatches::set_lane(Batch& batch, int pair, std::span<const ContactPoint
     row.inv_moment_b[lane] = movers[c.b].inv_moment;
     row.friction[lane] = c.friction;
     for (int i = 0; i < batch.count; ++i) {
-        const ContactPoint& from = points[which[i]];
+        const ContactPoint& from = points[i];
         Points& to = points_[batch.first + 2 * i + pair / 4];
         to.normal_arm_a[lane] = from.normal_arm_a;
         to.normal_arm_b[lane] = from.normal_arm_b;
@@ -181,10 +179,10 @@ void SweepBatches::get_velocities(std::span<Mover> movers, std::span<const int> 
 
 void SweepBatches::get_impulses(std::span<ContactPoint> points) const
 {
-    for (std::size_t k = 0; k < which_.size(); ++k) {
+    for (std::size_t k = 0; k < points.size(); ++k) {
         const Points& from = points_[lane_of_[k] / 4];
-        points[which_[k]].normal = from.normal[lane_of_[k] % 4];
-        points[which_[k]].tangent = from.tangent[lane_of_[k] % 4];
+        points[k].normal = from.normal[lane_of_[k] % 4];
+        points[k].tangent = from.tangent[lane_of_[k] % 4];
     }
 }
 

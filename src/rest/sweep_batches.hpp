@@ -17,10 +17,8 @@ class SweepBatches
 {
 public:
     /// points   with impulses that the movers already have; those of one pair in a row, with one normal
-    /// which    of them to sweep over, ascending
     /// members  all bodies of theirs that can move
-    void lay_out(std::span<const ContactPoint> points, std::span<const int> which, std::span<const Mover> movers,
-                 std::span<const int> members);
+    void lay_out(std::span<const ContactPoint> points, std::span<const Mover> movers, std::span<const int> members);
     /// The points that were laid out, in the order in which a plain sweep would take them.
     [[nodiscard]] std::vector<int> order() const;
 
@@ -103,8 +101,7 @@ private:
     std::size_t lay_out_part(std::size_t from, std::span<const ContactPoint> points, std::span<const Mover> movers);
     void colour_part(std::span<const ContactPoint> points, std::size_t from);
     void add_batches(int pairs, int count);
-    void set_lane(Batch& batch, int pair, std::span<const ContactPoint> points, std::span<const int> which,
-                  std::span<const Mover> movers);
+    void set_lane(Batch& batch, int pair, std::span<const ContactPoint> points, std::span<const Mover> movers);
     void clear(Batch& batch);
     static void solve_point(const Row& row, Points& points, Motion& a, Motion& b, Change& change);
     static void go_ahead(Points& points, Way& way, const Four& share);
@@ -119,13 +116,12 @@ private:
     int batch_count_ = 0;
     int point_count_ = 0;
     std::vector<int> lane_of_; // of each point laid out: 4 times its Points, and the lane
-    std::vector<int> which_;
     std::vector<Body> bodies_; // the members, and at the end one that nothing moves
     std::vector<int> place_;   // of each mover; of those that can't move, of none
     /// One or two points of a pair, swept one after the other.
     struct Run
     {
-        int first; // of which_
+        int first; // of the points
         int count;
         int a; // places in bodies_
         int b;
