@@ -180,7 +180,8 @@ std::vector<int> RestEngine::find_clear(double within)
         const BodyState& s = data_.bodies.list[k].state;
         const double radius = data_.bodies.radius[k];
         const double speed = s.velocity.norm() + std::abs(s.spin) * radius;
-        farthest_[k] = within * (speed + within * field_at(data_, k, s.position).norm()) + rest_tolerance::k_watch * radius;
+        farthest_[k] =
+            within * (speed + within * field_at(data_, k, s.position).norm()) + rest_tolerance::k_watch * radius;
     }
     static_cast<void>(list_pairs());
     for (const int k : awake_.list()) clear_[k] = 1;
