@@ -19,7 +19,7 @@ constexpr double k_hop = 16.0;
 
 } // namespace
 
-bool is_creeping(const BodyRows& bodies, int a, int b, const Meeting& meeting)
+bool is_creeping(const BodyRows& bodies, int a, int b, const MeetingPoints& meeting)
 {
     double press = std::max(bodies.pull_on(a).norm(), bodies.pull_on(b).norm());
     for (const int body : {a, b}) {
@@ -31,7 +31,7 @@ bool is_creeping(const BodyRows& bodies, int a, int b, const Meeting& meeting)
     return approach * approach <= 2.0 * press * (k_hop * meeting.touch);
 }
 
-bool stays(const BodyRows& bodies, int a, int b, const Meeting& meeting)
+bool stays(const BodyRows& bodies, int a, int b, const MeetingPoints& meeting)
 {
     if (combine(bodies.sheet(a).material, bodies.sheet(b).material).restitution == 1.0) return false;
     const Vec2 pull = bodies.pull_on(a) - bodies.pull_on(b);
@@ -42,7 +42,7 @@ bool stays(const BodyRows& bodies, int a, int b, const Meeting& meeting)
     });
 }
 
-std::optional<double> end_of_bounces(const BodyRows& bodies, int a, int b, const Meeting& meeting, double time,
+std::optional<double> end_of_bounces(const BodyRows& bodies, int a, int b, const MeetingPoints& meeting, double time,
                                      std::vector<Bounces>& bounces)
 {
     // Only a disc on what never moves

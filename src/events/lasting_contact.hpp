@@ -13,12 +13,12 @@ namespace flying {
 
 /// The pair approaches no faster than what presses it together brings about within the tolerance of touching: its hops
 /// can't be told from contact that lasts, however fast it slides or rolls. Before the impact.
-[[nodiscard]] bool is_creeping(const BodyRows& bodies, int a, int b, const Meeting& meeting);
+[[nodiscard]] bool is_creeping(const BodyRows& bodies, int a, int b, const MeetingPoints& meeting);
 
 /// After an impact that takes speed away, two bodies part at some point by so little that the field, which presses them
 /// together there, ends that within the tolerance of touching. Impact would follow impact with no time between them:
 /// from here on the two lean on each other.
-[[nodiscard]] bool stays(const BodyRows& bodies, int a, int b, const Meeting& meeting);
+[[nodiscard]] bool stays(const BodyRows& bodies, int a, int b, const MeetingPoints& meeting);
 
 /// Bounces of one body on one flat thing, undisturbed.
 struct Bounces
@@ -36,7 +36,7 @@ struct Bounces
 ///
 /// time     of the impact [s]
 /// bounces  of each body, by id: those of the two are noted, or forgotten
-[[nodiscard]] std::optional<double> end_of_bounces(const BodyRows& bodies, int a, int b, const Meeting& meeting,
+[[nodiscard]] std::optional<double> end_of_bounces(const BodyRows& bodies, int a, int b, const MeetingPoints& meeting,
                                                    double time, std::vector<Bounces>& bounces);
 
 } // namespace flying

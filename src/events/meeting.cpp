@@ -8,7 +8,7 @@
 namespace flying {
 namespace {
 
-void add_points(Meeting& meeting)
+void add_points(MeetingPoints& meeting)
 {
     for (const Touch& touch : meeting.touches) {
         meeting.points.push_back({touch.r_a, touch.r_b, touch.normal});
@@ -45,7 +45,8 @@ void mend_touches(const BodyRows& bodies, const StaticSurfaces& surfaces, int a,
 
 /// All points at which a body touches a static one and what lies beside that: none of them moves, and they are struck
 /// as one body.
-void touch_surface(const BodyRows& bodies, const StaticSurfaces& surfaces, int a, int b, double slack, Meeting& meeting)
+void touch_surface(const BodyRows& bodies, const StaticSurfaces& surfaces, int a, int b, double slack,
+                   MeetingPoints& meeting)
 {
     const bool a_is_static = bodies.never_moves(a);
     const int mover = a_is_static ? b : a;
@@ -74,7 +75,8 @@ void touch_surface(const BodyRows& bodies, const StaticSurfaces& surfaces, int a
 
 } // namespace
 
-void find_meeting(const BodyRows& bodies, const StaticSurfaces& surfaces, int a, int b, double time, Meeting& meeting)
+void find_meeting(const BodyRows& bodies, const StaticSurfaces& surfaces, int a, int b, double time,
+                  MeetingPoints& meeting)
 {
 
     const double radius_a = std::isinf(bodies[a].radius) ? bodies[b].radius : bodies[a].radius;

@@ -10,7 +10,7 @@
 namespace flying {
 
 /// Where two bodies touch at the moment of their impact. Made anew for each impact in the memory of the last.
-struct Meeting
+struct MeetingPoints
 {
     std::vector<Touch> touches;      ///< those that were looked at last
     std::vector<ImpactPoint> points; ///< all at which the impact acts
@@ -22,6 +22,7 @@ struct Meeting
 /// it shows. Where a static body's surface goes on over others, those at which they are touched are among them.
 ///
 /// a, b  rows, of the lower and the higher id, both at their places at `time` [s]
-void find_meeting(const BodyRows& bodies, const StaticSurfaces& surfaces, int a, int b, double time, Meeting& meeting);
+void find_meeting(const BodyRows& bodies, const StaticSurfaces& surfaces, int a, int b, double time,
+                  MeetingPoints& meeting);
 
 } // namespace flying
