@@ -115,8 +115,9 @@ void RestEngine::step()
     solve_islands(0);
     watch.stop(seconds_.solve);
     finish_islands(0, {});
-    make_parts(0);
-    for (int round = 0; round < rest_tolerance::k_quick_rounds && go_back(); ++round) make_parts(0);
+    make_parts(0, {});
+    met_.clear();
+    for (int round = 0; round < rest_tolerance::k_quick_rounds && go_back(); ++round) make_parts(0, met_);
     watch.stop(seconds_.move);
     ++steps_;
     ++data_.counts.steps;
@@ -394,7 +395,9 @@ void RestEngine::find_pairs_of(Again& again, std::span<const int> pairs)
 }
 
 /// The steps of islands that end early, at a moment each: the part up to there, and what is left.
-void RestEngine::make_parts(int depth)
+///
+/// cuts  where all of them are cut; empty where each has a moment of its own  [s]
+void RestEngine::make_parts(int depth, std::span<const double> cuts)
 {
     const double whole = data_.motion.span;
     const double after_whole = data_.motion.after;
@@ -405,13 +408,16 @@ void RestEngine::make_parts(int depth)
         const std::span<const int> pairs = std::span(again_[depth].pairs).subspan(part.first_pair, part.pair_count);
         if (depth == 0) parts_made_ = 0;
         double before = whole;
-        double left = whole;
-        for (const double length : {part.cut_at, whole - part.cut_at}) {
+        double begun = 0.0;
+        const std::span<const double> ends = cuts.empty() ? std::span(&part.cut_at, 1) : cuts;
+        for (std::size_t i = 0; i <= ends.size(); ++i) {
+            const double end = i < ends.size() ? ends[i] : whole;
+            const double length = end - begun;
             if (!(length > 0.0)) continue;
             ++parts_made_;
             data_.motion.span = length;
-            left -= length;
-            data_.motion.after = after_whole + left;
+            begun = end;
+            data_.motion.after = after_whole + (whole - end);
             scale_loads(data_, pairs, length / before);
             before = length;
             measure_reach(members);
@@ -420,7 +426,7 @@ void RestEngine::make_parts(int depth)
             islands_.split(data_, members, found_);
             solve_islands(depth + 1);
             finish_islands(depth + 1, pairs);
-            make_parts(depth + 1);
+            make_parts(depth + 1, {});
         }
         data_.motion.span = whole;
         data_.motion.after = after_whole;
@@ -430,8 +436,8 @@ void RestEngine::make_parts(int depth)
     again_[depth].parts.clear();
 }
 
-/// Islands that met, and were not thought to, go back, to make their step in two parts: as the second one begins, all
-/// is looked at again. True where there are any.
+/// Islands that met, and were not thought to, go back, to make their step in parts that begin whenever any of them has
+/// met: as a part begins, all is looked at again. True where there are any.
 bool RestEngine::go_back()
 {
     bool any = false;
@@ -446,7 +452,8 @@ bool RestEngine::go_back()
     const Meetings meetings = find_meetings(data_, before_, awake_);
     if (meetings.islands.empty()) return false;
     Again& again = again_[0];
-    again.parts.assign(1, {0, 0, 0, 0, meetings.first});
+    again.parts.assign(1, {});
+    met_.insert(std::upper_bound(met_.begin(), met_.end(), meetings.first), meetings.first);
     again.members.clear();
     for (const int k : moved_) {
         const BodyBefore& old = before_[k];
