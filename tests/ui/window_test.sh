@@ -62,7 +62,7 @@ window_named() { # name: the first one's number, within a minute
 }
 
 open_window() { # arguments of flying window
-    (cd "$work" && exec env PATH="${path:-$PATH}" "$program" window "$@" --state "$work/state.json" --size "${extent:-1280x800}" >"$work/log" 2>&1) &
+    (cd "$work" && exec env PATH="${path:-$PATH}" "$program" window "$@" --state "$work/state.json" --size 1280x800 >"$work/log" 2>&1) &
     window=$!
     id=$(window_named 'Flying Polygons')
     xdotool windowfocus "$id"
@@ -547,13 +547,6 @@ keys F6
 look
 judge "F6 without ffmpeg names it" 's.notice.includes("ffmpeg") && s.film === 0'
 close_window ctrl+q
-
-extent=640x480 open_window "$work/three.toml" --paused
-expect "a small window begins without the controls, and says how to get them" 's.surface[0] === 640 && s.notice.startsWith("F9")'
-keys F9
-expect "F9 in a small window" 's.surface[0] < 640'
-keys F9
-close_window q
 
 # ---- What nothing has pressed ------------------------------------------------------------------------------------------
 
