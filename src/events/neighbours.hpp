@@ -16,7 +16,7 @@ class Neighbours
 public:
     /// No cells: every two bodies are neighbours.
     Neighbours() = default;
-    /// Cells fit for where the bodies are at a moment; nobody is in them yet.  [s]
+    /// Cells fit for where the bodies are at a moment; they are empty yet.  [s]
     Neighbours(const BodyRows& bodies, double time);
 
     /// The order in which rows follow a curve through the cells; static bodies come last.
