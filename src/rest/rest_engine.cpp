@@ -176,14 +176,8 @@ std::vector<int> RestEngine::find_clear(double within)
 {
     list_awake();
     // The list was made for the last step, and that may have been a short one
-    for (const int k : awake_.list()) {
-        const BodyState& s = data_.bodies.list[k].state;
-        const double radius = data_.bodies.radius[k];
-        const double speed = s.velocity.norm() + std::abs(s.spin) * radius;
-        farthest_[k] =
-            within * (speed + within * field_at(data_, k, s.position).norm()) + rest_tolerance::k_watch * radius;
-    }
-    static_cast<void>(list_pairs());
+    for (const int k : awake_.list()) farthest_[k] = reach_of(data_, k, within);
+    (void)list_pairs();
     for (const int k : awake_.list()) clear_[k] = 1;
     for (const RestPair& pair : data_.pairs.pairs()) {
         if (!clear_[pair.a] && !clear_[pair.b]) continue;

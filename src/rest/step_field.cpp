@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "motion/kepler.hpp"
+#include "rest/rest_tolerance.hpp"
 
 namespace flying {
 
@@ -63,6 +64,14 @@ double greatest_field(const RestData& data, int body, double within)
     const double way = within * (s.velocity.norm() + within * here);
     const double least = std::max(distance - way, 0.5 * distance);
     return least > 0.0 ? data.options.centre->mu / (least * least) : here;
+}
+
+double reach_of(const RestData& data, int body, double within)
+{
+    const BodyState& s = data.bodies.list[body].state;
+    const double radius = data.bodies.radius[body];
+    const double speed = s.velocity.norm() + std::abs(s.spin) * radius;
+    return within * (speed + within * greatest_field(data, body, within)) + rest_tolerance::k_watch * radius;
 }
 
 void expect_flight(RestData& data, int body, const Vec2& place)

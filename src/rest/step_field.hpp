@@ -16,6 +16,9 @@ namespace flying {
 /// No less than the field anywhere that the body may get to within so long [s], unless it comes to half its distance
 /// from the centre.  [m/s^2]
 [[nodiscard]] double greatest_field(const RestData& data, int body, double within);
+/// How far a body may get within so long [s] that the field alone acts on, and the room in which points are watched.
+/// [m]
+[[nodiscard]] double reach_of(const RestData& data, int body, double within);
 
 /// Sets the acceleration for a step, or a part of one, by where the body is expected to get in it.
 void aim_field(RestData& data, int body);
