@@ -183,7 +183,7 @@ private:
     [[nodiscard]] bool may_be_halved(const Island& island, int depth) const;
     void find_pairs_of(Again& again, std::span<const int> pairs);
     void make_parts(int depth, std::span<const double> cuts);
-    [[nodiscard]] bool go_back();
+    [[nodiscard]] bool go_back(std::vector<double>& met);
     void scale_loads_awake(double factor);
     [[nodiscard]] bool stood_alike(int member) const;
     void move_island(const Island& island);
@@ -214,7 +214,6 @@ private:
     std::vector<char> clear_;        // of each body, while those are found; else 0
     std::vector<Again> again_;       // at each depth of parts within parts
     int parts_made_ = 0;             // of the step of an island
-    std::vector<double> met_;        // moments of the step at which islands met that were not thought to  [s]
     std::vector<int> part_of_;       // of each body, while pairs are sorted out; -1 for none
     RestSeconds seconds_;
     std::vector<std::vector<Leg>>* legs_ = nullptr; // of each body, as it is known outside, while they are noted

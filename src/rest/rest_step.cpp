@@ -116,8 +116,8 @@ void RestEngine::step()
     watch.stop(seconds_.solve);
     finish_islands(0, {});
     make_parts(0, {});
-    met_.clear();
-    for (int round = 0; round < rest_tolerance::k_quick_rounds && go_back(); ++round) make_parts(0, met_);
+    std::vector<double> met; // when islands met that were not thought to  [s]
+    for (int round = 0; round < rest_tolerance::k_quick_rounds && go_back(met); ++round) make_parts(0, met);
     watch.stop(seconds_.move);
     ++steps_;
     ++data_.counts.steps;
@@ -438,7 +438,9 @@ void RestEngine::make_parts(int depth, std::span<const double> cuts)
 
 /// Islands that met, and were not thought to, go back, to make their step in parts that begin whenever any of them has
 /// met: as a part begins, all is looked at again. True where there are any.
-bool RestEngine::go_back()
+///
+/// met  those moments, ascending: one more where there are any  [s]
+bool RestEngine::go_back(std::vector<double>& met)
 {
     bool any = false;
     for (const int k : moved_) {
@@ -453,7 +455,7 @@ bool RestEngine::go_back()
     if (meetings.islands.empty()) return false;
     Again& again = again_[0];
     again.parts.assign(1, {});
-    met_.insert(std::upper_bound(met_.begin(), met_.end(), meetings.first), meetings.first);
+    met.insert(std::upper_bound(met.begin(), met.end(), meetings.first), meetings.first);
     again.members.clear();
     for (const int k : moved_) {
         const BodyBefore& old = before_[k];
