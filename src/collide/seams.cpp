@@ -182,7 +182,7 @@ void mend_at_seams(const Polygon& part, const Pose& world_from_part, std::span<c
         const Vec2 normal = part_from_world * Vec2(sign * manifold.contacts[0].normal);
         for (const Seam& seam : seams) {
             const double tilt = (part.edges()[seam.open].normal - normal).cwiseAbs().maxCoeff();
-            if (seam.bend != Seam::Bend::none || !(tilt > 0.0) || tilt > k_parallel) continue;
+            if (seam.is_loose || seam.bend != Seam::Bend::none || !(tilt > 0.0) || tilt > k_parallel) continue;
             manifold = along_edge(part, world_from_part, seam.open, owner, *polygon, world_from_other, margin);
             break;
         }
