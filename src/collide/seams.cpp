@@ -210,9 +210,9 @@ void mend_at_seams(const Polygon& part, const Pose& world_from_part, std::span<c
             const Pose part_from_other = relative_pose(world_from_part, world_from_other);
             const NearestPoint nearest = nearest_point(other, part_from_other, corner, instead);
             const Vec2 from_corner = nearest.point - corner;
-            // Into a hollow come corners only: where an edge lies on the corner, the neighbour that is loose gives way
-            if (seam.bend == Seam::Bend::hollow && seam.is_loose && std::holds_alternative<Polygon>(other) &&
-                from_corner.squaredNorm() > near * near)
+            // Where the inside of an edge lies on the corner, the neighbour that is loose gives way
+            const Vec2 there = here + contact.separation * normal;
+            if (seam.is_loose && std::holds_alternative<Polygon>(other) && (nearest.point - there).squaredNorm() > near * near)
                 continue;
             // What lies well below the surface, and not in the polygon, is beside both, not on them
             const double height = instead.dot(from_corner);
