@@ -88,7 +88,8 @@ StaticHold static_hold(const RestData& data, std::span<const ContactPoint> point
 {
     StaticHold hold;
     for (const ContactPoint& c : points) {
-        if (!(c.normal > 0.0) || (data.motion.is_moved(c.a) && data.motion.is_moved(c.b))) continue;
+        if (data.motion.is_moved(c.a) && data.motion.is_moved(c.b)) continue;
+        if (!(c.normal > 0.0) && c.gap > data.bodies.touch_gap(c.a, c.b)) continue;
         const Vec2 n(c.n_x, c.n_y);
         if (hold.directions == 0) hold = {1, n};
         else if (std::abs(cross(hold.normal, n)) > rest_tolerance::k_same_normal) return {2, Vec2::Zero()};
