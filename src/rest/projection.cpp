@@ -40,15 +40,20 @@ namespace {
     return c.gap + (c.n_x * shift.x() + c.n_y * shift.y()) + turns;
 }
 
-/// Turns may take so much more from it: points go round, and normals turn while bodies slide along.  [m]
+/// Turns may take so much more from it: points go round, normals turn while bodies slide along, and a disc is touched
+/// elsewhere.  [m]
 [[nodiscard]] double bent_by_turns(const RestData& data, const ContactPoint& c)
 {
     const auto turn_of = [&](int body) {
         return data.bodies.turning[body] > 0.0 ? std::abs(data.motion.turn[body]) : 0.0;
     };
+    const auto bend = [&](int body, int other) {
+        const double radius = data.bodies.radius[other];
+        const bool is_disc = data.bodies.turning[other] == 0.0 && std::isfinite(radius);
+        return 0.5 * turn_of(body) * (arc_of(data, body) + turn_of(body) * (is_disc ? radius : 0.0));
+    };
     const double slide = (data.motion.shift[c.b] - data.motion.shift[c.a]).norm();
-    return 0.5 * (turn_of(c.a) * arc_of(data, c.a) + turn_of(c.b) * arc_of(data, c.b)) +
-           std::max(turn_of(c.a), turn_of(c.b)) * slide;
+    return bend(c.a, c.b) + bend(c.b, c.a) + std::max(turn_of(c.a), turn_of(c.b)) * slide;
 }
 
 /// A pair that stays fair, however its two turn, need not be looked at. Of bodies that are cut this isn't known: a
