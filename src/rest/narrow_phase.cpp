@@ -10,23 +10,26 @@
 namespace flying {
 namespace {
 
-/// Where two parts cross so that neither has a corner in the other, as corners that slide past each other do: those along
-/// the shortest way that parts them, if that is over a side.
+/// Where two parts cross so that neither has a corner in the other's body, as corners that slide past each other do: the
+/// points along the shortest way that parts them, if that is over a side.
 ///
-/// deep  overlap that they have at least [sizes]
+/// touch  less overlap is none [m]
 [[nodiscard]] Manifold points_of_crossing(const RestBodies& bodies, const RestPair& pair, const Pose& pose_a,
-                                          const Pose& pose_b, double deep)
+                                          const Pose& pose_b, double touch)
 {
     const auto* a = std::get_if<Polygon>(&bodies.shapes[pair.a].parts[pair.part_a].shape);
     const auto* b = std::get_if<Polygon>(&bodies.shapes[pair.b].parts[pair.part_b].shape);
     if (!a || !b) return {};
     const Pose a_from_b = relative_pose(pose_a, pose_b);
     const Axis axis = greatest_separation(*a, *b, a_from_b);
-    const double size = std::min(bodies.radius[pair.a], bodies.radius[pair.b]);
-    if (!(axis.separation < -deep * size)) return {};
+    if (!(axis.separation < -touch)) return {};
     const bool of_a = axis.owner == Owner::a;
     const std::vector<char>& real = bodies.real_edges[of_a ? pair.a : pair.b][of_a ? pair.part_a : pair.part_b];
     if (!real.empty() && !real[axis.edge]) return {};
+    // The corner that is deepest under the side stands beyond its ends, or else it is a point of the outlines
+    const Vec2 corner = of_a ? Vec2(a_from_b * b->vertices()[axis.vertex])
+                             : Vec2(relative_pose(pose_b, pose_a) * a->vertices()[axis.vertex]);
+    if (bodies.outlines[of_a ? pair.a : pair.b].holds(corner)) return {};
     return make_manifold(*a, pose_a, *b, pose_b, a_from_b, axis, 0.0);
 }
 
@@ -42,12 +45,10 @@ namespace {
         for (int k = 0; k < manifold.count; ++k) manifold.contacts[k].normal = -manifold.contacts[k].normal;
         return manifold;
     }
-    const Manifold manifold =
-        outline_points(a, b, margin, bodies.touch_gap(pair.a, pose_a.position, pair.b, pose_b.position));
-    if (manifold.count > 0 && manifold.contacts[0].separation < 0.0) return manifold; // the lowest stands first
-    // Where there is a point, another pair of parts may hold the corner that is inside, so that only more counts
-    const double deep = manifold.count > 0 ? rest_tolerance::k_most_overlap : rest_tolerance::k_deep;
-    const Manifold crossing = points_of_crossing(bodies, pair, pose_a, pose_b, deep);
+    const double touch = bodies.touch_gap(pair.a, pose_a.position, pair.b, pose_b.position);
+    const Manifold manifold = outline_points(a, b, margin, touch);
+    if (manifold.count > 0 && manifold.contacts[0].separation < -touch) return manifold; // the lowest stands first
+    const Manifold crossing = points_of_crossing(bodies, pair, pose_a, pose_b, touch);
     return crossing.count > 0 ? crossing : manifold;
 }
 
