@@ -13,16 +13,16 @@ namespace {
 /// Where two parts cross so that neither has a corner in the other's body, as corners that slide past each other do: the
 /// points along the shortest way that parts them, if that is over a side.
 ///
-/// touch  less overlap is none [m]
+/// known  overlap up to this is no news [m]
 [[nodiscard]] Manifold points_of_crossing(const RestBodies& bodies, const RestPair& pair, const Pose& pose_a,
-                                          const Pose& pose_b, double touch)
+                                          const Pose& pose_b, double known)
 {
     const auto* a = std::get_if<Polygon>(&bodies.shapes[pair.a].parts[pair.part_a].shape);
     const auto* b = std::get_if<Polygon>(&bodies.shapes[pair.b].parts[pair.part_b].shape);
     if (!a || !b) return {};
     const Pose a_from_b = relative_pose(pose_a, pose_b);
     const Axis axis = greatest_separation(*a, *b, a_from_b);
-    if (!(axis.separation < -touch)) return {};
+    if (!(axis.separation < -known)) return {};
     const bool of_a = axis.owner == Owner::a;
     const std::vector<char>& real = bodies.real_edges[of_a ? pair.a : pair.b][of_a ? pair.part_a : pair.part_b];
     if (!real.empty() && !real[axis.edge]) return {};
@@ -47,8 +47,8 @@ namespace {
     }
     const double touch = bodies.touch_gap(pair.a, pose_a.position, pair.b, pose_b.position);
     const Manifold manifold = outline_points(a, b, margin, touch);
-    if (manifold.count > 0 && manifold.contacts[0].separation < -touch) return manifold; // the lowest stands first
-    const Manifold crossing = points_of_crossing(bodies, pair, pose_a, pose_b, touch);
+    const double lowest = manifold.count > 0 ? manifold.contacts[0].separation : 0.0; // it stands first
+    const Manifold crossing = points_of_crossing(bodies, pair, pose_a, pose_b, std::max(touch, -lowest));
     return crossing.count > 0 ? crossing : manifold;
 }
 
