@@ -120,8 +120,7 @@ double next_closing(const RestData& data, const RestPair& pair, const Manifold& 
             closing.speed = std::max(closing.speed, -u);
             return 0.0;
         }
-        const double slow =
-            in_large_island ? field : 2.0 * contact.separation / left + rest_tolerance::k_bearing_approach * field;
+        const double slow = in_large_island ? field : 2.0 * contact.separation / left + rest_tolerance::k_blow * field;
         const bool is_near = contact.separation <= near && -2.0 * pair.restitution * u <= field;
         if ((in_large_island || is_near) && -u <= slow && bore(pair, contact.feature)) continue;
         if (moment == 0.0) closing.open[closing.count++] = contact.feature;
@@ -150,7 +149,8 @@ Manifold find_from_memory(RestData& data, RestPair& pair, double margin)
         // No separation along an edge can have changed by more
         const double arm = (data.bodies.poses[pair.b].position - data.bodies.poses[pair.a].position).cwiseAbs().sum() +
                            (shift - pair.shift) + (data.bodies.radius[pair.a] + data.bodies.radius[pair.b]);
-        const double change = (shift - pair.shift) + (turn - pair.turn) * arm + rest_tolerance::k_doubt * (arm + shift);
+        const double change =
+            (shift - pair.shift) + (turn - pair.turn) * arm + rest_tolerance::k_rounding * (arm + shift);
         if (memory.separation - change > margin) return {};
         memory.edges.lead -= 2.0 * change;
         memory.knows_edges = memory.edges.lead > 0.0;
@@ -238,7 +238,7 @@ void find_contacts(RestData& data, int index, std::vector<ContactPoint>& found)
     for (int k = 0; k <= rest_tolerance::k_quick_rounds && !overlaps; ++k) {
         const double wait = next_closing(data, pair, ahead, moment, closing);
         if (wait == 0.0) closes_at = moment;
-        if (wait == 0.0 || !(moment + wait <= rest_tolerance::k_last_moment * data.motion.span)) break;
+        if (wait == 0.0 || !(moment + wait <= (1.0 - rest_tolerance::k_at_once) * data.motion.span)) break;
         moment += wait;
         ++data.counts.manifolds;
         ahead = look(data, pair, pose_at(data, pair.a, moment), pose_at(data, pair.b, moment), margin);

@@ -267,7 +267,7 @@ bool InteriorPoint::solve(const ContactProblem& problem, BlockSystem& system, st
         const double mean = mean_product(0.0);
         step_towards(problem, system, {0.0, 1.0, false});
         const double blocked = 1.0 - std::min(1.0, longest_step());
-        double share = std::max(blocked * blocked, rest_tolerance::k_interior_least_share);
+        double share = blocked * blocked;
         const double size = std::max(mean, missed);
         step_towards(problem, system, {share * size, 1.0 - share, blocked < 1.0 - rest_tolerance::k_interior_short});
         double step = std::min(1.0, rest_tolerance::k_interior_inside * longest_step());

@@ -100,7 +100,7 @@ void Islands::part_slow(const RestData& data, std::span<const int> bodies, std::
         field = std::max(field, motion.span * motion.field_size[k]);
     }
     if (parts_.empty()) return;
-    if (greatest_speed(motion.before, data.bodies.radius, parts_) > rest_tolerance::k_slow_island * field) return;
+    if (greatest_speed(motion.before, data.bodies.radius, parts_) > rest_tolerance::k_nearly_right * field) return;
 
     // [rest.islands.holds]
     const auto holds = [&](const ContactPoint& c) {

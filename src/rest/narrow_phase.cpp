@@ -10,8 +10,8 @@
 namespace flying {
 namespace {
 
-/// Where two parts cross so that neither has a corner in the other's body, as corners that slide past each other do: the
-/// points along the shortest way that parts them, if that is over a side.
+/// Where two parts cross so that neither has a corner in the other's body, as corners that slide past each other do:
+/// the points along the shortest way that parts them, if that is over a side.
 ///
 /// known  overlap up to this is no news [m]
 [[nodiscard]] Manifold points_of_crossing(const RestBodies& bodies, const RestPair& pair, const Pose& pose_a,

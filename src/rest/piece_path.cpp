@@ -1,7 +1,9 @@
 #include "rest/piece_path.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "rest/rest_tolerance.hpp"
 
@@ -20,7 +22,7 @@ bool PiecePath::follow(PieceSystem& pieces, ContactProblem& problem, Start start
     shift_.assign(2 * problem.points.size(), 0.0);
     if (start == Start::nothing) shift_from_nothing(problem);
     else shift_from_impulses(problem);
-    double left = start == Start::nothing ? 1.0 + rest_tolerance::k_path_before : 1.0;
+    double left = start == Start::nothing ? 1.0 + rest_tolerance::k_blow : 1.0;
     start_springs(pieces, problem, left);
     double first = 1.0;
     Turn last;
@@ -31,8 +33,10 @@ bool PiecePath::follow(PieceSystem& pieces, ContactProblem& problem, Start start
         if (piece == 0) first = pieces.orientation();
         const double sign = first * pieces.orientation();
         measure_rates(pieces, problem, sign);
-        const double within = sign > 0.0 ? left : rest_tolerance::k_path_farthest - left;
+        // Backwards it comes to a turn, or from nowhere
+        const double within = sign > 0.0 ? left : std::numeric_limits<double>::infinity();
         const Turn next = next_turn(pieces, problem, last, within);
+        if (std::isinf(next.way)) return false;
         left -= sign * next.way;
         for (Springs& s : springs_) {
             s.normal += next.way * s.normal_rate;
@@ -40,7 +44,7 @@ bool PiecePath::follow(PieceSystem& pieces, ContactProblem& problem, Start start
         }
         if (next.point < 0) {
             take_springs(pieces, problem);
-            return sign > 0.0;
+            return true;
         }
         pieces.set_mode(next.point, next.to);
         last = next;
@@ -54,7 +58,7 @@ void PiecePath::shift_from_nothing(const ContactProblem& problem)
     double top = 0.0; // [m/s]
     for (std::size_t k = 0; k < problem.points.size(); ++k) {
         const std::uint32_t mixed = static_cast<std::uint32_t>(k + 1) * k_golden;
-        shift_[2 * k] = 1.0 + rest_tolerance::k_path_apart * (static_cast<double>(mixed) * 0x1p-32);
+        shift_[2 * k] = 1.0 + static_cast<double>(mixed) * 0x1p-32;
         top = std::max(top, -problem.slip[2 * k] / shift_[2 * k]);
     }
     for (double& x : shift_) x *= top;

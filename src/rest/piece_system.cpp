@@ -128,13 +128,11 @@ using Mode = PieceSystem::Mode;
 /// A point that does not part clearly may bear, and holds: it is easier to let go of some than to find all one by one.
 void guess(PieceSystem& pieces, const ContactProblem& problem)
 {
-    double worst = 0.0; // [m/s]
-    for (std::size_t k = 0; k < problem.points.size(); ++k) worst = std::max(worst, -problem.slip[2 * k]);
     for (std::size_t k = 0; k < problem.points.size(); ++k) {
         const ContactPoint& c = problem.points[k];
         const double most = c.friction * c.normal;
         Mode mode = Mode::apart;
-        if (c.normal > 0.0 || problem.slip[2 * k] <= rest_tolerance::k_may_bear * worst) {
+        if (c.normal > 0.0 || problem.slip[2 * k] <= 0.0) {
             mode = Mode::stuck;
             if (c.tangent >= most && (c.friction == 0.0 || c.tangent > 0.0)) mode = Mode::slips_backwards;
             if (-c.tangent >= most && c.tangent < 0.0) mode = Mode::slips_forwards;

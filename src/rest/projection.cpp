@@ -240,13 +240,9 @@ void Projection::put_apart(RestData& data, const Island& island, double overlap,
         const bool is_free = !is_heap(island) || overlap > rest_tolerance::k_most_overlap;
         const double share = is_free ? 1.0 : share_that_is_paid(data, island);
         for (const int member : members) {
-            const Mover& mover = pushes_[member];
-            const double push =
-                std::abs(mover.v_x) + std::abs(mover.v_y) + std::abs(mover.spin) * data.bodies.radius[member];
-            const double most = rest_tolerance::k_most_push * data.bodies.radius[member];
-            const double part = share * push > most ? most / push : share;
-            data.motion.shift[member] += part * Vec2(mover.v_x, mover.v_y);
-            data.motion.turn[member] += part * mover.spin;
+            const Mover& push = pushes_[member];
+            data.motion.shift[member] += share * Vec2(push.v_x, push.v_y);
+            data.motion.turn[member] += share * push.spin;
         }
         const double after = measure_overlap(data, island);
         if (!(after < overlap)) {

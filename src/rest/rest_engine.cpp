@@ -270,7 +270,7 @@ bool RestEngine::stays_apart(const RestPair& pair, double within) const
         const Vec2 velocity_a = velocity_at(a.state, contact.point - pose_a.position);
         const Vec2 velocity_b = velocity_at(b.state, contact.point - pose_b.position);
         double u = (velocity_b - velocity_a).dot(contact.normal);
-        if (std::abs(u) <= rest_tolerance::k_doubt * top) u = 0.0;
+        if (std::abs(u) <= rest_tolerance::k_rounding * top) u = 0.0;
         const double f = fall.dot(contact.normal);
         if (contact.separation < -touch) return false;
         if (u >= 0.0 && f >= 0.0) continue;

@@ -45,8 +45,7 @@ double end_of_load(const RestData& data, const Island& island)
     return first < data.motion.span ? first : 0.0;
 }
 
-/// The step may end as it was found: with little overlap or no more than there was, little turning, and no more energy
-/// than the limiter may take off.
+/// The step may end as it was found: with little overlap or no more than there was, and little turning.
 bool is_fair(const RestData& data, const Island& island, double overlap)
 {
     const double fair = is_heap(island) ? rest_tolerance::k_most_overlap : rest_tolerance::k_fair_overlap;
@@ -56,8 +55,7 @@ bool is_fair(const RestData& data, const Island& island, double overlap)
               rest_tolerance::k_fair_turn * data.bodies.radius[member]))
             return false;
     }
-    const EnergyGain gain = gain_of(data, island);
-    return gain.gained <= rest_tolerance::k_fair_rise * gain.scale;
+    return true;
 }
 
 /// Ways of an island whose velocities are found.
@@ -355,10 +353,12 @@ bool RestEngine::may_be_parted(const Island& island, int depth) const
     return depth < rest_tolerance::k_most_parts && parts_made_ < most;
 }
 
-/// The same where nothing says where to part it.
+/// The same where nothing says where to part it; the step of a small island, however many impacts it had.
 bool RestEngine::may_be_halved(const Island& island, int depth) const
 {
-    return may_be_parted(island, depth) && data_.motion.span > rest_tolerance::k_shortest_part * data_.options.step;
+    if (is_heap(island)) return may_be_parted(island, depth);
+    return depth < rest_tolerance::k_most_parts &&
+           data_.motion.span * rest_tolerance::k_most_parts > data_.options.step;
 }
 
 void RestEngine::find_pairs_of(Again& again, std::span<const int> pairs)

@@ -18,22 +18,20 @@ inline constexpr double k_stagnant = 16.0;
 inline constexpr double k_stiffness = 0x1p32;
 
 /// [speeds that the field gives in a step] Slower is still: what the solve leaves of an island that nothing moves, with
-/// room; and a hundredth of what a slope gives that is 1e-9 too steep.
+/// room; and a hundredth of what a slope gives that is 1e-9 too steep. Slip below this has ended.
 inline constexpr double k_still = 0x1p-36;
-
-/// [speeds that the field gives in a step] Slip below this has ended.
-inline constexpr double k_slip = 0x1p-34;
 
 /// [pairs per body] A stack on a floor has one, a pyramid nearly two. Up to here one body in sixteen leans on a second
 /// one, and eliminating along the stack fills in few blocks.
 inline constexpr double k_tall = 17.0 / 16.0;
 
 /// [speeds that the field gives in a step] A slower approach is left to the load, of which it is a thousandth; a faster
-/// slip is a slide.
+/// slip is a slide; what bears, and comes nearer no faster, goes on to bear. Also [shifts]: a path from nothing begins
+/// so much before the first point closes.
 inline constexpr double k_blow = 0x1p-10;
 
 /// [steps] What closes so soon closes now: less than it takes to pass a gap of 1e-9 m, so that each ball of a row is
-/// struck in its turn.
+/// struck in its turn. What closes so late is left to the next step.
 inline constexpr double k_at_once = 0x1p-32;
 
 /// [sine] Normals of static contacts this near to each other lead the same way.
@@ -60,7 +58,8 @@ inline constexpr double k_fair_overlap = 0x1p-9;
 /// made in parts. Three quarters of what a user is promised.
 inline constexpr double k_most_overlap = 0x1p-7;
 
-/// [energies] Rise that rounding explains.
+/// [energies, distances, speeds] Rise that rounding explains; and by how much separations, or approaches, that are
+/// compared may be off.
 inline constexpr double k_rounding = 0x1p-46;
 
 /// Rounds of what ends by itself after a few, or never: impacts at one moment, steps of the interior point, pieces of a
@@ -82,20 +81,7 @@ inline constexpr int k_few_rounds = 4;
 /// impact. In larger ones all that a step brings comes at its start.
 inline constexpr int k_most_in_detail = 12;
 
-// ---- Path of solutions (piece_path)
-/// [shifts at the start] Where shifts grow beyond, the path comes from nowhere.
-inline constexpr double k_path_farthest = 0x1p10;
-
-/// [shifts] A path from nothing begins so much before the first point closes.
-inline constexpr double k_path_before = 0x1p-10;
-
-/// [shifts] Points have shifts that differ by up to this much, so that no two close at one place of the path.
-inline constexpr double k_path_apart = 0.25;
-
 // ---- Direct solver (piece_system, island_solver)
-/// [worst approach] A point that parts more slowly may still bear.
-inline constexpr double k_may_bear = 0.25;
-
 /// [greatest speeds] What parts so fast bears nothing.
 inline constexpr double k_never_bears = 0x1p20;
 
@@ -108,9 +94,6 @@ inline constexpr double k_interior_inside = 0.99;
 
 /// Steps towards less that are shorter lead off the middle: the products are evened out first.
 inline constexpr double k_interior_short = 0.1;
-
-/// Share of the products that is left at least for the next step.
-inline constexpr double k_interior_least_share = 0x1p-10;
 
 // ---- Points of outlines (outline_points)
 /// [cosine] Normals that differ by more are those of different faces.
@@ -127,15 +110,6 @@ inline constexpr double k_room_reaches = 3.0;
 /// parts that had no point are looked at where two come nearer by more; and sweeps may add so much in one step.
 inline constexpr double k_deep = 0x1p-10;
 
-/// [speeds that the field gives in a step] What bears, and comes nearer no faster than this, goes on to bear.
-inline constexpr double k_bearing_approach = 0x1p-24;
-
-/// [distances, speeds] By which separations, or approaches, that are compared may be off: far more than their rounding.
-inline constexpr double k_doubt = 0x1p-44;
-
-/// [steps] What closes later is left to the next step.
-inline constexpr double k_last_moment = 1.0 - 0x1p-30;
-
 // ---- Curved ways (curved_ways)
 /// Points of the largest island whose lines of push are followed along its ways.
 inline constexpr int k_most_followed = 16;
@@ -150,21 +124,12 @@ inline constexpr double k_left_of_gap = 0.125;
 inline constexpr double k_most_bounces = 8.0;
 
 // ---- Islands (islands)
-/// [speeds that the field gives in a step] A large island whose bodies are all slower may part.
-inline constexpr double k_slow_island = 0x1p-4;
-
 /// [steps] Two that would not touch within so many, as things go, don't belong to one island by that.
 inline constexpr double k_ahead = 4.0;
 
 // ---- Projection, and the verdict on a step (projection, rest_step)
 /// [rad] Turn within a step that an island with contacts may make.
 inline constexpr double k_fair_turn = 0.25;
-
-/// [radii] Push that may take off overlap.
-inline constexpr double k_most_push = 0.5;
-
-/// [energies] Rise that slowing down may end; where it is more, the step is made in halves.
-inline constexpr double k_fair_rise = 0x1p-8;
 
 // ---- Seams (looks)
 /// [speeds] Two that part no faster than this, beside one that passes both, go together.
@@ -183,16 +148,14 @@ inline constexpr double k_standing = 4.0;
 // [rest.solve.limits]
 
 // ---- Parts of steps (rest_step)
-/// Parts of the step of a small island, each up to its next impact. A ball that rolls through a bowl of facets takes
-/// three for every kink, of which there are dozens in a step; a blow that runs through a row of balls, some for each.
+/// Parts of the step of a small island, each up to its next impact; and equal ones, where halves are needed. A ball
+/// that rolls through a bowl of facets takes three for every kink, of which there are dozens in a step; a blow that
+/// runs through a row of balls, some for each.
 inline constexpr int k_most_parts = 256;
-
-/// [steps] Shorter parts of a step are not cut again: an island takes what comes out.
-inline constexpr double k_shortest_part = 0x1p-10;
 
 // ---- Heaps (heap_sweeps)
 /// [speeds that the field gives in a step] Impulses that sweeps leave no further from right than this are taken for
-/// those of the direct solve.
+/// those of the direct solve; and a large island whose bodies are all slower may part.
 inline constexpr double k_nearly_right = 0.125;
 
 /// [speeds that the field gives in a step] An island that was slower and stays so is at rest: what it was about to do
@@ -202,7 +165,8 @@ inline constexpr double k_rest_speed = 0x1p-8;
 /// [energies of fall] What a sweep's changes are worth when there are enough of them.
 inline constexpr double k_enough = 0x1p-10;
 
-/// [sizes] Overlap that sweeps may add in one step of a heap that is slow.
+/// [sizes] Overlap that sweeps may add in one step of a heap that is slow. With the
+/// eightfold, what is heaviest sinks into what is lightest.
 inline constexpr double k_slow_approach = 0x1p-13;
 
 /// Sweeps that go on where more is left, twice as many each time, up to the most.

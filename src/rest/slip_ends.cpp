@@ -10,7 +10,7 @@ namespace flying {
 
 void SlipEnds::part(RestData& data, Island& island)
 {
-    const double still = rest_tolerance::k_slip * field_speed(data, island);
+    const double still = rest_tolerance::k_still * field_speed(data, island);
     const double dt = data.motion.span;
     double left = dt;
     if (field_speed(data, island) == 0.0 || !any_slip_ended(island, data.motion.before, data.motion.now, still)) return;
