@@ -80,3 +80,39 @@ TEST_CASE("corners that have slid past each other: sides that cross touch, thoug
     const auto is_overlap = [](const ContactPoint& c) { return c.gap < -0.001 && c.n_y < -0.9; };
     CHECK(std::any_of(found.begin(), found.end(), is_overlap));
 }
+
+TEST_CASE("a crossing is found beside a point that is known, at any depth")
+{
+    // The upper end of a plank has passed the tip of a body with notches, by so much, and lies beyond its upper side;
+    // its lower end leans on the body's right side
+    const std::vector<Vec2> body = {Vec2(0.0, 0.0), Vec2(4.0, 1.0), Vec2(3.0, 3.0),
+                                    Vec2(4.0, 6.0), Vec2(0.0, 5.2), Vec2(1.0, 3.0)};
+    RestBody notched{Polygon({body}), {}, {}, {0.0, 0.5}};
+    notched.is_static = true;
+    const Vec2 side = (body[3] - body[2]).normalized();
+    const Vec2 out(side.y(), -side.x());
+    for (const double depth : {1e-9, 1e-4, 3e-3, 0.02}) {
+        const double length = 1.0;
+        const double width = 0.2;
+        const Vec2 foot = body[3] - (length - 0.3 * width) * side;
+        // Turn the plank about its foot until its upper end is so deep
+        const double turn = depth / length;
+        const Vec2 along = Rotation::of(turn) * side;
+        const Vec2 across(along.y(), -along.x());
+        RestBody plank{Polygon({{Vec2(-0.5 * width, -0.5 * length), Vec2(0.5 * width, -0.5 * length),
+                                 Vec2(0.5 * width, 0.5 * length), Vec2(-0.5 * width, 0.5 * length)}}),
+                       {},
+                       {1.0, 6.0},
+                       {0.0, 0.5}};
+        plank.state.position = foot + 0.5 * length * along + 0.5 * width * across;
+        plank.state.angle = std::atan2(along.y(), along.x()) - 0.5 * std::acos(-1.0);
+        RestData data = data_of({notched, plank});
+        double deepest = 0.0;
+        for (const ContactPoint& c : contacts_of(data)) deepest = std::min(deepest, c.gap);
+        CAPTURE(depth);
+        const double foot_lies = (foot - body[3]).dot(out);
+        CHECK(std::abs(foot_lies) < 1e-12);
+        CHECK(-deepest > 0.5 * depth);
+        CHECK(-deepest < 1.5 * depth);
+    }
+}
