@@ -18,6 +18,7 @@ namespace flying {
 namespace {
 
 constexpr double k_sync_every = 0.2; ///< [s]
+constexpr int k_narrow = 760;        ///< less wide, controls would take more room than what they control [pixels]
 
 bool has(Gdk::ModifierType modifiers, Gdk::ModifierType one)
 {
@@ -30,7 +31,8 @@ std::string key_name(unsigned value, Gdk::ModifierType modifiers)
     const char* name = gdk_keyval_name(gdk_keyval_to_lower(value));
     if (!name) return {};
     std::string text = name;
-    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     if (has(modifiers, Gdk::ModifierType::SHIFT_MASK)) text.insert(0, "shift+");
     if (has(modifiers, Gdk::ModifierType::ALT_MASK)) text.insert(0, "alt+");
     if (has(modifiers, Gdk::ModifierType::CONTROL_MASK)) text.insert(0, "ctrl+");
@@ -40,15 +42,19 @@ std::string key_name(unsigned value, Gdk::ModifierType modifiers)
 } // namespace
 
 MainWindow::MainWindow(Stage& stage, const WindowOptions& options)
-    : stage_(stage), options_(options), canvas_(stage),
-      panel_(stage, options.scenes, [this] { touch(); }, [this](int index) { choose_scene(index); })
+    : stage_(stage),
+      options_(options),
+      canvas_(stage),
+      panel_(
+          stage, options.scenes, [this] { touch(); }, [this](int index) { choose_scene(index); })
 {
     set_title("Flying Polygons: " + options.scene);
     set_default_size(options.width, options.height);
     row_.append(canvas_);
     row_.append(panel_);
     set_child(row_);
-    panel_.set_visible(options.has_panel);
+    panel_.set_visible(options.has_panel && options.width >= k_narrow);
+    if (options.has_panel && options.width < k_narrow) stage_.say("F9 shows the controls, F1 all keys");
     scene_words_ = std::filesystem::path(options.scene).stem().string();
     panel_.show_scene(options.scene, scene_words_);
     if (!options.face.empty()) load_face(options.face);
@@ -69,7 +75,8 @@ void MainWindow::listen_to_keys()
     // The canvas takes its keys first; what controls leave over comes to the window
     for (Gtk::Widget* widget : {static_cast<Gtk::Widget*>(&canvas_), static_cast<Gtk::Widget*>(this)}) {
         auto keys = Gtk::EventControllerKey::create();
-        keys->signal_key_pressed().connect([this](guint value, guint, Gdk::ModifierType modifiers) { return key(value, modifiers); }, true);
+        keys->signal_key_pressed().connect(
+            [this](guint value, guint, Gdk::ModifierType modifiers) { return key(value, modifiers); }, true);
         widget->add_controller(keys);
     }
 }
@@ -97,7 +104,8 @@ bool MainWindow::tick(double frame_time)
     if (is_busy) canvas_.queue_draw();
     is_stale_ = false;
     if (!stage_.clock.is_paused || is_busy) {
-        if (const std::optional<Fault> fault = recorder_.add(stage_, canvas_.surface(), wall)) stage_.say("Recording ended: " + fault->found, true);
+        if (const std::optional<Fault> fault = recorder_.add(stage_, canvas_.surface(), wall))
+            stage_.say("Recording ended: " + fault->found, true);
     }
     if (stage_.now > synced_ + k_sync_every) {
         synced_ = stage_.now;

@@ -67,7 +67,7 @@ rounds=0
 cp "$root"/chapters/scenes/{balls-and-polygons,cradle,bowl}.toml "$work"
 (cd "$work" && exec "$program" window balls-and-polygons.toml --state state.json >"$work/log" 2>&1) &
 window=$!
-id=$(timeout 60 xdotool search --sync --onlyvisible --name 'Flying Polygons' | head -n 1) || fail "no window"
+id=$(timeout 600 xdotool search --sync --onlyvisible --name 'Flying Polygons' | head -n 1) || fail "no window"
 xdotool windowfocus "$id"
 answer || fail "no first answer"
 

@@ -548,6 +548,13 @@ look
 judge "F6 without ffmpeg names it" 's.notice.includes("ffmpeg") && s.film === 0'
 close_window ctrl+q
 
+extent=640x480 open_window "$work/three.toml" --paused
+expect "a small window begins without the controls, and says how to get them" 's.surface[0] === 640 && s.notice.startsWith("F9")'
+keys F9
+expect "F9 in a small window" 's.surface[0] < 640'
+keys F9
+close_window q
+
 # In a low window, controls that don't fit are scrolled to. A list that is above the screen's edge comes back before it drops
 # down: GTK would give it a place and a size that it never set, and complain
 extent=1280x400 open_window "$work/three.toml" --paused
