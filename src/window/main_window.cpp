@@ -1,5 +1,6 @@
 #include "window/main_window.hpp"
 
+#include <fmt/format.h>
 #include <gdk/gdk.h>
 #include <gdkmm/frameclock.h>
 #include <gtkmm/eventcontrollerkey.h>
@@ -7,11 +8,13 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdio>
 #include <filesystem>
 
 #include "files/interrupt.hpp"
 #include "play/keys.hpp"
 #include "play/seconds.hpp"
+#include "scene/fault.hpp"
 
 namespace flying {
 
@@ -66,8 +69,23 @@ MainWindow::MainWindow(Stage& stage, const WindowOptions& options)
     canvas_.add_tick_callback([this](const Glib::RefPtr<Gdk::FrameClock>& clock) {
         return tick(static_cast<double>(clock->get_frame_time()) * 1e-6);
     });
+    signal_close_request().connect(
+        [this] {
+            end_recordings();
+            return false;
+        },
+        false);
     canvas_.grab_focus();
     touch();
+}
+
+void MainWindow::end_recordings()
+{
+    // The window can show nothing any more
+    for (const Expected<std::string>& outcome : recorder_.finish()) {
+        if (outcome) fmt::print("{}\n", outcome.value());
+        else fmt::print(stderr, "{}\n", format_fault(outcome.faults().front()));
+    }
 }
 
 void MainWindow::listen_to_keys()

@@ -39,6 +39,8 @@ private:
     void play_scene(Expected<Scene> scene, const std::string& name, const std::string& words);
     void load_face(const std::string& path);
     void save_scene(const std::string& path);
+    /// What is still being recorded when the window goes becomes whole; what has become of it is printed.
+    void end_recordings();
     void report(const Expected<std::string>& outcome);
     void ask_for_file(const char* title, Gtk::FileChooser::Action action, const char* pattern,
                       std::function<void(const std::string&)> act);

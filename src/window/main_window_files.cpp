@@ -140,7 +140,9 @@ void MainWindow::play_scene(Expected<Scene> scene, const std::string& name, cons
             options_.scene = name;
             scene_words_ = words;
             set_title("Flying Polygons: " + name);
-            stage_.say(stage_.run.scene().title.empty() ? name : stage_.run.scene().title);
+            const Scene& played = stage_.run.scene();
+            stage_.say((played.title.empty() ? name : played.title) +
+                       (played.bodies.empty() ? ": no bodies yet; 2, 3 and 4 add some" : ""));
         } else {
             faults = opened.faults();
         }

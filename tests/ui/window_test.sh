@@ -559,7 +559,15 @@ expect "a small window begins without the controls, and says how to get them" 's
 keys F9
 expect "F9 in a small window" 's.surface[0] < 640'
 keys F9
+# What is recorded when the window goes becomes whole
+keys F7 p
+! command -v ffmpeg >/dev/null || keys F6
+expect "a film begins" 's.film > 5'
 close_window q
+for what in frames lines; do
+    written=$(sed -n "s/^\(.*\): [0-9]* $what\$/\1/p" "$work/log")
+    [[ -n $written && -s $work/$written ]] && good=$((good + 1)) || wrong "quitting ends no record in $what: $(cat "$work/log")"
+done
 
 # In a low window, controls that don't fit are scrolled to. A list that is above the screen's edge comes back before it drops
 # down: GTK would give it a place and a size that it never set, and complain
