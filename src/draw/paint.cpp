@@ -12,14 +12,15 @@ namespace flying {
 
 namespace {
 
-constexpr double k_outline = 0.13;     ///< [units]
-constexpr double k_shadow = 0.26;      ///< [units]
-constexpr double k_wall = 0.9;         ///< [units]
-constexpr double k_corner = 1.2;       ///< [units]
-constexpr double k_letters = 1.75;     ///< [units]
-constexpr double k_thinnest = 1.0;     ///< [pixels]
-constexpr std::size_t k_crowd = 150;   ///< more things than this are drawn with coarser edges
-constexpr double k_smallest_mark = 5.; ///< radius under which a body carries no marks [pixels]
+constexpr double k_outline = 0.13;       ///< [units]
+constexpr double k_shadow = 0.26;        ///< [units]
+constexpr double k_lowest_shadow = 0.12; ///< under a small body [radii]
+constexpr double k_wall = 0.9;           ///< [units]
+constexpr double k_corner = 1.2;         ///< [units]
+constexpr double k_letters = 1.75;       ///< [units]
+constexpr double k_thinnest = 1.0;       ///< [pixels]
+constexpr std::size_t k_crowd = 150;     ///< more things than this are drawn with coarser edges
+constexpr double k_smallest_mark = 5.;   ///< radius under which a body carries no marks [pixels]
 
 void use(cairo_t* cairo, const Colour& colour, double opacity = 1.0)
 {
@@ -68,11 +69,15 @@ void paint_ground(cairo_t* cairo, const Picture& picture, const Layout& layout, 
 }
 
 /// As one fill, so that no overlap shows.
-void paint_trail(cairo_t* cairo, const Trail& trail, const ViewMap& map, const Theme& theme)
+/// shines  through those before it
+void paint_trail(cairo_t* cairo, const Trail& trail, const ViewMap& map, const Theme& theme, bool shines)
 {
+    constexpr double k_strength = 0.22;
     add_trail_path(cairo, trail, map);
     cairo_set_fill_rule(cairo, CAIRO_FILL_RULE_WINDING);
-    use(cairo, body_colour(trail.colour, theme), 0.22);
+    const Colour colour = body_colour(trail.colour, theme);
+    if (shines) use(cairo, colour, k_strength);
+    else use(cairo, mixed(theme.paper, colour, k_strength));
     cairo_fill(cairo);
 }
 
@@ -110,9 +115,7 @@ double thickness_of(const Shape& shape)
 /// Dark fill under a smaller fill: strokes cost three times as much.
 void paint_body(cairo_t* cairo, const DrawnBody& body, const Layout& layout, const Theme& theme)
 {
-    const Colour fill = body.fill        ? *body.fill
-                        : body.is_static ? theme.body_static
-                                         : body_colour(body.colour, theme);
+    const Colour fill = body.fill ? *body.fill : body.is_static ? theme.body_static : body_colour(body.colour, theme);
     const Colour dark = outline_of(fill, theme);
     const double radius = bounding_radius(body.shape) * layout.map.scale;
 
@@ -171,15 +174,39 @@ void paint_shadow(cairo_t* cairo, const DrawnBody& body, const Layout& layout)
     const double radius = bounding_radius(body.shape) * layout.map.scale;
     if (radius < k_smallest_mark) return;
     ViewMap lower = layout.map;
-    lower.origin += Vec2(0.0, std::min(k_shadow * layout.unit, 0.12 * radius));
+    lower.origin += Vec2(0.0, std::min(k_shadow * layout.unit, k_lowest_shadow * radius));
     add_body_path(cairo, body, lower, 0.0);
     cairo_set_source_rgba(cairo, 0.0, 0.0, 0.0, 0.12);
     cairo_fill(cairo);
 }
 
+/// The part of the world that shows through the clip, and a pixel around it.
+Aabb sight_of(cairo_t* cairo, const ViewMap& map)
+{
+    double left = 0.0;
+    double top = 0.0;
+    double right = 0.0;
+    double bottom = 0.0;
+    cairo_clip_extents(cairo, &left, &top, &right, &bottom);
+    return {map.world_at(Vec2(left - 1.0, bottom + 1.0)), map.world_at(Vec2(right + 1.0, top - 1.0))};
+}
+
+/// Its shadow included.
 bool is_in_sight(const DrawnBody& body, const Aabb& sight)
 {
-    return !std::holds_alternative<HalfPlane>(body.shape) && overlap(bounding_box(body.shape, body.pose), sight);
+    if (std::holds_alternative<HalfPlane>(body.shape)) return false;
+    Aabb box = bounding_box(body.shape, body.pose);
+    box.min.y() -= k_lowest_shadow * bounding_radius(body.shape);
+    return overlap(box, sight);
+}
+
+bool is_in_sight(const Trail& trail, const Aabb& sight)
+{
+    if (trail.points.empty()) return false;
+    Aabb box{trail.points.front(), trail.points.front()};
+    for (const Vec2& point : trail.points) box = joined(box, {point, point});
+    const Vec2 half = Vec2::Constant(0.5 * trail.width);
+    return overlap({box.min - half, box.max + half}, sight);
 }
 
 /// Title above; scale bar and time below.
@@ -228,14 +255,14 @@ void smooth_edges(cairo_t* cairo, std::size_t things)
 void paint(cairo_t* cairo, const Picture& picture, SurfaceSize size, const Theme& theme)
 {
     const Layout layout = layout_of(picture, size);
-    const Vec2 low = layout.map.world_at(Vec2(0.0, size.height));
-    const Vec2 high = layout.map.world_at(Vec2(size.width, 0.0));
-    const Aabb sight{low, high};
 
     cairo_save(cairo);
     paint_ground(cairo, picture, layout, theme);
+    const Aabb sight = sight_of(cairo, layout.map);
     smooth_edges(cairo, picture.trails.size());
-    for (const Trail& trail : picture.trails) paint_trail(cairo, trail, layout.map, theme);
+    for (const Trail& trail : picture.trails) {
+        if (is_in_sight(trail, sight)) paint_trail(cairo, trail, layout.map, theme, picture.trails_shine);
+    }
     smooth_edges(cairo, 0);
     for (const DrawnBody& body : picture.bodies) {
         if (picture.has_shadows && is_in_sight(body, sight)) paint_shadow(cairo, body, layout);
@@ -255,5 +282,8 @@ void paint(cairo_t* cairo, const Picture& picture, SurfaceSize size, const Theme
 #ifdef FLYING_SANITIZED
 /// What fontconfig keeps until the program ends is no leak of ours; the leak checker asks for this by name.
 extern "C" const char* __lsan_default_suppressions();
-extern "C" const char* __lsan_default_suppressions() { return "leak:libfontconfig\n"; }
+extern "C" const char* __lsan_default_suppressions()
+{
+    return "leak:libfontconfig\n";
+}
 #endif

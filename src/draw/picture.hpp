@@ -15,10 +15,10 @@ namespace flying {
 /// One body as it is to be drawn.
 struct DrawnBody
 {
-    Shape shape;            ///< about the origin of the pose; a half-plane is not drawn
-    Pose pose;              ///< of the shape in the world
-    int colour = 0;         ///< >= 0: place in the palette, usually the body's number; it goes round
-    bool is_static = false; ///< drawn in the neutral tone
+    Shape shape;                     ///< about the origin of the pose; a half-plane is not drawn
+    Pose pose;                       ///< of the shape in the world
+    int colour = 0;                  ///< >= 0: place in the palette, usually the body's number; it goes round
+    bool is_static = false;          ///< drawn in the neutral tone
     std::optional<Colour> fill = {}; ///< in place of the palette's
 };
 
@@ -40,10 +40,12 @@ struct Picture
     std::string title;          ///< above the picture; empty for none
     std::optional<double> time; ///< in the caption [s]
     bool has_scale_bar = true;
-    bool has_shadows = true; ///< under the bodies; a third of the time that drawing takes
+    bool has_shadows = true;  ///< under the bodies; a third of the time that drawing takes
+    bool trails_shine = true; ///< through each other; a fifth of the time that trails take
 };
 
-/// The world at its clock, without trails: its bodies in order, then the core of a central field. The view is that of `fitting_view`.
+/// The world at its clock, without trails: its bodies in order, then the core of a central field. The view is that of
+/// `fitting_view`.
 [[nodiscard]] Picture picture_of(const World& world);
 
 /// Put the bodies where the world has them now and set the time; everything else stays.

@@ -24,10 +24,10 @@ void rounded(cairo_t* cairo, const PixelBox& box, double radius)
     cairo_close_path(cairo);
 }
 
-void panel(cairo_t* cairo, const PixelBox& box, const Theme& theme)
+void panel(cairo_t* cairo, const PixelBox& box, const Theme& theme, double opacity)
 {
     rounded(cairo, box, 7.0);
-    use(cairo, theme.ground, 0.9);
+    use(cairo, theme.ground, opacity);
     cairo_fill_preserve(cairo);
     use(cairo, theme.ink, 0.18);
     cairo_set_line_width(cairo, 1.0);
@@ -45,8 +45,9 @@ void add_arrow(cairo_t* cairo, const Vec2& from, const Vec2& to, double width)
     const double half = 0.5 * std::min(width, 0.3 * length);
     const Vec2 neck = to - head * along;
     cairo_new_sub_path(cairo);
-    for (const Vec2& corner : {Vec2(from + half * across), Vec2(neck + half * across), Vec2(neck + 0.45 * head * across), to,
-                               Vec2(neck - 0.45 * head * across), Vec2(neck - half * across), Vec2(from - half * across)}) {
+    for (const Vec2& corner :
+         {Vec2(from + half * across), Vec2(neck + half * across), Vec2(neck + 0.45 * head * across), to,
+          Vec2(neck - 0.45 * head * across), Vec2(neck - half * across), Vec2(from - half * across)}) {
         cairo_line_to(cairo, corner.x(), corner.y());
     }
     cairo_close_path(cairo);
@@ -83,7 +84,8 @@ void add_circle(cairo_t* cairo, const Vec2& at, double radius, double width)
 
 void letters(cairo_t* cairo, double size, bool bold)
 {
-    cairo_select_font_face(cairo, "sans-serif", CAIRO_FONT_SLANT_NORMAL, bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+    cairo_select_font_face(cairo, "sans-serif", CAIRO_FONT_SLANT_NORMAL,
+                           bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
     cairo_set_font_size(cairo, size);
 }
 

@@ -13,7 +13,8 @@ namespace flying {
 /// The few strokes of which everything beside the bodies is made.
 namespace brush {
 
-/// Colours by which things are told apart, also by those who see fewer hues: Okabe and Ito, "Color Universal Design", 2008.
+/// Colours by which things are told apart, also by those who see fewer hues: Okabe and Ito, "Color Universal Design",
+/// 2008.
 inline constexpr Colour k_orange{0.902, 0.624, 0.0};
 inline constexpr Colour k_sky{0.337, 0.706, 0.914};
 inline constexpr Colour k_green{0.0, 0.620, 0.451};
@@ -28,7 +29,8 @@ void use(cairo_t* cairo, const Colour& colour, double opacity = 1.0);
 void rounded(cairo_t* cairo, const PixelBox& box, double radius);
 
 /// A panel to write on.
-void panel(cairo_t* cairo, const PixelBox& box, const Theme& theme);
+/// opacity  1 where it lies on other writing
+void panel(cairo_t* cairo, const PixelBox& box, const Theme& theme, double opacity = 0.93);
 
 /// From one point to another, with a head that shrinks with it, added to the path: many can be one fill.
 /// width  of the shaft [pixels]

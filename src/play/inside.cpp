@@ -112,7 +112,8 @@ Inside look_inside(const World& world)
     for (int k = 0; k < world.body_count(); ++k) {
         inside.shapes.push_back(make_collision_shape(world.shape(k)));
     }
-    for (const Shape& shape : surrounding_shapes(world.scene().world)) inside.shapes.push_back(make_collision_shape(shape));
+    for (const Shape& shape : surrounding_shapes(world.scene().world))
+        inside.shapes.push_back(make_collision_shape(shape));
     inside.cell_size = cell_size_of(world, inside);
     return inside;
 }
@@ -130,8 +131,10 @@ std::vector<LeaningContact> leaning_contacts(const World& world, const Inside& i
         if (!memory->bodies[place_a].is_active || !memory->bodies[place_b].is_active) continue;
         const int a = memory->order[place_a];
         const int b = memory->order[place_b];
-        const ConvexPart& part_a = inside.shapes[static_cast<std::size_t>(a)].parts[static_cast<std::size_t>(pair.part_a)];
-        const ConvexPart& part_b = inside.shapes[static_cast<std::size_t>(b)].parts[static_cast<std::size_t>(pair.part_b)];
+        const ConvexPart& part_a =
+            inside.shapes[static_cast<std::size_t>(a)].parts[static_cast<std::size_t>(pair.part_a)];
+        const ConvexPart& part_b =
+            inside.shapes[static_cast<std::size_t>(b)].parts[static_cast<std::size_t>(pair.part_b)];
         const double margin = k_touching * std::min(part_a.radius, part_b.radius);
         const Manifold manifold = make_manifold(part_a.shape, pose_of(memory->bodies[place_a].state), part_b.shape,
                                                 pose_of(memory->bodies[place_b].state), margin);
@@ -139,7 +142,8 @@ std::vector<LeaningContact> leaning_contacts(const World& world, const Inside& i
             for (int i = 0; i < manifold.count; ++i) {
                 const Contact& contact = manifold.contacts[i];
                 if (contact.feature != pair.feature[k]) continue;
-                contacts.push_back({a, b, contact.point, contact.normal, pair.normal[k] / step, pair.tangent[k] / step});
+                contacts.push_back(
+                    {a, b, contact.point, contact.normal, pair.normal[k] / step, pair.tangent[k] / step});
             }
         }
     }
@@ -205,10 +209,13 @@ std::vector<NextImpact> next_impacts(const World& world, const Inside& inside, s
             if (b == a || (around_b.flies && b < a)) continue;
             const double reach = around_a.reach + around_b.reach; // infinite for walls
             if ((around_a.place - around_b.place).squaredNorm() > reach * reach) continue;
+            const auto* wall = std::get_if<HalfPlane>(&shape_of(b));
+            if (wall && wall->normal.dot(around_a.place) - wall->offset > around_a.reach) continue;
             const Flyer& flyer_b = flyers[static_cast<std::size_t>(b)];
             const Prediction next = predict(world.shape(a), flyer_a, shape_of(b), flyer_b, now);
             if (next.kind != Prediction::Kind::impact || next.time > now + within) continue;
-            impacts.push_back({next.time, a, b, state_at(flyer_a, next.time).position, state_at(flyer_b, next.time).position});
+            impacts.push_back(
+                {next.time, a, b, state_at(flyer_a, next.time).position, state_at(flyer_b, next.time).position});
         }
     }
     std::sort(impacts.begin(), impacts.end(), [](const NextImpact& p, const NextImpact& q) {

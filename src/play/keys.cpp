@@ -48,6 +48,7 @@ void more_sides(Stage& stage, int more)
 void escape(Stage& stage)
 {
     const bool was_busy = stage.hand.grip || stage.hand.is_pressed || !stage.hand.points.empty();
+    if (!stage.hand.points.empty()) stage.notice = {}; // what was wrong with the drawing goes with it
     cancel(stage);
     stage.arrow_keys = ArrowKeys::pointer;
     stage.mode_until = 0.0;
@@ -142,7 +143,8 @@ constexpr auto k_bindings = std::to_array<Binding>({
     {"b", "B", "choose the next body", [](Stage& s) { select_next(s, 1); }},
     {"shift+b", "Shift+B", "choose the one before", [](Stage& s) { select_next(s, -1); }},
     {"escape", "Escape", "let go; drop the drawing; grab again", escape},
-    {"ctrl+plus ctrl+shift+plus ctrl+equal ctrl+kp_add", "Ctrl +", "zoom in; also Ctrl and scrolling", [](Stage& s) { zoom_by(s, 1.25); }},
+    {"ctrl+plus ctrl+shift+plus ctrl+equal ctrl+kp_add", "Ctrl +", "zoom in; also Ctrl and scrolling",
+     [](Stage& s) { zoom_by(s, 1.25); }},
     {"ctrl+minus ctrl+kp_subtract", "Ctrl -", "zoom out", [](Stage& s) { zoom_by(s, 0.8); }},
     {"z ctrl+0", "Z, Ctrl+0", "see all", fit_view},
     {"s", "S", "speed arrows", toggle<Layer::arrows>},

@@ -14,8 +14,9 @@ namespace flying {
 
 namespace {
 
-constexpr double k_letters = 12.5; ///< [pixels]
-constexpr double k_edge = 14.0;    ///< [pixels]
+constexpr double k_letters = 12.5;                  ///< [pixels]
+constexpr double k_edge = 14.0;                     ///< [pixels]
+constexpr PixelBox k_roomy{0.0, 0.0, 480.0, 620.0}; ///< as large a surface holds all at their full size [pixels]
 
 struct Curve
 {
@@ -26,7 +27,8 @@ struct Curve
 };
 
 /// Curves against time, in a panel; the figure behind each name is its present value.
-void paint_strip(cairo_t* cairo, const Stage& stage, const PixelBox& box, const std::vector<Curve>& curves, const char* unit, const Theme& theme)
+void paint_strip(cairo_t* cairo, const Stage& stage, const PixelBox& box, const std::vector<Curve>& curves,
+                 const char* unit, const Theme& theme)
 {
     brush::panel(cairo, box, theme);
     const std::deque<Sample>& samples = stage.watch.samples;
@@ -48,7 +50,8 @@ void paint_strip(cairo_t* cairo, const Stage& stage, const PixelBox& box, const 
     const PixelBox inside{box.left + 8.0, box.top + 26.0, box.right - 8.0, box.bottom - 8.0};
     const double end = samples.back().time;
     const auto place = [&](double time, double value) {
-        return Vec2(inside.right - (end - time) / k_strip_length * inside.width(), inside.bottom - (value - low) / (high - low) * inside.height());
+        return Vec2(inside.right - (end - time) / k_strip_length * inside.width(),
+                    inside.bottom - (value - low) / (high - low) * inside.height());
     };
     brush::use(cairo, theme.ink, 0.3);
     cairo_set_line_width(cairo, 1.0);
@@ -74,7 +77,8 @@ void paint_strip(cairo_t* cairo, const Stage& stage, const PixelBox& box, const 
         cairo_set_dash(cairo, dashes, 0, 0.0);
         brush::letters(cairo, k_letters);
         brush::use(cairo, theme.ink);
-        const std::string text = fmt::format("{} {:.4g}{}", curve.name, curve.value(samples.back()), x > box.left + 11.0 ? std::string() : fmt::format(" {}", unit));
+        const std::string text = fmt::format("{} {:.4g}{}", curve.name, curve.value(samples.back()),
+                                             x > box.left + 11.0 ? std::string() : fmt::format(" {}", unit));
         brush::text(cairo, x + 23.0, box.top + 18.0, text);
         x += 23.0 + brush::text_width(cairo, text) + 14.0;
     }
@@ -118,12 +122,16 @@ std::vector<std::string> cost_lines(const Stage& stage)
     const std::deque<double>& frames = stage.watch.frames;
     std::vector<std::string> lines{"cost of a frame"};
     const double span = frames.size() > 1 ? frames.back() - frames.front() : 0.0;
-    if (span > 0.0) lines.push_back(fmt::format("{:.1f} frames a second", static_cast<double>(frames.size() - 1) / span));
-    lines.push_back(fmt::format("simulating {:.2f} ms, drawing {:.2f} ms", 1e3 * stage.clock.mean_simulating, 1e3 * stage.clock.mean_drawing));
-    lines.push_back(fmt::format("19 frames of 20 within {:.2f} ms and {:.2f} ms", 1e3 * stage.watch.simulating.quantile(0.95),
-                                1e3 * stage.watch.drawing.quantile(0.95)));
-    lines.push_back(fmt::format("load {:.0f} % of a sixtieth of a second", 6e3 * (stage.clock.mean_simulating + stage.clock.mean_drawing)));
-    lines.push_back(fmt::format("{} bodies, {} events, {} collisions", stage.run.world().body_count(), stage.run.events(), stage.run.collisions()));
+    if (span > 0.0)
+        lines.push_back(fmt::format("{:.1f} frames a second", static_cast<double>(frames.size() - 1) / span));
+    lines.push_back(fmt::format("simulating {:.2f} ms, drawing {:.2f} ms", 1e3 * stage.clock.mean_simulating,
+                                1e3 * stage.clock.mean_drawing));
+    lines.push_back(fmt::format("19 frames of 20 within {:.2f} ms and {:.2f} ms",
+                                1e3 * stage.watch.simulating.quantile(0.95), 1e3 * stage.watch.drawing.quantile(0.95)));
+    lines.push_back(fmt::format("load {:.0f} % of a sixtieth of a second",
+                                6e3 * (stage.clock.mean_simulating + stage.clock.mean_drawing)));
+    lines.push_back(fmt::format("{} bodies, {} events, {} collisions", stage.run.world().body_count(),
+                                stage.run.events(), stage.run.collisions()));
     return lines;
 }
 
@@ -131,7 +139,9 @@ std::vector<std::string> plan_lines(const Plan& plan)
 {
     std::vector<std::string> lines{"what this scene doesn't need"};
     for (const Skip& skip : plan.skips) {
-        const char* kind = skip.kind == SkipClass::neutral ? "same bits" : skip.kind == SkipClass::ordered ? "same bits, by order" : "alters results";
+        const char* kind = skip.kind == SkipClass::neutral   ? "same bits"
+                           : skip.kind == SkipClass::ordered ? "same bits, by order"
+                                                             : "alters results";
         std::string line = fmt::format("{}  {} ({})", skip.active ? "skipped" : "done", skip.name, kind);
         if (skip.active && !skip.saved_unit.empty()) line += fmt::format(": saved {} {}", skip.saved, skip.saved_unit);
         lines.push_back(line);
@@ -168,11 +178,18 @@ void paint_legend(cairo_t* cairo, SurfaceSize size, const Theme& theme)
 
 void paint_figures(cairo_t* cairo, const Stage& stage, SurfaceSize size, const Theme& theme)
 {
+    // On a small surface all shrink, so that none lies on another
+    const double scale = std::min({1.0, size.width / k_roomy.width(), size.height / k_roomy.height()});
+    if (!(scale > 0.0)) return;
+    const SurfaceSize scaled{static_cast<int>(size.width / scale), static_cast<int>(size.height / scale)};
+    cairo_save(cairo);
+    cairo_scale(cairo, scale, scale);
     double top = k_edge;
     if (stage.look.shows(Layer::costs)) top = paint_lines(cairo, k_edge, top, cost_lines(stage), theme) + 8.0;
     if (stage.look.shows(Layer::plan)) paint_lines(cairo, k_edge, top, plan_lines(stage.watch.plan), theme);
-    if (stage.look.shows(Layer::strips)) paint_strips(cairo, stage, size, theme);
-    if (stage.look.colouring == Colouring::mover) paint_legend(cairo, size, theme);
+    if (stage.look.shows(Layer::strips)) paint_strips(cairo, stage, scaled, theme);
+    if (stage.look.colouring == Colouring::mover) paint_legend(cairo, scaled, theme);
+    cairo_restore(cairo);
 }
 
 } // namespace flying

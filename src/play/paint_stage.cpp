@@ -1,5 +1,9 @@
 #include "play/paint_stage.hpp"
 
+#include <algorithm>
+#include <thread>
+#include <vector>
+
 #include "play/paint_figures.hpp"
 #include "play/paint_hand.hpp"
 #include "play/paint_layers.hpp"
@@ -30,6 +34,36 @@ void paint_stage(cairo_t* cairo, const Stage& stage, SurfaceSize size)
     paint_figures(cairo, stage, size, theme);
     paint_panels(cairo, stage, size, theme);
     cairo_restore(cairo);
+}
+
+void paint_stage(cairo_surface_t* image, const Stage& stage, SurfaceSize size, int bands)
+{
+    cairo_surface_flush(image);
+    unsigned char* pixels = cairo_image_surface_get_data(image);
+    if (!pixels) return; // there was no memory for it
+    const int stride = cairo_image_surface_get_stride(image);
+    const auto paint_band = [&](int band) {
+        const int top = band * size.height / bands;
+        const int rows = (band + 1) * size.height / bands - top;
+        if (rows == 0) return;
+        cairo_surface_t* part = cairo_image_surface_create_for_data(pixels + static_cast<std::ptrdiff_t>(top) * stride,
+                                                                    CAIRO_FORMAT_RGB24, size.width, rows, stride);
+        cairo_surface_set_device_offset(part, 0.0, -top);
+        cairo_t* cairo = cairo_create(part);
+        paint_stage(cairo, stage, size);
+        cairo_destroy(cairo);
+        cairo_surface_destroy(part);
+    };
+    std::vector<std::jthread> others;
+    for (int band = 1; band < bands; ++band) others.emplace_back(paint_band, band);
+    paint_band(0);
+    others.clear(); // waits for them
+    cairo_surface_mark_dirty(image);
+}
+
+int usual_bands()
+{
+    return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 4);
 }
 
 } // namespace flying

@@ -8,6 +8,13 @@ namespace flying {
 /// cairo  fresh or restored to its initial transformation; its state comes back as it was
 void paint_stage(cairo_t* cairo, const Stage& stage, SurfaceSize size);
 
+/// The same on an image of that size, in so many bands, one above the other, by as many threads at once. What one
+/// thread paints differs only at the border of two bands, and there by less than can be seen: edges are rounded where
+/// they are cut. image  in memory, RGB24;  bands  >= 1
+void paint_stage(cairo_surface_t* image, const Stage& stage, SurfaceSize size, int bands);
+/// As many bands as this machine has processors, four at most.
+[[nodiscard]] int usual_bands();
+
 /// How points of the world lie on that surface.
 [[nodiscard]] ViewMap stage_map(const Stage& stage, SurfaceSize size);
 

@@ -14,12 +14,13 @@ namespace flying {
 
 namespace {
 
-constexpr double k_panel_letters = 14.0;  ///< [pixels]
-constexpr double k_margin = 14.0;   ///< of panels from the edge [pixels]
-constexpr double k_inside = 10.0;   ///< of writing from its panel's edge [pixels]
+constexpr double k_panel_letters = 14.0; ///< [pixels]
+constexpr double k_margin = 14.0;        ///< of panels from the edge [pixels]
+constexpr double k_inside = 10.0;        ///< of writing from its panel's edge [pixels]
 
 /// A line of text in a panel, its middle above there.
-void paint_pill(cairo_t* cairo, double middle, double top, const std::string& text, const Theme& theme, const Colour* mark)
+void paint_pill(cairo_t* cairo, double middle, double top, const std::string& text, const Theme& theme,
+                const Colour* mark)
 {
     brush::letters(cairo, k_panel_letters);
     const double width = brush::text_width(cairo, text) + 2.0 * k_inside + (mark ? 16.0 : 0.0);
@@ -43,9 +44,10 @@ void paint_clock(cairo_t* cairo, const Stage& stage, SurfaceSize size, const The
         const std::string speed = stage.clock.speed == 1.0 ? "" : ", " + speed_text(stage.clock.speed);
         paint_pill(cairo, middle, k_margin, "paused" + speed, theme, &brush::k_orange);
     } else if (stage.clock.is_behind()) {
-        paint_pill(cairo, middle, k_margin,
-                   fmt::format("can't keep up: time runs at {:.0f} % of {}", 100.0 * stage.clock.share, speed_text(stage.clock.speed)),
-                   theme, &brush::k_vermilion);
+        paint_pill(
+            cairo, middle, k_margin,
+            fmt::format("can't keep up: {:.0f} % of {}", 100.0 * stage.clock.share, speed_text(stage.clock.speed)),
+            theme, &brush::k_vermilion);
     } else if (stage.clock.speed != 1.0) {
         paint_pill(cairo, middle, k_margin, "time runs at " + speed_text(stage.clock.speed), theme, nullptr);
     }
@@ -176,7 +178,7 @@ void paint_help(cairo_t* cairo, SurfaceSize size, const Theme& theme)
     cairo_translate(cairo, 0.5 * size.width, 0.5 * size.height);
     cairo_scale(cairo, scale, scale);
     const PixelBox box{-0.5 * width, -0.5 * height, 0.5 * width, 0.5 * height};
-    brush::panel(cairo, box, theme);
+    brush::panel(cairo, box, theme, 1.0);
     for (std::size_t k = 0; k < rows.size(); ++k) {
         const double x = box.left + 2.0 * k_inside + static_cast<double>(k / per_column) * column;
         const double y = box.top + 27.0 + line * static_cast<double>(k % per_column);

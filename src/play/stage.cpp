@@ -27,11 +27,12 @@ Colour random_colour(int body)
     return {part(5.0), part(3.0), part(1.0)};
 }
 
-constexpr double k_shown_for = 3.0;       ///< a mode's bar, and a notice [s]
-constexpr double k_longest_key = 0.1;     ///< of the run, for a key that steps it: the window answers after that [s]
-constexpr double k_averaged_over = 1.0;   ///< [s]
-constexpr std::size_t k_most_shadows = 150; ///< of more bodies they would cost frames
-constexpr double k_mean = 0.05;           ///< share of a frame in the mean costs
+constexpr double k_shown_for = 3.0;     ///< a mode's bar, and a notice [s]
+constexpr double k_longest_key = 0.1;   ///< of the run, for a key that steps it: the window answers after that [s]
+constexpr double k_averaged_over = 1.0; ///< [s]
+constexpr std::size_t k_few =
+    150;                        ///< more bodies have no shadows, nor trails that shine through each other: frames count
+constexpr double k_mean = 0.05; ///< share of a frame in the mean costs
 constexpr double k_remembered_every = 12; ///< [frames]
 
 double options_step(const Stage& stage)
@@ -47,12 +48,15 @@ void colour_bodies(Stage& stage)
         DrawnBody& body = stage.picture.bodies[k];
         body.fill.reset();
         if (static_cast<int>(k) >= stage.run.world().body_count()) continue;
-        if (stage.look.colouring == Colouring::mover) body.fill = mover_colour(stage.run.world().mover(static_cast<int>(k)), theme);
-        if (stage.look.colouring == Colouring::random && !body.is_static) body.fill = random_colour(static_cast<int>(k));
+        if (stage.look.colouring == Colouring::mover)
+            body.fill = mover_colour(stage.run.world().mover(static_cast<int>(k)), theme);
+        if (stage.look.colouring == Colouring::random && !body.is_static)
+            body.fill = random_colour(static_cast<int>(k));
     }
 }
 
-/// On to a moment, as far as a budget of real time lets it: by one event or step at a time, any of which may be the slow one.
+/// On to a moment, as far as a budget of real time lets it: by one event or step at a time, any of which may be the
+/// slow one.
 PlayRun::Advance go_on(Stage& stage, double target, double budget, double (*seconds)())
 {
     const double started = seconds();
@@ -72,19 +76,35 @@ PlayRun::Advance go_on(Stage& stage, double target, double budget, double (*seco
 Colour mover_colour(BodyMover mover, const Theme& theme)
 {
     switch (mover) {
-    case BodyMover::events: return {0.337, 0.706, 0.914};
-    case BodyMover::rest: return {0.902, 0.560, 0.0};
-    case BodyMover::asleep: return {0.0, 0.30, 0.48};
-    case BodyMover::none: break;
+    case BodyMover::events:
+        return {0.337, 0.706, 0.914};
+    case BodyMover::rest:
+        return {0.902, 0.560, 0.0};
+    case BodyMover::asleep:
+        return {0.0, 0.30, 0.48};
+    case BodyMover::none:
+        break;
     }
     return theme.body_static;
 }
 
 std::string_view layer_text(Layer layer)
 {
-    static constexpr std::array<std::string_view, k_layers> texts{
-        "speed arrows", "contact points", "normals",     "impulses", "bounding boxes",      "cells",             "islands",   "next events",
-        "trails",       "centroid, inertia", "labels", "energy and momentum", "what the plan skips", "cost figures", "help"};
+    static constexpr std::array<std::string_view, k_layers> texts{"speed arrows",
+                                                                  "contact points",
+                                                                  "normals",
+                                                                  "impulses",
+                                                                  "bounding boxes",
+                                                                  "cells",
+                                                                  "islands",
+                                                                  "next events",
+                                                                  "trails",
+                                                                  "centroid, inertia",
+                                                                  "labels",
+                                                                  "energy and momentum",
+                                                                  "what the plan skips",
+                                                                  "cost figures",
+                                                                  "help"};
     return texts[static_cast<std::size_t>(layer)];
 }
 
@@ -107,7 +127,8 @@ void Stage::refresh()
         const Aabb old = picture.view;
         picture = picture_of(run.world());
         picture.title.clear();
-        picture.has_shadows = picture.bodies.size() <= k_most_shadows;
+        picture.has_shadows = picture.bodies.size() <= k_few;
+        picture.trails_shine = picture.has_shadows;
         if (keeps_view) picture.view = old;
         generation = run.generation();
     } else {
@@ -123,7 +144,8 @@ void Stage::refresh()
     for (std::size_t k = 0; k < watch.trails.size() && k < picture.bodies.size(); ++k) {
         if (watch.trails[k].size() < 2) continue;
         const DrawnBody& body = picture.bodies[k];
-        picture.trails.push_back({body.colour, 0.6 * trail_width(body.shape), {watch.trails[k].begin(), watch.trails[k].end()}});
+        picture.trails.push_back(
+            {body.colour, 0.6 * trail_width(body.shape), {watch.trails[k].begin(), watch.trails[k].end()}});
     }
 }
 
@@ -136,7 +158,8 @@ bool Stage::change(Scene scene, const std::string& label, Crowding crowding)
 {
     const Faults faults = run.change(std::move(scene), label, crowding);
     if (!faults.empty()) {
-        const std::string more = faults.size() > 1 ? " (and " + std::to_string(faults.size() - 1) + " faults more)" : "";
+        const std::string more =
+            faults.size() > 1 ? " (and " + std::to_string(faults.size() - 1) + " faults more)" : "";
         say(format_fault(faults.front()) + more, true);
     }
     refresh();
@@ -265,7 +288,8 @@ void resize_box(Stage& stage, double wider, double higher)
     if (!scene.world.box || !(wider > 0.0) || !(higher > 0.0)) return;
     const Vec2 extent = scene.world.box->max - scene.world.box->min;
     scene.world.box->max = scene.world.box->min + Vec2(wider * extent.x(), higher * extent.y());
-    if (stage.change(std::move(scene), "resize") && !stage.view_is_free) stage.picture.view = fitting_view(stage.picture);
+    if (stage.change(std::move(scene), "resize") && !stage.view_is_free)
+        stage.picture.view = fitting_view(stage.picture);
 }
 
 FieldKind field_kind(const Field& field)
@@ -291,7 +315,8 @@ void set_field_kind(Stage& stage, FieldKind kind)
     if (kind == FieldKind::central) {
         // A turn about the middle at a quarter of the height takes four seconds
         const double radius = 0.25 * height;
-        field = CentralField{0.5 * (view.min + view.max), round_length(2.5 * radius * radius * radius), round_length(height / 16.0)};
+        field = CentralField{0.5 * (view.min + view.max), round_length(2.5 * radius * radius * radius),
+                             round_length(height / 16.0)};
     }
     set_field(stage, field);
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <functional>
 
 #include <cairo.h>
@@ -20,13 +22,16 @@ public:
     Canvas& operator=(const Canvas&) = delete;
 
     /// What was drawn last; null before the first frame.
-    [[nodiscard]] cairo_surface_t* surface() const { return surface_; }
+    [[nodiscard]] cairo_surface_t* surface() const { return surfaces_[last_]; }
 
 private:
     void draw(const Cairo::RefPtr<Cairo::Context>& context, int width, int height);
 
     Stage& stage_;
-    cairo_surface_t* surface_ = nullptr;
+    /// Two by turns: GTK keeps the last frame's until this one's is shown, and Cairo would copy it before we draw on
+    /// it.
+    std::array<cairo_surface_t*, 2> surfaces_{};
+    std::size_t last_ = 0; ///< drawn on last
 };
 
 } // namespace flying

@@ -4,6 +4,9 @@
 #include <gtkmm/box.h>
 #include <gtkmm/filechoosernative.h>
 
+#include <map>
+#include <string>
+
 #include "window/canvas.hpp"
 #include "window/panel.hpp"
 #include "window/recorder.hpp"
@@ -36,8 +39,11 @@ private:
     void play_scene(Expected<Scene> scene, const std::string& name, const std::string& words);
     void load_face(const std::string& path);
     void save_scene(const std::string& path);
+    /// What is still being recorded when the window goes becomes whole; what has become of it is printed.
+    void end_recordings();
     void report(const Expected<std::string>& outcome);
-    void ask_for_file(const char* title, Gtk::FileChooser::Action action, const char* pattern, std::function<void(const std::string&)> act);
+    void ask_for_file(const char* title, Gtk::FileChooser::Action action, const char* pattern,
+                      std::function<void(const std::string&)> act);
 
     Stage& stage_;
     WindowOptions options_;
@@ -46,13 +52,13 @@ private:
     Canvas canvas_;
     Panel panel_;
     Recorder recorder_;
-    Glib::RefPtr<Gtk::FileChooserNative> chooser_;
-    Vec2 dragged_ = Vec2::Zero(); ///< by the middle button, so far [pixels]
-    int width_ = 0;               ///< of the canvas when it was last resized [pixels]
+    std::map<std::string, Glib::RefPtr<Gtk::FileChooserNative>> choosers_; ///< of files, by their titles
+    Vec2 dragged_ = Vec2::Zero();                                          ///< by the middle button, so far [pixels]
+    int width_ = 0; ///< of the canvas when it was last resized [pixels]
     int height_ = 0;
-    double last_frame_ = -1.0;    ///< [s]
-    double synced_ = 0.0;         ///< when controls were last brought up to the stage [s]
-    bool is_stale_ = true;        ///< the canvas shows less than the stage knows
+    double last_frame_ = -1.0; ///< [s]
+    double synced_ = 0.0;      ///< when controls were last brought up to the stage [s]
+    bool is_stale_ = true;     ///< the canvas shows less than the stage knows
 };
 
 } // namespace flying

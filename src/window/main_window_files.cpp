@@ -27,7 +27,9 @@ void MainWindow::answer(Request request)
 {
     const std::string stem = std::filesystem::path(options_.scene).stem().string();
     switch (request) {
-    case Request::quit: close(); break;
+    case Request::quit:
+        close();
+        break;
     case Request::panel:
         panel_.set_visible(!panel_.get_visible());
         if (!panel_.get_visible()) canvas_.grab_focus();
@@ -37,13 +39,16 @@ void MainWindow::answer(Request request)
         else fullscreen();
         break;
     case Request::open:
-        ask_for_file("Open a scene", Gtk::FileChooser::Action::OPEN, "*.toml", [this](const std::string& path) { open_path(path); });
+        ask_for_file("Open a scene", Gtk::FileChooser::Action::OPEN, "*.toml",
+                     [this](const std::string& path) { open_path(path); });
         break;
     case Request::face:
-        ask_for_file("A picture for the balls", Gtk::FileChooser::Action::OPEN, "*.png", [this](const std::string& path) { load_face(path); });
+        ask_for_file("A picture for the balls", Gtk::FileChooser::Action::OPEN, "*.png",
+                     [this](const std::string& path) { load_face(path); });
         break;
     case Request::save:
-        ask_for_file("Save the scene", Gtk::FileChooser::Action::SAVE, "*.toml", [this](const std::string& path) { save_scene(path); });
+        ask_for_file("Save the scene", Gtk::FileChooser::Action::SAVE, "*.toml",
+                     [this](const std::string& path) { save_scene(path); });
         break;
     case Request::video:
         report(recorder_.toggle_video(free_name(stem, ".mp4"), stage_.size));
@@ -53,8 +58,8 @@ void MainWindow::answer(Request request)
         break;
     case Request::state: {
         const std::string path = options_.state.empty() ? free_name(stem + "-state", ".json") : options_.state;
-        const std::string more = fmt::format("\"scene\":{},\n\"film\":{},\n\"controls\":{}", json_text(options_.scene), recorder_.frames(),
-                                             panel_.places(*this));
+        const std::string more = fmt::format("\"scene\":{},\n\"film\":{},\n\"controls\":{}", json_text(options_.scene),
+                                             recorder_.frames(), panel_.places(*this));
         const std::optional<Fault> fault = write_whole(path, state_json(stage_, more));
         // Where the file was given, looking changes nothing of what is looked at
         if (fault) stage_.say(format_fault(*fault), true);
@@ -73,21 +78,28 @@ void MainWindow::report(const Expected<std::string>& outcome)
 void MainWindow::ask_for_file(const char* title, Gtk::FileChooser::Action action, const char* pattern,
                               std::function<void(const std::string&)> act)
 {
-    chooser_ = Gtk::FileChooserNative::create(title, *this, action, action == Gtk::FileChooser::Action::SAVE ? "Save" : "Open", "Cancel");
-    chooser_->set_modal(true);
-    auto filter = Gtk::FileFilter::create();
-    filter->set_name(pattern);
-    filter->add_pattern(pattern);
-    chooser_->add_filter(filter);
-    if (action == Gtk::FileChooser::Action::SAVE) {
-        chooser_->set_current_name(free_name(std::filesystem::path(options_.scene).stem().string() + "-played", ".toml"));
+    // Kept once it is made: GTK 4.8 goes on reading a folder for a dialog that is gone, and tells it when it has done
+    // so
+    Glib::RefPtr<Gtk::FileChooserNative>& chooser = choosers_[title];
+    const bool saves = action == Gtk::FileChooser::Action::SAVE;
+    if (!chooser) {
+        chooser = Gtk::FileChooserNative::create(title, *this, action, saves ? "Save" : "Open", "Cancel");
+        chooser->set_modal(true);
+        auto filter = Gtk::FileFilter::create();
+        filter->set_name(pattern);
+        filter->add_pattern(pattern);
+        chooser->add_filter(filter);
+        chooser->signal_response().connect([this, asked = chooser.get(), act = std::move(act)](int response) {
+            const auto file = asked->get_file();
+            if (response == static_cast<int>(Gtk::ResponseType::ACCEPT) && file) act(file->get_path());
+            touch();
+        });
     }
-    chooser_->signal_response().connect([this, act = std::move(act)](int response) {
-        const auto file = chooser_->get_file();
-        if (response == static_cast<int>(Gtk::ResponseType::ACCEPT) && file) act(file->get_path());
-        touch();
-    });
-    chooser_->show();
+    if (saves) {
+        chooser->set_current_name(
+            free_name(std::filesystem::path(options_.scene).stem().string() + "-played", ".toml"));
+    }
+    chooser->show();
 }
 
 void MainWindow::choose_scene(int index)
@@ -128,7 +140,9 @@ void MainWindow::play_scene(Expected<Scene> scene, const std::string& name, cons
             options_.scene = name;
             scene_words_ = words;
             set_title("Flying Polygons: " + name);
-            stage_.say(stage_.run.scene().title.empty() ? name : stage_.run.scene().title);
+            const Scene& played = stage_.run.scene();
+            stage_.say((played.title.empty() ? name : played.title) +
+                       (played.bodies.empty() ? ": no bodies yet; 2, 3 and 4 add some" : ""));
         } else {
             faults = opened.faults();
         }

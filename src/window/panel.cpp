@@ -1,11 +1,18 @@
 #include "window/panel.hpp"
 
 #include <fmt/format.h>
+#include <gdk/gdk.h>
+#include <gdkmm/frameclock.h>
+#include <gtkmm/adjustment.h>
+#include <gtkmm/eventcontrollerkey.h>
 #include <gtkmm/label.h>
+#include <gtkmm/native.h>
+#include <gtkmm/root.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <utility>
 
 #include "play/keys.hpp"
@@ -40,6 +47,45 @@ Panel::Panel(Stage& stage, const std::vector<std::string>& scenes, std::function
     add_look_part();
     add_record_part();
     set_child(column_);
+    auto keys = Gtk::EventControllerKey::create();
+    keys->set_propagation_phase(Gtk::PropagationPhase::CAPTURE);
+    keys->signal_key_pressed().connect([this](guint value, guint, Gdk::ModifierType) { return key(value); }, false);
+    add_controller(keys);
+}
+
+Gtk::Widget* Panel::focus()
+{
+    Gtk::Root* root = get_root();
+    Gtk::Widget* control = root ? root->get_focus() : nullptr;
+    const bool is_ours = control && control->is_ancestor(column_) && control->get_native() == get_native();
+    return is_ours ? control : nullptr;
+}
+
+bool Panel::is_in_sight(Gtk::Widget& control)
+{
+    double x = 0.0;
+    double y = 0.0;
+    return control.translate_coordinates(*this, 0.0, 0.5 * control.get_height(), x, y) && y >= 0.0 && y < get_height();
+}
+
+bool Panel::key(unsigned value)
+{
+    const unsigned working[] = {GDK_KEY_space, GDK_KEY_KP_Space, GDK_KEY_Return, GDK_KEY_ISO_Enter, GDK_KEY_KP_Enter};
+    Gtk::Widget* control = focus();
+    if (!control || is_in_sight(*control) || std::find(std::begin(working), std::end(working), value) == std::end(working)) return false;
+
+    // Scroll to it first: GTK 4.8 gives a list that drops down beyond the screen's edge a place and a size that it never set
+    double x = 0.0;
+    double y = 0.0;
+    if (!control->translate_coordinates(column_, 0.0, 0.0, x, y)) return false;
+    get_vadjustment()->clamp_page(y, y + control->get_height() + 2.0 * column_.get_margin_top());
+    add_tick_callback([this, control](const Glib::RefPtr<Gdk::FrameClock>&) {
+        if (focus() != control) return false;
+        if (!is_in_sight(*control)) return true;
+        control->activate();
+        return false;
+    });
+    return true;
 }
 
 void Panel::act(const std::function<void()>& action)

@@ -52,6 +52,11 @@ private:
     void add_tool_part();
     void add_look_part();
     void add_record_part();
+    /// A key that is to work the control with the focus: true where that must be brought in sight first, and is worked then.
+    [[nodiscard]] bool key(unsigned value);
+    /// The control with the focus; null where that isn't one of these, or is in a list that has dropped down.
+    [[nodiscard]] Gtk::Widget* focus();
+    [[nodiscard]] bool is_in_sight(Gtk::Widget& control);
     /// Run an action of the user; not while controls are brought up to the stage.
     void act(const std::function<void()>& action);
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int k_frames_per_second = 60;
 
-std::optional<Fault> finish(OutputFile& file)
+std::optional<Fault> complete(OutputFile& file)
 {
     if (std::optional<Fault> fault = file.finish()) return fault;
     return file.commit();
@@ -28,7 +28,7 @@ Expected<std::string> Recorder::toggle_video(const std::string& path, SurfaceSiz
         Film film = std::move(*video_);
         video_.reset();
         if (std::optional<Fault> fault = film.video.finish()) return *fault;
-        if (std::optional<Fault> fault = finish(film.file)) return *fault;
+        if (std::optional<Fault> fault = complete(film.file)) return *fault;
         return fmt::format("{}: {} frames", film.file.path(), film.frames);
     }
     Expected<OutputFile> file = OutputFile::open(path);
@@ -45,13 +45,21 @@ Expected<std::string> Recorder::toggle_trace(const std::string& path)
     if (trace_) {
         OutputFile file = std::move(*trace_);
         trace_.reset();
-        if (std::optional<Fault> fault = finish(file)) return *fault;
+        if (std::optional<Fault> fault = complete(file)) return *fault;
         return fmt::format("{}: {} lines", file.path(), std::exchange(lines_, 0));
     }
     Expected<OutputFile> file = OutputFile::open(path);
     if (!file) return file.faults();
     trace_.emplace(std::move(file).value());
     return "Tracing to " + path + "; F7 ends it";
+}
+
+std::vector<Expected<std::string>> Recorder::finish()
+{
+    std::vector<Expected<std::string>> outcomes;
+    if (video_) outcomes.push_back(toggle_video({}, {}));
+    if (trace_) outcomes.push_back(toggle_trace({}));
+    return outcomes;
 }
 
 std::optional<Fault> Recorder::add(const Stage& stage, cairo_surface_t* surface, double wall)
@@ -80,7 +88,7 @@ std::optional<Fault> write_whole(const std::string& path, const std::string& tex
     Expected<OutputFile> file = OutputFile::open(path);
     if (!file) return file.faults().front();
     if (std::optional<Fault> fault = file.value().write(text)) return fault;
-    return finish(file.value());
+    return complete(file.value());
 }
 
 std::string free_name(const std::string& stem, const std::string& ending)

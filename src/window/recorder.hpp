@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "draw/video.hpp"
 #include "files/output_file.hpp"
@@ -21,6 +22,8 @@ public:
     [[nodiscard]] Expected<std::string> toggle_video(const std::string& path, SurfaceSize size);
     [[nodiscard]] Expected<std::string> toggle_trace(const std::string& path);
 
+    /// End what is being recorded, as when the window goes: for each file, what was written or why not.
+    [[nodiscard]] std::vector<Expected<std::string>> finish();
     /// What is seen now, where anything is recorded. A record that can't go on is given up: its fault.
     /// wall  since the last call: a film has as many frames of it as keep its pace, whatever that of the display [s]
     [[nodiscard]] std::optional<Fault> add(const Stage& stage, cairo_surface_t* surface, double wall);

@@ -14,7 +14,7 @@ work=$(mktemp -d)
 scene=${1:-$work/gas.toml}
 [[ -n ${1:-} ]] || "$program" generate gas --count 500 --shape polygon --seed 1 >"$work/gas.toml"
 exec 7>"$work/display"
-"${first[@]}" Xvfb -displayfd 7 -screen 0 1280x800x24 -nolisten tcp >"$work/xvfb" 2>&1 &
+"${first[@]}" Xvfb -displayfd 7 -screen 0 1280x800x24 -nolisten tcp -noreset >"$work/xvfb" 2>&1 &
 server=$!
 window=
 finish() {
@@ -24,7 +24,7 @@ finish() {
     rm -rf "$work"
 }
 trap finish EXIT
-for _ in $(seq 100); do [[ -s $work/display ]] && break; sleep 0.05; done
+for _ in $(seq 1200); do [[ -s $work/display ]] && break; sleep 0.05; done
 DISPLAY=:$(cat "$work/display")
 export DISPLAY
 "${first[@]}" "$program" window "$scene" --state "$work/state.json" --size 1280x800 >"$work/log" 2>&1 &

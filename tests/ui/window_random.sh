@@ -14,8 +14,9 @@ work=$(mktemp -d)
 # What libraries keep until the end is no leak of ours; what grows is seen by the size
 export ASAN_OPTIONS=detect_leaks=0 UBSAN_OPTIONS=print_stacktrace=1
 
+# Without -noreset, the server would begin anew when its last client leaves, and turn away a window that is just coming
 exec 7>"$work/display"
-Xvfb -displayfd 7 -screen 0 1400x900x24 -nolisten tcp >"$work/xvfb" 2>&1 &
+Xvfb -displayfd 7 -screen 0 1400x900x24 -nolisten tcp -noreset >"$work/xvfb" 2>&1 &
 server=$!
 window=
 finish() {
@@ -25,7 +26,7 @@ finish() {
     rm -rf "$work"
 }
 trap finish EXIT
-for _ in $(seq 100); do [[ -s $work/display ]] && break; sleep 0.05; done
+for _ in $(seq 1200); do [[ -s $work/display ]] && break; sleep 0.05; done
 DISPLAY=:$(cat "$work/display")
 export DISPLAY
 
@@ -67,7 +68,14 @@ rounds=0
 cp "$root"/chapters/scenes/{balls-and-polygons,cradle,bowl}.toml "$work"
 (cd "$work" && exec "$program" window balls-and-polygons.toml --state state.json >"$work/log" 2>&1) &
 window=$!
-id=$(timeout 60 xdotool search --sync --onlyvisible --name 'Flying Polygons' | head -n 1) || fail "no window"
+id=
+for ((k = 0; k < 6000; ++k)); do
+    id=$(xdotool search --onlyvisible --name 'Flying Polygons' 2>/dev/null | sed -n 1p) || true
+    [[ -z $id ]] || break
+    kill -0 "$window" 2>/dev/null || fail "the window is gone before it was seen"
+    sleep 0.1
+done
+[[ -n $id ]] || fail "no window"
 xdotool windowfocus "$id"
 answer || fail "no first answer"
 

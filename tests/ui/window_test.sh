@@ -13,8 +13,9 @@ work=$(mktemp -d)
 good=0
 bad=0
 
+# A server that began anew whenever its last client leaves would turn away a window that is just coming when a search ends
 exec 7>"$work/display"
-Xvfb -displayfd 7 -screen 0 1280x800x24 -nolisten tcp >"$work/xvfb" 2>&1 &
+Xvfb -displayfd 7 -screen 0 1280x800x24 -nolisten tcp -noreset >"$work/xvfb" 2>&1 &
 server=$!
 window=
 finish() {
@@ -24,7 +25,7 @@ finish() {
     rm -rf "$work"
 }
 trap finish EXIT
-for _ in $(seq 100); do [[ -s $work/display ]] && break; sleep 0.05; done
+for _ in $(seq 1200); do [[ -s $work/display ]] && break; sleep 0.05; done
 DISPLAY=:$(cat "$work/display")
 export DISPLAY
 
@@ -51,20 +52,25 @@ shown() { # what xdotool searches for: their numbers
     done
     cat "$work/shown"
 }
-window_named() { # name: the first one's number, within a minute
+window_named() { # name: the first one's number. The program may take its while; what hangs has none for ten minutes
     local k one
-    for ((k = 0; k < 600; ++k)); do
+    for ((k = 0; k < 6000; ++k)); do
         one=$(shown --name "$1" | sed -n 1p)
         [[ -z $one ]] || { echo "$one"; return 0; }
+        kill -0 "$window" 2>/dev/null || { echo "the program is gone" >&2; return 1; }
         sleep 0.1
     done
+    ps -o pid,stat,time,pcpu,wchan:20 -p "$window" >&2
     return 1
 }
 
 open_window() { # arguments of flying window
-    (cd "$work" && exec env PATH="${path:-$PATH}" "$program" window "$@" --state "$work/state.json" --size 1280x800 >"$work/log" 2>&1) &
+    (cd "$work" && exec env PATH="${path:-$PATH}" "$program" window "$@" --state "$work/state.json" --size "${extent:-1280x800}" >"$work/log" 2>&1) &
     window=$!
-    id=$(window_named 'Flying Polygons')
+    if ! id=$(window_named 'Flying Polygons'); then
+        wrong "no window after 'flying window $*': $(cat "$work/log")"
+        finished
+    fi
     xdotool windowfocus "$id"
     # The first answer may be asked for before the window listens
     for _ in $(seq 60); do look 10 && return 0; done
@@ -326,7 +332,7 @@ expect "a body is carried" 's.holds === 1 && Math.abs(s.bodies[1].x - 6) < 0.05 
 xdotool mouseup 1
 expect "and let go" 's.holds === -1 && s.selected === 1'
 # As dense as a hand's moves are: what rests before it is let go isn't thrown. A machine that stands still meanwhile sees a
-# hand that rests, so it may take a few throws
+# hand that rests, so it may take some throws
 throw_box() {
     local start path
     start=$(value 's.bodies[1].x + " " + s.bodies[1].y')
@@ -339,7 +345,7 @@ throw_box() {
     keys p
     look
 }
-for _ in 1 2 3 4 5; do
+for _ in $(seq 20); do
     throw_box
     [[ $(value 'Math.hypot(s.bodies[1].vx, s.bodies[1].vy) > 0.5') != true ]] || break
     keys ctrl+z
@@ -547,6 +553,39 @@ keys F6
 look
 judge "F6 without ffmpeg names it" 's.notice.includes("ffmpeg") && s.film === 0'
 close_window ctrl+q
+
+extent=640x480 open_window "$work/three.toml" --paused
+expect "a small window begins without the controls, and says how to get them" 's.surface[0] === 640 && s.notice.startsWith("F9")'
+keys F9
+expect "F9 in a small window" 's.surface[0] < 640'
+keys F9
+# What is recorded when the window goes becomes whole
+keys F7 p
+! command -v ffmpeg >/dev/null || keys F6
+expect "a film begins" 's.film > 5'
+close_window q
+for what in frames lines; do
+    written=$(sed -n "s/^\(.*\): [0-9]* $what\$/\1/p" "$work/log")
+    [[ -n $written && -s $work/$written ]] && good=$((good + 1)) || wrong "quitting ends no record in $what: $(cat "$work/log")"
+done
+
+# In a low window, controls that don't fit are scrolled to. A list that is above the screen's edge comes back before it drops
+# down: GTK would give it a place and a size that it never set, and complain
+extent=1280x400 open_window "$work/three.toml" --paused
+keys Escape Tab # the first control
+xdotool mousemove 1276 200 click --repeat 30 5 # at the edge, where no scale takes it
+expect "the panel is scrolled" 's.controls.scene[1] < 0'
+before=$(windows)
+keys space
+for ((k = 0; k < 100; ++k)); do (($(windows) <= before)) || break; sleep 0.1; done
+(($(windows) > before)) && good=$((good + 1)) || wrong "a list out of sight does not drop down"
+for ((k = 0; k < 100; ++k)); do
+    keys Escape # it may have come before the list that is to have it
+    (($(windows) > before)) || break
+    sleep 0.1
+done
+expect "a list that drops down is in sight" 's.controls.scene[1] > 0'
+close_window q
 
 # ---- What nothing has pressed ------------------------------------------------------------------------------------------
 
