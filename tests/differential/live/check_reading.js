@@ -199,6 +199,24 @@ async function checkSearch(browser) {
         if (places.some((place) => where.test(place))) ++good;
         else complain('search', `"${word}" leads to ${places.join(', ') || 'nothing'}; expected ${where}`);
     }
+
+    // A word of the glossary leads to its line, and to where it is taught
+    const terms = await browser.ask(`flyingIndex.filter((one) => one[2].startsWith('glossary.html#')).map((one) => [one[0], one[2]])`);
+    if (terms.length < 60) complain('search', `knows ${terms.length} words of the glossary`);
+    for (const [term, line] of [...terms, ['angular velocity', 'glossary.html#term-spin']]) {
+        const places = await browser.ask(`FlyingSearch.find(flyingIndex, ${JSON.stringify(term)}, 4).map((one) => one.address)`);
+        if (!places.includes(line)) complain('search', `"${term}" leads to ${places.join(', ') || 'nothing'}; expected ${line}`);
+        if (!places.some((place) => /^chapter_/.test(place))) complain('search', `"${term}" leads to no chapter: ${places.join(', ')}`);
+    }
+    await browser.go('file://' + path.join(html, 'glossary.html'));
+    await browser.until("document.readyState === 'complete'");
+    const missing = await browser.ask(`${JSON.stringify(terms)}.filter(([, line]) => !document.getElementById(line.split('#')[1]))`);
+    for (const [term] of missing) complain('glossary.html', `has no line for ${term}`);
+    await browser.go('file://' + path.join(html, 'chapter_02.html'));
+    await browser.until("document.readyState === 'complete'");
+    await key('/', 'Slash');
+    await browser.until('document.querySelector("dialog.search[open] input") === document.activeElement', 15000);
+
     await browser.send('Input.insertText', { text: 'parallel axes' });
     if (!(await browser.until("document.querySelectorAll('dialog.search li a').length > 0", 5000))) complain('search', 'lists nothing');
     await key('Enter', 'Enter');
