@@ -49,16 +49,12 @@
         });
     }
 
-    // The module, once a page: base64 of gzip, since file:// lets scripts in and nothing else
+    // The module, once a page: base64 of LZMA, since file:// lets scripts in and nothing else
     function theEngine() {
         engine = engine || (async () => {
             if (asked.get('engine') === 'off') throw new Error('the engine is switched off');
             await load('live/module.js');
-            const letters = atob(home.flyingModule);
-            const packed = new Uint8Array(letters.length);
-            for (let k = 0; k < letters.length; ++k) packed[k] = letters.charCodeAt(k);
-            const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'));
-            return home.FlyingEngine.load(await new Response(stream).arrayBuffer());
+            return home.FlyingEngine.load(home.FlyingUnpack(Uint8Array.from(atob(home.flyingModule), (letter) => letter.charCodeAt(0))));
         })();
         return engine;
     }
