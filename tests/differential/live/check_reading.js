@@ -147,7 +147,7 @@ async function listen(browser) {
 
 // What a page loads, its pictures included, as a server sends it: text packed by gzip, the rest as it is. Half of the bound is
 // the engine: whoever makes a page heavier than the heaviest is today should know it. [kB]
-const HEAVIEST = 500;
+const HEAVIEST = 470;
 const packed = new Map();
 async function weigh(browser) {
     const pictures = await browser.ask('[...document.images].map((image) => image.src)');
@@ -166,7 +166,7 @@ async function weigh(browser) {
 const LONG_FORMULAS = `document.fonts.ready.then(() => [...document.querySelectorAll('.formula .sheet')]
     .filter((sheet) => sheet.scrollWidth > sheet.clientWidth + 1).map((sheet) => sheet.closest('[id]')?.id || sheet.textContent.slice(0, 60)))`;
 
-// What students type, and where it must lead: one of the first three places
+// What students type, and where it must lead: one of the first three places that aren't the glossary's
 const WORDS = [
     ['restitution', /chapter_18|Material/], ['inertia', /chapter_0[234]/], ['moment of inertia', /chapter_0[234]/], ['parallel axes', /chapter_02/],
     ['impulse', /chapter_07/], ['friction', /chapter_(07|11)/], ['heap', /chapter_17/], ['coulomb', /chapter_(07|11)/], ['momentum', /chapter_/], ['energy', /chapter_/],
@@ -195,7 +195,8 @@ async function checkSearch(browser) {
     }
     let good = 0;
     for (const [word, where] of WORDS) {
-        const places = await browser.ask(`FlyingSearch.find(flyingIndex, ${JSON.stringify(word)}, 3).map((one) => one.address)`);
+        const found = await browser.ask(`FlyingSearch.find(flyingIndex, ${JSON.stringify(word)}, 9).map((one) => one.address)`);
+        const places = found.filter((place) => !place.startsWith('glossary')).slice(0, 3);
         if (places.some((place) => where.test(place))) ++good;
         else complain('search', `"${word}" leads to ${places.join(', ') || 'nothing'}; expected ${where}`);
     }
