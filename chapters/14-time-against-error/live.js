@@ -8,10 +8,12 @@
     const ROUNDS = 15;
     const LEAST = 3; // a measurement takes so long at least [ms]
     const LOW = -7; // powers of ten: seconds ...
+    const HIGH = -1;
+    const DECADE = 1.25; // of the drawing, 7.5 wide
     const BOTTOM = -16; // ... and metres
     const TOP = 1;
 
-    const place = (seconds, error) => [1.5 * (Math.log10(seconds) - LOW), 0.4 * (Math.max(Math.log10(error), BOTTOM) - BOTTOM)];
+    const place = (seconds, error) => [DECADE * (Math.log10(seconds) - LOW), 0.4 * (Math.max(Math.log10(error), BOTTOM) - BOTTOM)];
     const quantile = (values, share) => [...values].sort((a, b) => a - b)[Math.floor(share * (values.length - 1) + 0.5)];
     const median = (values) => quantile(values, 0.5);
     const ten = (power) => '10' + String(power).replace(/./g, (c) => ({ '-': '\u207b', 0: '\u2070', 1: '\u00b9', 2: '\u00b2', 3: '\u00b3', 4: '\u2074', 5: '\u2075', 6: '\u2076', 7: '\u2077', 8: '\u2078', 9: '\u2079' }[c]));
@@ -65,8 +67,8 @@
             ++s.round;
         },
         draw: (stage, t, s) => {
-            for (let power = LOW; power <= -2; ++power) {
-                const x = 1.5 * (power - LOW);
+            for (let power = LOW; power <= HIGH; ++power) {
+                const x = DECADE * (power - LOW);
                 stage.line([[x, 0], [x, 6.8]], stage.soft, { width: 1, alpha: 0.3 });
                 stage.words([x, -0.45], ten(power), { colour: stage.soft, align: 'center', size: 13 });
             }
