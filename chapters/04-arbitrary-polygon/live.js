@@ -13,7 +13,7 @@
             spin: { label: 'spin', min: -10, max: 10, step: 0.5, value: 5.5, unit: 'rad/s' }
         },
         view: [-1.2, -1.3, 6, 2.7],
-        until: 1.4,
+        until: (p) => (2 * p.speed * Math.sin((p.angle * Math.PI) / 180)) / 9.81, // as high again as at the start
         speed: 0.5,
         scene: (p) => {
             const turn = (p.angle * Math.PI) / 180;

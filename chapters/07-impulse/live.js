@@ -4,6 +4,7 @@
 (function () {
     const { short } = FlyingStage;
     const START = -0.62; // half a metre below the place where it touches
+    const TOUCH = 0.5; // [s]
 
     flyingLive('07-impulse/strike', {
         controls: {
@@ -28,6 +29,11 @@
             stage.body(run.shapes[1], rod, { colour: stage.colour(0) });
             stage.body(run.shapes[0], ball, { colour: stage.colour(1) });
             stage.dot(rod, stage.ink, 4);
+            if (run.collisions < 2) {
+                const after = Math.max(0, t - TOUCH);
+                stage.ghost(run.shapes[1], [s.along * after, s.up * after, s.spin * after]);
+                stage.ghost(run.shapes[0], [p.arm + p.slip * (t - TOUCH) - (s.along / p.mass) * after, -0.12 + t - TOUCH - (s.normal / p.mass) * after]);
+            }
             if (run.collisions > 0 && t < 0.95) stage.arrow([p.arm, -0.02], [p.arm + 0.25 * s.along, -0.02 + 0.25 * s.normal], stage.colour(2), 3);
         },
         trails: (t, s, p, run) => { const [ball, rod] = run.states(); return [ball, rod]; },
@@ -37,7 +43,8 @@
             return [['impulse across', short(s.normal) + ' N s'], ['along, by friction', short(s.along) + ' N s'],
                 ['rod then: speed, spin', `${short(Math.hypot(rod[3], rod[4]))} m/s, ${short(rod[5])} rad/s`], ['energy lost', short(s.lost) + ' J']];
         },
-        legend: [['body', 1, 'the ball'], ['body', 0, 'the rod, 1 kg'], ['arrow', 2, 'impulse on the rod']],
+        legend: [['body', 1, 'the ball'], ['body', 0, 'the rod, 1 kg'], ['arrow', 2, 'impulse on the rod'],
+            ['ghost', 'ink', 'where the impulse sends them, on paper']],
         strip: { label: 'energy, in joules', value: (t, s, p, run) => run.energy }
     });
 })();

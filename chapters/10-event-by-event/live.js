@@ -68,7 +68,8 @@
             stage.words([(left + right) / 2, 0.02 * length], `speed, from 0 to ${short(3 * p.speed)} m/s`, { align: 'center', colour: stage.soft, size: 13 });
             if (t < WARM) stage.words([(left + right) / 2, 0.92 * length], 'counting begins at 1 s', { align: 'center', colour: stage.soft, size: 13 });
         },
-        readout: (t, s, p, run) => [['impacts', String(run.collisions)], ['speeds counted', String(s.total)], ['energy', run.energy.toPrecision(12) + ' J']],
+        readout: (t, s, p, run) => [['impacts', String(run.collisions)], ['speeds counted', String(s.total)], ['energy', run.energy.toPrecision(12) + ' J'],
+            ['temperature, as energy of a disc', short(run.energy / run.bodyCount) + ' J']],
         strip: { label: 'distance from the law, as a share of all speeds', colour: 1, value: (t, s) => away(s) },
         legend: [['body', 'hsl(230, 62%, 52%)', 'slow'], ['body', 'hsl(20, 62%, 52%)', 'fast'], ['body', 0, 'speeds counted so far'], ['line', 1, 'Maxwell\u2019s law, from the energy alone']]
     });

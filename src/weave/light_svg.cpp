@@ -60,11 +60,15 @@ std::string by_steps(const std::string& path)
     return out;
 }
 
-/// Places and colours have two decimals at most; scales, which may be small, keep theirs.
+/// Places, `x` and `y`, have one decimal at most, colours two; scales, which may be small, keep theirs.
 std::string with_few_decimals(std::string_view text)
 {
-    constexpr std::size_t k_decimals = 2;
     constexpr std::string_view k_scale = "matrix(";
+    const auto is_place = [&](std::size_t end) {
+        const std::size_t start = text.find_last_of('"', end);
+        return start != std::string_view::npos && start >= 3 &&
+               (text.substr(start - 3, 3) == " x=" || text.substr(start - 3, 3) == " y=");
+    };
     const auto is_digit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
     std::string out;
     for (std::size_t k = 0; k < text.size();) {
@@ -75,9 +79,30 @@ std::string with_few_decimals(std::string_view text)
         if (out.back() != '.') continue;
         const std::size_t digits = k;
         while (k < text.size() && is_digit(text[k])) ++k;
-        out += text.substr(digits, std::min(k - digits, k_decimals));
+        out += text.substr(digits, std::min<std::size_t>(k - digits, is_place(digits - 1) ? 1 : 2));
     }
     return out;
+}
+
+/// Without the letters that no text of the drawing has: Cairo begins each font with the sign for a letter it lacks.
+std::string without_unused_letters(const std::string& svg)
+{
+    constexpr std::string_view k_open = "<symbol ";
+    constexpr std::string_view k_close = "</symbol>\n";
+    constexpr std::string_view k_id = " id=\"";
+    std::string out;
+    std::size_t at = 0;
+    for (std::size_t open = svg.find(k_open); open != std::string::npos; open = svg.find(k_open, open + 1)) {
+        const std::size_t close = svg.find(k_close, open);
+        const std::size_t id = svg.find(k_id, open);
+        if (close == std::string::npos || id > close) continue;
+        const std::size_t name = id + k_id.size();
+        const std::string use = "#" + svg.substr(name, svg.find('"', name) + 1 - name);
+        if (svg.find(use) != std::string::npos) continue;
+        out += svg.substr(at, open - at);
+        at = close + k_close.size();
+    }
+    return out + svg.substr(at);
 }
 
 } // namespace
@@ -94,7 +119,7 @@ std::string light_svg(std::string_view svg)
         light += by_steps(std::string(svg.substr(path, end - path)));
         at = end;
     }
-    return light;
+    return without_unused_letters(light);
 }
 
 } // namespace flying::weave

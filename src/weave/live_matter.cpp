@@ -18,8 +18,9 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 /// The scripts that every page loads as one, in this order.
-constexpr const char* k_common[] = {"engine.js",        "live/toml.js",  "live/stage.js", "live/recording.js",
-                                    "live/controls.js", "live/hands.js", "live/check.js", "live/figure.js"};
+constexpr const char* k_common[] = {"engine.js",     "live/unpack.js",    "live/toml.js",
+                                    "live/stage.js", "live/recording.js", "live/controls.js",
+                                    "live/hands.js", "live/check.js",     "live/figure.js"};
 /// Those of one page each.
 constexpr const char* k_single[] = {"front.js", "playground.js"};
 
@@ -84,7 +85,7 @@ void write_module(const Folders& folders, const Tools& tools, const fs::path& ht
         fmt::format("{} '{}' '{}' > '{}'", tools.node, (folders.kit / "pack_module.js").string(), tools.module,
                     (html / "live/module.js").string());
     if (std::system(command.c_str()) != 0)
-        problems.add({"pack_module.js", 0}, "a module that could not be packed", "node, zopfli, and the engine's module");
+        problems.add({"pack_module.js", 0}, "a module that could not be packed", "node, xz, and the engine's module");
 }
 
 void write_recordings(const Woven& woven, const fs::path& html, Problems& problems)

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "weave/inline.hpp"
+#include "weave/study.hpp"
 #include "weave/text.hpp"
 
 namespace flying::weave {
@@ -19,6 +20,7 @@ using nlohmann::json;
 constexpr double k_chapter = 1.5;
 constexpr double k_section = 1.1;
 constexpr double k_term = 1.4;
+constexpr double k_glossary = 1.35;
 constexpr double k_symbol = 0.9;
 constexpr double k_figure = 0.8;
 constexpr double k_formula = 0.7;
@@ -161,10 +163,20 @@ std::string search_index(const Material& material, const Manual& manual)
                                          fmt::format("Symbol {}, {}", symbol.tex, page_title(chapter.entry)),
                                          chapter.entry.page() + ".html#symbols", k_symbol, symbol.code}));
     }
-    const std::pair<const char*, const char*> pages[] = {
-        {"playground", "Playground"},          {"equations", "Equations and their receipts"},
-        {"symbols", "Symbols of the book"},    {"told", "What is told, and what is not"},
-        {"sources", "The sources, by module"}, {"manual/index", "Manual of the code"}};
+    for (const auto& [name, text] : material.extras) {
+        index.push_back(json::array({text.title, "Study", name + ".html", k_term, ""}));
+        if (name != "glossary") continue;
+        for (const Term& term : terms_of(text))
+            index.push_back(json::array({term.term, "Glossary: " + words_of({{1, term.meaning}}),
+                                         "glossary.html#" + term.anchor, k_glossary, ""}));
+    }
+    const std::pair<const char*, const char*> pages[] = {{"answers", "Answers"},
+                                                         {"playground", "Playground"},
+                                                         {"equations", "Equations and their receipts"},
+                                                         {"symbols", "Symbols of the book"},
+                                                         {"told", "What is told, and what is not"},
+                                                         {"sources", "The sources, by module"},
+                                                         {"manual/index", "Manual of the code"}};
     for (const auto& [page, title] : pages)
         index.push_back(json::array({title, "Reference", std::string(page) + ".html", k_term, ""}));
     for (const Module& module : material.book.modules)

@@ -8,7 +8,7 @@
 namespace flying::weave {
 
 /// What docs/theme/search.js looks through, as a script: chapters, sections with their words, terms where they are
-/// introduced, formulas, figures, symbols, and the names of the code.
+/// introduced and in the glossary, formulas, figures, symbols, and the names of the code.
 [[nodiscard]] std::string search_index(const Material& material, const Manual& manual);
 
 } // namespace flying::weave

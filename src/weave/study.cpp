@@ -31,4 +31,22 @@ std::string run_box(const ChapterEntry& entry, const std::string& program)
                        entry.folder(), escape_html(program), rows);
 }
 
+std::vector<Term> terms_of(const ChapterText& glossary)
+{
+    constexpr std::string_view k_start = "- **";
+    constexpr std::string_view k_end = "**:";
+    std::vector<Term> terms;
+    for (const Block& block : glossary.blocks)
+        for (const auto& [number, line] : block.lines) {
+            const std::size_t end = line.find(k_end);
+            if (line.rfind(k_start, 0) != 0 || end == std::string::npos) continue;
+            Term term;
+            term.term = line.substr(k_start.size(), end - k_start.size());
+            term.meaning = trim(std::string_view(line).substr(end + k_end.size()));
+            term.anchor = "term-" + slug(term.term);
+            terms.push_back(std::move(term));
+        }
+    return terms;
+}
+
 } // namespace flying::weave

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "weave/pages.hpp"
+#include "weave/study.hpp"
 #include "weave/text.hpp"
 
 namespace flying::weave {
@@ -38,23 +39,11 @@ bool mentions(const std::string& text, const std::string& term)
     return false;
 }
 
-/// The terms that the glossary explains: its lines `- **term**: meaning`.
-std::vector<std::string> terms_of(const ChapterText& glossary)
+/// Where each term is: links to sections, in the order of the chapters. The term itself leads to its line of the
+/// glossary.
+std::string index_of_terms(const Material& material, std::vector<Term> terms)
 {
-    std::vector<std::string> terms;
-    for (const Block& block : glossary.blocks)
-        for (const auto& [number, line] : block.lines) {
-            const std::size_t end = line.find("**:");
-            if (line.rfind("- **", 0) == 0 && end != std::string::npos) terms.push_back(line.substr(4, end - 4));
-        }
-    std::sort(terms.begin(), terms.end(),
-              [](const std::string& a, const std::string& b) { return lower(a) < lower(b); });
-    return terms;
-}
-
-/// Where each term is: links to sections, in the order of the chapters.
-std::string index_of_terms(const Material& material, const std::vector<std::string>& terms)
-{
+    std::sort(terms.begin(), terms.end(), [](const Term& a, const Term& b) { return lower(a.term) < lower(b.term); });
     std::map<std::string, std::vector<std::string>> places;
     for (const Chapter& chapter : material.chapters) {
         std::string title = chapter.entry.title;
@@ -70,7 +59,7 @@ std::string index_of_terms(const Material& material, const std::vector<std::stri
                 }
                 if (anchor == "further-reading" || anchor == "symbols" || anchor == "summary") continue;
                 const std::string words = lower(line);
-                for (const std::string& term : terms) {
+                for (const auto& [term, meaning, in_glossary] : terms) {
                     if (!mentions(words, lower(term)) || !here.insert(term).second) continue;
                     places[term].push_back(fmt::format("<a href=\"{0}.html{1}\">{2}&nbsp;{3}</a>", chapter.entry.page(),
                                                        anchor.empty() ? "" : "#" + anchor, chapter.entry.label(),
@@ -80,11 +69,12 @@ std::string index_of_terms(const Material& material, const std::vector<std::stri
         }
     }
     std::string out;
-    for (const std::string& term : terms) {
+    for (const auto& [term, meaning, anchor] : terms) {
         std::vector<std::string>& found = places[term];
         if (found.empty()) continue;
         if (found.size() > k_places) found.resize(k_places);
-        out += fmt::format("<li><b>{}</b>: {}</li>", escape_html(term), join(found, ", "));
+        out += fmt::format("<li><b><a href=\"glossary.html#{}\">{}</a></b>: {}</li>", anchor, escape_html(term),
+                           join(found, ", "));
     }
     return "<div><ul class=\"terms\">" + out + "</ul></div>";
 }
@@ -127,6 +117,21 @@ std::string figure_files(const Material& material)
     return "<div><ul>" + out + "</ul></div>";
 }
 
+/// The glossary with an anchor at each term.
+ChapterText with_anchors(ChapterText glossary, const std::vector<Term>& terms, Fragments& fragments)
+{
+    for (Block& block : glossary.blocks)
+        for (auto& [number, line] : block.lines)
+            for (const Term& term : terms) {
+                const std::string start = "- **" + term.term + "**:";
+                if (line.rfind(start, 0) != 0) continue;
+                const std::string name = fmt::format("<strong id=\"{}\">{}</strong>", term.anchor,
+                                                     replace_all(escape_html(term.term), "'", "\u2019"));
+                line = "- " + fragments.add_html(name) + ":" + line.substr(start.size());
+            }
+    return glossary;
+}
+
 } // namespace
 
 void add_study_pages(const Material& material, TextWriter& writer, Pages& pages)
@@ -145,7 +150,8 @@ void add_study_pages(const Material& material, TextWriter& writer, Pages& pages)
 
     const Chapter none;
     for (const auto& [name, text] : material.extras) {
-        std::string markdown = writer.blocks(none, text);
+        const std::vector<Term> terms = name == "glossary" ? terms_of(text) : std::vector<Term>();
+        std::string markdown = writer.blocks(none, with_anchors(text, terms, pages.fragments));
         if (name == "teachers") {
             markdown +=
                 writer.heading(2, "Chapters and hours") + pages.fragments.add_html(plan_table(material)) + "\n\n";
@@ -155,8 +161,7 @@ void add_study_pages(const Material& material, TextWriter& writer, Pages& pages)
         if (name == "about" && !material.book.version.empty())
             markdown += fmt::format("\n\nThis is version {}.\n", material.book.version);
         add(name, text.title, markdown);
-        if (name == "glossary")
-            add("terms", "Index", pages.fragments.add_html(index_of_terms(material, terms_of(text))) + "\n");
+        if (!terms.empty()) add("terms", "Index", pages.fragments.add_html(index_of_terms(material, terms)) + "\n");
     }
 }
 

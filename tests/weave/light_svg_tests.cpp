@@ -36,8 +36,17 @@ TEST_CASE("what a light SVG can't shorten, it leaves")
         CHECK(light_svg(same) == same);
 }
 
-TEST_CASE("places and colours in an SVG have two decimals at most")
+TEST_CASE("places in an SVG have one decimal at most, and colours two")
 {
     CHECK(light_svg("<use x=\"294.117188\" y=\"20.5\" style=\"fill:rgb(98.823529%,97.6%,0%);\"/>") ==
-          "<use x=\"294.11\" y=\"20.5\" style=\"fill:rgb(98.82%,97.6%,0%);\"/>");
+          "<use x=\"294.1\" y=\"20.5\" style=\"fill:rgb(98.82%,97.6%,0%);\"/>");
+}
+
+TEST_CASE("letters that an SVG doesn't use are left out")
+{
+    const std::string used = "<symbol overflow=\"visible\" id=\"glyph0-1\">\n<path d=\"\"/>\n</symbol>\n";
+    const std::string unused = "<symbol overflow=\"visible\" id=\"glyph0-10\">\n<path d=\"\"/>\n</symbol>\n";
+    const std::string rest = "<use xlink:href=\"#glyph0-1\"/>";
+    CHECK(light_svg(unused + used + unused + rest) == used + rest);
+    CHECK(light_svg("<symbol id=\"a\">") == "<symbol id=\"a\">");
 }

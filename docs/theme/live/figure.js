@@ -28,7 +28,7 @@
     const { make, knob, sign } = home.FlyingControls;
     const FRAME = 1 / 60;
     const MOST_STRIDES = 400;
-    const BITE = 400; // events or steps between two looks at the clock
+    const BITE = 400; // events or steps between two looks at the clock, at most
     const PATIENCE = 14; // of a frame [ms]
     const experiments = {};
     const asked = new URLSearchParams(location.search);
@@ -49,23 +49,19 @@
         });
     }
 
-    // The module, once a page: base64 of gzip, since file:// lets scripts in and nothing else
+    // The module, once a page: base64 of LZMA, since file:// lets scripts in and nothing else
     function theEngine() {
         engine = engine || (async () => {
             if (asked.get('engine') === 'off') throw new Error('the engine is switched off');
             await load('live/module.js');
-            const letters = atob(home.flyingModule);
-            const packed = new Uint8Array(letters.length);
-            for (let k = 0; k < letters.length; ++k) packed[k] = letters.charCodeAt(k);
-            const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'));
-            return home.FlyingEngine.load(await new Response(stream).arrayBuffer());
+            return home.FlyingEngine.load(home.FlyingUnpack(Uint8Array.from(atob(home.flyingModule), (letter) => letter.charCodeAt(0))));
         })();
         return engine;
     }
 
     class Figure {
         constructor(figure, experiment, module) {
-            Object.assign(this, { figure, experiment, module, time: 0, isPlaying: false, wantsToPlay: false, asks: [] });
+            Object.assign(this, { figure, experiment, module, time: 0, isPlaying: false, wantsToPlay: false, asks: [], most: 1, sought: null, ticks: 0 });
             this.name = figure.dataset.trace;
             this.p = {};
             this.kept = experiment.start ? experiment.start() : null;
@@ -100,11 +96,7 @@
                 bar.append(this.playButton, step, again, speed);
                 if (experiment.until) {
                     this.slider = make('input', { type: 'range', min: 0, max: 1, step: 'any', value: 0, 'aria-label': 'Moment' });
-                    this.slider.oninput = () => {
-                        this.play(false);
-                        this.go(this.slider.value * this.until());
-                        this.draw();
-                    };
+                    this.slider.oninput = () => this.seek(this.slider.value * this.until());
                     bar.append(this.slider);
                 }
                 this.clock = make('output', { class: 'clock' });
@@ -175,6 +167,7 @@
         reset() {
             const { experiment } = this;
             this.time = 0;
+            this.sought = null;
             this.isFailed = false;
             this.trails = [];
             this.asks = [];
@@ -200,6 +193,7 @@
         // Move to a moment; where the machine can't keep up, as far as a frame allows unless `whole`
         go(time, whole = true) {
             if (this.isFailed) return;
+            this.deadline = whole ? Infinity : performance.now() + PATIENCE;
             const end = this.until();
             const wanted = Math.min(time, end);
             try {
@@ -222,24 +216,50 @@
                 const start = this.time;
                 this.isLate = false;
                 for (let stride = 1; stride <= strides && !this.isLate; ++stride)
-                    this.walk(stride < strides ? start + ((wanted - start) * stride) / strides : wanted, whole);
+                    this.walk(stride < strides ? start + ((wanted - start) * stride) / strides : wanted);
                 if (this.time >= end) this.play(false);
             } catch (error) {
                 this.fail(error);
             }
         }
 
-        walk(time, whole) {
+        walk(time) {
             if (this.run) {
-                const late = performance.now() + PATIENCE;
-                let isThere = this.run.advance(time, BITE);
-                while (!isThere && (whole || performance.now() < late)) isThere = this.run.advance(time, BITE);
-                this.isLate = !isThere;
+                let isThere = this.bite(time);
+                while (!isThere && performance.now() < this.deadline) isThere = this.bite(time);
                 this.time = isThere ? time : Math.max(this.time, this.run.time);
             } else {
                 this.time = time;
             }
+            this.isLate = this.time < time || performance.now() > this.deadline;
             this.note();
+        }
+
+        // So many events or steps as take a part of a frame; true when the run is there
+        bite(time) {
+            const start = performance.now();
+            const isThere = this.run.advance(time, this.most);
+            const passed = performance.now() - start;
+            if (passed > PATIENCE / 2) this.most = Math.max(1, this.most >> 2);
+            else if (passed < PATIENCE / 8) this.most = Math.min(BITE, 2 * this.most);
+            return isThere;
+        }
+
+        // Where the slider leads: at once, or in as many frames as it takes, so that the page never stands still
+        seek(time) {
+            this.play(false);
+            const isOnTheWay = this.sought !== null;
+            this.sought = time;
+            if (isOnTheWay) return;
+            const go = () => {
+                if (this.sought === null) return;
+                this.go(this.sought, false);
+                const isDone = this.isFailed || this.time >= Math.min(this.sought, this.until());
+                if (isDone) this.sought = null;
+                this.draw();
+                if (!isDone) requestAnimationFrame(go);
+            };
+            go();
         }
 
         note() {
@@ -262,9 +282,11 @@
                 this.draw();
                 return;
             }
+            this.sought = null;
             let before = performance.now();
+            const own = ++this.ticks; // one that was paused and began again ticks no longer
             const tick = (now) => {
-                if (!this.isPlaying) return;
+                if (!this.isPlaying || own !== this.ticks) return;
                 const passed = Math.min((now - before) / 1000, 0.1);
                 before = now;
                 if (this.held >= 0 && this.experiment.grab) this.follow();
@@ -328,8 +350,8 @@
             }
             this.playButton.textContent = this.isPlaying ? '\u275a\u275a' : '\u25b6';
             this.playButton.setAttribute('aria-label', this.isPlaying ? 'Pause' : 'Play');
-            this.clock.textContent = this.time.toFixed(2) + ' s' + (this.isPlaying && this.isLate ? ' (slower than the clock)' : '');
-            if (this.slider) this.slider.value = this.time / this.until();
+            this.clock.textContent = this.time.toFixed(2) + ' s' + (this.sought !== null ? ' (on its way)' : this.isPlaying && this.isLate ? ' (slower than the clock)' : '');
+            if (this.slider && this.sought === null) this.slider.value = this.time / this.until();
             const now = performance.now();
             if (this.isPlaying && now - (this.hashedAt || 0) < 400) return;
             this.hashedAt = now;

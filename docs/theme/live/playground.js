@@ -68,6 +68,8 @@
         },
         // Without a box: what the bodies span at the start, and as much round it
         setup: (p, ask, run) => {
+            if (!run.bodyCount)
+                throw new FlyingError('The scene has no body yet. Add one, such as\n[[body]]\nshape = { kind = "disc", radius = 1.0 }\nposition = [0.0, 0.0]\nvelocity = [1.0, 0.0]');
             const view = [Infinity, Infinity, -Infinity, -Infinity];
             run.states().forEach(([x, y], k) => {
                 const shape = run.shapes[k];

@@ -5,6 +5,7 @@
     const FONT = '"Book Sans", system-ui, sans-serif';
     const PALETTE = ['#2f7fc4', '#d4602b', '#3f9a57', '#9a5bb5', '#c29a12', '#1f9ca6', '#c24b6e', '#7b8894'];
     const TALLEST = 440;
+    const SPECK = 4; // [px]
 
     class Stage {
         // view  [left, bottom, right, top] in metres
@@ -90,10 +91,11 @@
                 this.path(ring.map(([px, py]) => [x + cosine * px - sine * py, y + sine * px + cosine * py]), true);
         }
 
-        // A body; discs get a spoke, so that their turning can be seen
+        // A body; discs get a spoke, so that their turning can be seen, and outlines unless they are specks
         body(shape, state, { colour, isFixed = false, spoke = true, alpha = 0.85 } = {}) {
             this.trace(shape, state);
             this.fill(isFixed ? this.fixed : colour, isFixed ? 1 : alpha);
+            if (shape.radius * this.scale < SPECK) return;
             this.stroke(this.ink, { width: 1.2, alpha: 0.55 });
             if (shape.radius === undefined || !spoke || isFixed) return;
             const [x, y, angle = 0] = state;
