@@ -18,6 +18,7 @@ PredictionRules::PredictionRules(const EventEngineOptions& options, const BodyRo
     : falls(bodies.acceleration() != Vec2::Zero() || !options.skips_absent_field),
       searches_all(bodies.is_central() || !options.skips_search),
       is_plain(!falls && !searches_all),
+      puts_off(!searches_all),
       skips_static_pairs(options.skips_static_pairs),
       skips_far_features(options.skips_far_features),
       skips_apart_rings(options.skips_apart_rings),
@@ -161,6 +162,10 @@ void Predictor::predict_general(int p, int q, double from, int windows)
     const int b = in_order ? q : p;
     PredictOptions options;
     options.windows = windows;
+    if (rules_.puts_off) {
+        const double end = std::min(foreseen_.end_of_flight(bodies_, p), foreseen_.end_of_flight(bodies_, q));
+        if (end < k_never) options.horizon = next_after(end);
+    }
     options.skips_far_features = rules_.skips_far_features;
     options.skips_apart_rings = rules_.skips_apart_rings;
     options.skips_far_vertices = rules_.skips_far_vertices;
@@ -173,7 +178,11 @@ void Predictor::predict_general(int p, int q, double from, int windows)
         ++counts_.far_features_skipped;
         return;
     }
-    const auto kind = prediction.kind == Prediction::Kind::impact ? Event::Kind::impact : Event::Kind::look;
+    if (prediction.kind == Prediction::Kind::impact) {
+        foreseen_.note_impact(bodies_, prediction.time, a, b);
+        return;
+    }
+    const auto kind = prediction.kind == Prediction::Kind::put_off ? Event::Kind::later : Event::Kind::look;
     foreseen_.note_pair(prediction.time, rows_[a], rows_[b], kind);
 }
 

@@ -21,6 +21,7 @@ struct PredictionRules
     bool falls = false;             ///< there is an acceleration
     bool searches_all = false;      ///< every pair takes the general search
     bool is_plain = false;          ///< movers are read from their rows, and fly straight
+    bool puts_off = false;     ///< pairs are looked at no further than both will fly, as far as is known
     bool skips_static_pairs = true; ///< as in the options of the engine, like those that follow
     bool skips_far_features = true;
     bool skips_apart_rings = true;
@@ -69,6 +70,8 @@ public:
     }
     /// A pair whose look was foreseen for this moment.  [s]
     void look(int p, int q, double time) { predict_general(p, q, time, 1); }
+    /// A pair that was put off.
+    void look_later(int p, int q) { predict_general(p, q, std::max(rows_[p].time, rows_[q].time), 1); }
     /// All pairs of a static body with those that come after it.
     void predict_static(int body);
 

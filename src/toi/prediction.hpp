@@ -35,6 +35,7 @@ struct Prediction
         never,      ///< they don't meet as long as both fly on
         impact,     ///< they meet at `time`
         not_before, ///< nothing before `time`; ask again from there
+        put_off,    ///< nothing before `time`, which is as far as was asked; ask the same again for more
     };
     Kind kind = Kind::never;
     double time = k_never; ///< [s]

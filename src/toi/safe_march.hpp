@@ -129,7 +129,7 @@ struct MarchEnd
     double time = k_never; ///< of the strike, or up to which a tired march has seen nothing [s]
 };
 
-/// First strike of a vertex on an edge in [from, until).
+/// First strike of a vertex on an edge in [from, until), if it comes before `stop`. Steps don't depend on where it stops.
 ///
 /// first       the reading at `from`, taken already
 /// read(time)  the reading at a moment of the world's clock
@@ -138,14 +138,14 @@ struct MarchEnd
 /// the time.
 template <typename Read, typename Counts>
 [[nodiscard]] MarchEnd march(const EdgeReading& first, const Read& read, const MarchBounds& bounds, double from,
-                             double until, const Counts& counts)
+                             double until, double stop, const Counts& counts)
 {
     constexpr int k_most_steps = 2000;
     EdgeReading now = first;
     double time = from;
     for (int k = 0; k < k_most_steps; ++k) {
         // [toi.march.step]
-        if (!(time < until)) return {};
+        if (!(time < std::min(until, stop))) return {};
         if (k > 0) {
             const EdgeReading before = now;
             now = read(time);
@@ -180,9 +180,9 @@ template <typename Read, typename Counts>
 /// The same where every strike counts.
 template <typename Read>
 [[nodiscard]] MarchEnd march(const EdgeReading& first, const Read& read, const MarchBounds& bounds, double from,
-                             double until)
+                             double until, double stop = k_never)
 {
-    return march(first, read, bounds, from, until, [](double) { return true; });
+    return march(first, read, bounds, from, until, stop, [](double) { return true; });
 }
 
 } // namespace flying

@@ -26,7 +26,10 @@ void keep_earlier(Strike& strike, const MarchEnd& end, const Feature& feature)
 }
 
 /// Nothing later than this is of interest any more.
-[[nodiscard]] double horizon(const Strike& strike, const Window& window) { return std::min(strike.time, window.until); }
+[[nodiscard]] double horizon(const Strike& strike, const Window& window)
+{
+    return std::min(strike.time, std::min(window.until, window.horizon));
+}
 
 
 
@@ -176,7 +179,7 @@ struct Approaches
 
 /// First strike of one vertex on one edge.
 template <typename Relative>
-[[nodiscard]] MarchEnd follow(const Facing<Relative>& facing, int vertex, int edge_index, double until)
+[[nodiscard]] MarchEnd follow(const Facing<Relative>& facing, int vertex, int edge_index, double stop)
 {
     const Side& p = facing.p;
     const Side& q = facing.q;
@@ -198,7 +201,7 @@ template <typename Relative>
     };
     const double from = facing.window.from;
     const EdgeReading first = read_edge(facing.see(corner, from, p.at_start, q.at_start), edge, edge_start);
-    return march(first, read, bounds, from, until, counts);
+    return march(first, read, bounds, from, facing.window.until, stop, counts);
 }
 
 /// Follow what approaches, that which may strike first before the others: most of them can't be earlier than its
@@ -218,7 +221,7 @@ void follow_all(Approaches& approaches, const Facing<Relative>& of_a, const Faci
         approach.earliest = k_never;
 
         const Facing<Relative>& facing = approach.kind == FeatureKind::vertex_of_a ? of_a : of_b;
-        const MarchEnd end = follow(facing, approach.vertex, approach.edge, std::min(limit, facing.window.until));
+        const MarchEnd end = follow(facing, approach.vertex, approach.edge, std::min(limit, facing.window.horizon));
         if (end.kind == MarchEnd::Kind::none || end.time >= limit) continue;
         strike = {end.kind, end.time, {approach.kind, approach.vertex, approach.edge}};
         struck = next;
@@ -283,7 +286,7 @@ void scan_vertices(const Facing<Relative>& facing, const Facing<Relative>& of_a,
 template <typename Offset, typename Counts>
 [[nodiscard]] MarchEnd march_distance(const Offset& offset_and_rate, double radius,
                                       double acceleration, const Window& window,
-                                      double until, const Counts& counts)
+                                      double stop, const Counts& counts)
 {
     const double bend = acceleration * (1.0 + tolerance::k_bend_margin);
     const MarchBounds bounds{bend, k_never, k_never, window.tolerance};
@@ -293,7 +296,7 @@ template <typename Offset, typename Counts>
         const double rate = seen.point.dot(seen.rate) / distance;
         return EdgeReading{distance - radius, rate, 0.0, 0.0};
     };
-    return march(read(window.from), read, bounds, window.from, until, counts);
+    return march(read(window.from), read, bounds, window.from, window.until, stop, counts);
 }
 
 
@@ -347,7 +350,7 @@ Strike first_strike(const Disc& a, const Polygon& b, const Turning& turning_b, c
                              moved_start);
         };
         const EdgeReading first = read_edge(seen, edge, moved_start);
-        keep_earlier(strike, march(first, read, bounds, window.from, horizon(strike, window)),
+        keep_earlier(strike, march(first, read, bounds, window.from, window.until, horizon(strike, window)),
                      {FeatureKind::vertex_of_a, -1, edge.from});
 
 
@@ -412,7 +415,7 @@ Strike first_strike(const Polygon& a, const Turning& turning_a, const HalfPlane&
             return EdgeReading{height, wall.normal.dot(rate), 0.0, 0.0};
         };
 
-        keep_earlier(strike, march(read(window.from), read, bounds, window.from, horizon(strike, window)), {FeatureKind::vertex_of_a, k, -1});
+        keep_earlier(strike, march(read(window.from), read, bounds, window.from, window.until, horizon(strike, window)), {FeatureKind::vertex_of_a, k, -1});
     }
     return strike;
 }
