@@ -12,13 +12,21 @@ namespace {
 /// Beyond this factor, two squares that were rounded a handful of times each are in the order of what they stand for.
 constexpr double k_surely = 1.0 + 0x1p-48;
 
+[[nodiscard]] bool any_polygon_moves(const BodyRows& bodies)
+{
+    for (int row = 0; row < bodies.count(); ++row) {
+        if (bodies[row].kind == BodyRows::Kind::polygon) return true;
+    }
+    return false;
+}
+
 } // namespace
 
 PredictionRules::PredictionRules(const EventEngineOptions& options, const BodyRows& bodies)
     : falls(bodies.acceleration() != Vec2::Zero() || !options.skips_absent_field),
       searches_all(bodies.is_central() || !options.skips_search),
       is_plain(!falls && !searches_all),
-      puts_off(!searches_all),
+      puts_off(!searches_all && any_polygon_moves(bodies)),
       skips_static_pairs(options.skips_static_pairs),
       skips_far_features(options.skips_far_features),
       skips_apart_rings(options.skips_apart_rings),
@@ -178,11 +186,13 @@ void Predictor::predict_general(int p, int q, double from, int windows)
         ++counts_.far_features_skipped;
         return;
     }
-    if (prediction.kind == Prediction::Kind::impact) {
+    if (rules_.puts_off && prediction.kind == Prediction::Kind::impact) {
         foreseen_.note_impact(bodies_, prediction.time, a, b);
         return;
     }
-    const auto kind = prediction.kind == Prediction::Kind::put_off ? Event::Kind::later : Event::Kind::look;
+    const auto kind = prediction.kind == Prediction::Kind::impact    ? Event::Kind::impact
+                      : prediction.kind == Prediction::Kind::put_off ? Event::Kind::later
+                                                                     : Event::Kind::look;
     foreseen_.note_pair(prediction.time, rows_[a], rows_[b], kind);
 }
 
