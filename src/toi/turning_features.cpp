@@ -229,54 +229,87 @@ void follow_all(Approaches& approaches, const Facing<Relative>& of_a, const Faci
     approaches.count = 0;
 }
 
+/// Vertices of P that are to be looked at, of a few.
+struct Candidates
+{
+    static constexpr int k_most = 16;
+    std::array<int, k_most> list;
+    int count = 0;
+};
+
+/// Vertices of P, no more than so many from `first` on, that may come into Q's circle within `time`. Seen from P, where
+/// none of them turns. Most stay out and which of them do can't be guessed, so that nothing here waits for a guess.
+template <typename Relative>
+[[nodiscard]] Candidates near_vertices(const Facing<Relative>& facing, int first, double time)
+{
+    const Side& p = facing.p;
+    const Window& window = facing.window;
+    const Rotation p_from_world = inverse(p.at_start);
+    const double spin = p.turning.spin();
+    const Vec2 offset = p_from_world * Vec2(facing.sign * facing.relative.offset_at(window.from));
+    const Vec2 rate = p_from_world * Vec2(facing.sign * facing.relative.rate_at(window.from));
+
+    // Q's circle, and how far out of it a point that flies straight must end to have stayed out
+    const double circle = facing.q.shape.radius() * (1.0 + tolerance::k_bounding_margin) + window.tolerance.touch;
+    const double bend = acceleration_bound(facing.relative) + spin * spin * p.shape.radius();
+    const double near = circle + 0.5 * bend * time * time;
+
+    Candidates candidates;
+    const int count = static_cast<int>(p.shape.vertices().size());
+    const int end = std::min(count, first + Candidates::k_most);
+    for (int k = first; k < end; ++k) {
+        const Vec2& r = p.shape.vertices()[k];
+        const Vec2 point = offset + r;
+        const double distance2 = point.squaredNorm();
+        const double ahead = distance2 + time * point.dot(rate + cross(spin, r));
+        const bool stays_out = (distance2 > circle * circle) & (ahead > 0.0) & (ahead * ahead > near * near * distance2);
+        candidates.list[candidates.count] = k;
+        candidates.count += ((!stays_out | !window.skips_far_vertices) & !p.shape.is_reflex(k)) ? 1 : 0;
+    }
+    return candidates;
+}
+
+/// Find the edges of Q that one vertex of P may strike.
+template <typename Relative>
+void scan_edges(const Facing<Relative>& facing, int vertex, MarchBounds& bounds, const Facing<Relative>& of_a,
+                const Facing<Relative>& of_b, Approaches& approaches, Strike& strike)
+{
+    const Side& q = facing.q;
+    const Window& window = facing.window;
+    const Seen seen = facing.see(facing.p.shape.vertices()[vertex], window.from, facing.p.at_start, q.at_start);
+
+    // Leave a vertex alone that stays in front of an edge of a convex Q, which lies behind them all
+    const double length = horizon(strike, window) - window.from;
+    if (window.skips_far_vertices && q.shape.is_convex() && stays_in_front(seen, q.shape, bounds, length)) return;
+
+    // Keep the edges that the first look doesn't rule out
+    for (const Edge& edge : q.shape.edges()) {
+        const OpenPart part = open_part(edge, q.seams);
+        bounds.length = part.length;
+        const EdgeReading first = read_edge(seen, edge, q.shape.vertices()[edge.from] + part.from * edge.tangent);
+        if (is_clear_for(first, bounds, length)) continue;
+        const double wait = strikes(first, bounds) ? 0.0 : certain_step(first, bounds);
+        if (window.from + wait >= horizon(strike, window)) continue;
+        if (approaches.count == Approaches::k_most) follow_all(approaches, of_a, of_b, strike);
+        approaches.list[approaches.count++] = {window.from + wait, vertex, edge.from, facing.kind};
+    }
+}
+
 /// Find the vertices of P that may strike an edge of Q.
 template <typename Relative>
 void scan_vertices(const Facing<Relative>& facing, const Facing<Relative>& of_a, const Facing<Relative>& of_b,
                    Approaches& approaches, Strike& strike)
 {
     const Side& p = facing.p;
-    const Side& q = facing.q;
-    const Window& window = facing.window;
-    const Vec2 offset = facing.sign * facing.relative.offset_at(window.from);
-    const Vec2 rate = facing.sign * facing.relative.rate_at(window.from);
-    const double spin = p.turning.spin();
     MarchBounds bounds = facing.bounds(p.shape.radius());
-
-    // Q's circle, and how far from it a vertex must be to stay out of it in all of the window
-    const double circle = q.shape.radius() * (1.0 + tolerance::k_bounding_margin) + window.tolerance.touch;
-    const double travel = (window.speed + std::abs(spin) * p.shape.radius()) * (window.until - window.from);
-    const double far = (circle + travel) * (1.0 + tolerance::k_bounding_margin);
-    const double bend = acceleration_bound(facing.relative) + spin * spin * p.shape.radius();
-
-    for (int k = 0; k < static_cast<int>(p.shape.vertices().size()); ++k) {
-        if (p.shape.is_reflex(k) || (!p.seams.empty() && is_no_corner(k, p.seams))) continue;
-        const Vec2 r = p.at_start * p.shape.vertices()[k];
-        const Vec2 point = offset + r;
-        const double distance2 = point.squaredNorm();
-        if (window.skips_far_vertices && distance2 > far * far) continue;
-
-        // Leave a vertex alone that stays out of the circle, or in front of an edge of a convex Q, which lies behind
-        // them all
-        const Vec2 point_rate = rate + cross(spin, r);
-        const double length = horizon(strike, window) - window.from;
-        const double near = circle + 0.5 * bend * length * length;
-        if (window.skips_far_vertices && distance2 > circle * circle &&
-            point.dot(point + length * point_rate) > near * std::sqrt(distance2)) {
-            continue;
-        }
-        const Seen seen = seen_from(q.at_start, q.turning.spin(), point, point_rate);
-        if (window.skips_far_vertices && q.shape.is_convex() && stays_in_front(seen, q.shape, bounds, length)) continue;
-
-        // Keep the edges that the first look doesn't rule out
-        for (const Edge& edge : q.shape.edges()) {
-            const OpenPart part = open_part(edge, q.seams);
-            bounds.length = part.length;
-            const EdgeReading first = read_edge(seen, edge, q.shape.vertices()[edge.from] + part.from * edge.tangent);
-            if (is_clear_for(first, bounds, length)) continue;
-            const double wait = strikes(first, bounds) ? 0.0 : certain_step(first, bounds);
-            if (window.from + wait >= horizon(strike, window)) continue;
-            if (approaches.count == Approaches::k_most) follow_all(approaches, of_a, of_b, strike);
-            approaches.list[approaches.count++] = {window.from + wait, k, edge.from, facing.kind};
+    const int count = static_cast<int>(p.shape.vertices().size());
+    for (int first = 0; first < count; first += Candidates::k_most) {
+        const double length = horizon(strike, facing.window) - facing.window.from;
+        const Candidates candidates = near_vertices(facing, first, length);
+        for (int k = 0; k < candidates.count; ++k) {
+            const int vertex = candidates.list[k];
+            if (!p.seams.empty() && is_no_corner(vertex, p.seams)) continue;
+            scan_edges(facing, vertex, bounds, of_a, of_b, approaches, strike);
         }
     }
 }
