@@ -95,15 +95,15 @@ struct MarchBounds
     return step;
 }
 
-/// One of the things that keep vertex and edge apart does so for this long, and is farther from its end than the
-/// tolerance then. The same as a certain step, asked without its roots.
-[[nodiscard]] inline bool is_clear_for(const EdgeReading& now, const MarchBounds& bounds, double time)
+/// One of the things that keep vertex and edge apart does so for so long before and after, by more than the tolerance:
+/// no march within that time would find a strike. No root is asked for.
+[[nodiscard]] inline bool is_clear_within(const EdgeReading& now, const MarchBounds& bounds, double half)
 {
     const double slack = bounds.tolerance.touch;
-    const double most = 0.5 * bounds.bend * time * time + slack;
-    const auto lasts = [&](double f, double f_rate) { return f > 0.0 && f + time * f_rate > most; };
-    return lasts(now.gap, now.gap_rate) || lasts(-lowest_touch(now, bounds) - now.gap, -now.gap_rate) ||
-           lasts(-slack - now.along, -now.along_rate) || lasts(now.along - bounds.length - slack, now.along_rate);
+    const double most = 0.5 * bounds.bend * half * half + slack;
+    const auto lasts = [&](double f, double f_rate) { return f - half * std::abs(f_rate) > most; };
+    return lasts(now.gap, now.gap_rate) || lasts(-bounds.depth - now.gap, now.gap_rate) ||
+           lasts(-slack - now.along, now.along_rate) || lasts(now.along - bounds.length - slack, now.along_rate);
 }
 
 /// The vertex was above the edge and now lies too deep to touch it. A certain step doesn't lead

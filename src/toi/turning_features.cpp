@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "math/tolerance.hpp"
 #include "toi/bend.hpp"
@@ -71,7 +72,7 @@ struct Side
 {
     const Polygon& shape;
     const Turning& turning;
-    Rotation at_start; ///< of the window
+    Rotation at_middle; ///< of the time that is looked at
     std::span<const Seam> seams;
 };
 
@@ -113,17 +114,36 @@ struct OpenPart
     });
 }
 
-/// A point in front of one of a polygon's edges stays there for so long. No root is asked for: what bends down and is
-/// above zero at both ends of a stretch is so between them.
-[[nodiscard]] bool stays_in_front(const Seen& seen, const Polygon& polygon, const MarchBounds& bounds, double time)
+/// A point in front of one of a polygon's edges is so for so long before and after. No root is asked for: what bends
+/// down and is above zero at both ends of a stretch is so between them.
+[[nodiscard]] bool stays_in_front(const Seen& seen, const Polygon& polygon, const MarchBounds& bounds, double half)
 {
-    const double fall = 0.5 * bounds.bend * time * time;
+    const double least = 0.5 * bounds.bend * half * half + bounds.tolerance.touch;
     for (const Edge& edge : polygon.edges()) {
-        const double gap = edge.normal.dot(seen.point - polygon.vertices()[edge.from]) - bounds.tolerance.touch;
-        if (gap > 0.0 && gap + time * edge.normal.dot(seen.rate) > fall) return true;
+        const double gap = edge.normal.dot(seen.point - polygon.vertices()[edge.from]);
+        if (gap - half * std::abs(edge.normal.dot(seen.rate)) > least) return true;
     }
     return false;
 }
+
+/// How A and B are turned at the start of a window: asked for only where something comes near.
+class StartRotations
+{
+public:
+    StartRotations(const Turning& a, const Turning& b, double time) : a_(a), b_(b), time_(time) {}
+
+    [[nodiscard]] const std::array<Rotation, 2>& both()
+    {
+        if (!both_) both_ = both_at(a_, b_, time_);
+        return *both_;
+    }
+
+private:
+    const Turning& a_;
+    const Turning& b_;
+    double time_;
+    std::optional<std::array<Rotation, 2>> both_;
+};
 
 /// The vertices of P and the edges of Q within a window, and what all of their readings share.
 template <typename Relative>
@@ -136,6 +156,10 @@ struct Facing
     FeatureKind kind = FeatureKind::vertex_of_a;
     const Window& window;
     double distance = 0.0; ///< bound on that of the two positions [m]
+    double half = 0.0;     ///< of the time that is looked at [s]
+    Vec2 offset_at_middle; ///< from Q to P, in the middle of it [m]
+    Vec2 rate_at_middle;   ///< [m/s]
+    StartRotations& start;
 
     [[nodiscard]] Seen see(const Vec2& vertex, double time, const Rotation& world_from_p,
                            const Rotation& world_from_q) const
@@ -144,6 +168,13 @@ struct Facing
         const Vec2 point = sign * relative.offset_at(time) + r;
         const Vec2 rate = sign * relative.rate_at(time) + cross(p.turning.spin(), r);
         return seen_from(world_from_q, q.turning.spin(), point, rate);
+    }
+
+    [[nodiscard]] Seen see_at_start(const Vec2& vertex) const
+    {
+        const auto& [of_a, of_b] = start.both();
+        const bool p_is_a = kind == FeatureKind::vertex_of_a;
+        return see(vertex, window.from, p_is_a ? of_a : of_b, p_is_a ? of_b : of_a);
     }
 
     /// All but the edge's length.
@@ -200,7 +231,7 @@ template <typename Relative>
         return is_open(p.shape, vertex, p.seams, -normal);
     };
     const double from = facing.window.from;
-    const EdgeReading first = read_edge(facing.see(corner, from, p.at_start, q.at_start), edge, edge_start);
+    const EdgeReading first = read_edge(facing.see_at_start(corner), edge, edge_start);
     return march(first, read, bounds, from, facing.window.until, stop, counts);
 }
 
@@ -237,34 +268,37 @@ struct Candidates
     int count = 0;
 };
 
-/// Vertices of P, no more than so many from `first` on, that may come into Q's circle within `time`. Seen from P, where
-/// none of them turns. Most stay out and which of them do can't be guessed, so that nothing here waits for a guess.
+/// Vertices of P, no more than so many from `first` on, that may come into Q's circle. Seen from P, where none of them
+/// turns. Most stay out and which of them do can't be guessed, so that nothing here waits for a guess.
 template <typename Relative>
-[[nodiscard]] Candidates near_vertices(const Facing<Relative>& facing, int first, double time)
+[[nodiscard]] Candidates near_vertices(const Facing<Relative>& facing, int first)
 {
     const Side& p = facing.p;
     const Window& window = facing.window;
-    const Rotation p_from_world = inverse(p.at_start);
+    const Rotation p_from_world = inverse(p.at_middle);
+    const Vec2 offset = p_from_world * facing.offset_at_middle;
+    const Vec2 rate = p_from_world * facing.rate_at_middle;
     const double spin = p.turning.spin();
-    const Vec2 offset = p_from_world * Vec2(facing.sign * facing.relative.offset_at(window.from));
-    const Vec2 rate = p_from_world * Vec2(facing.sign * facing.relative.rate_at(window.from));
 
-    // Q's circle, and how far out of it a point that flies straight must end to have stayed out
+    // Q's circle, and how far out of it a point that flies straight must remain to stay out
     const double circle = facing.q.shape.radius() * (1.0 + tolerance::k_bounding_margin) + window.tolerance.touch;
     const double bend = acceleration_bound(facing.relative) + spin * spin * p.shape.radius();
-    const double near = circle + 0.5 * bend * time * time;
+    const double near = window.skips_far_vertices ? circle + 0.5 * bend * facing.half * facing.half : k_never;
+
+    // Half the rate of a vertex's squared distance, of which its turning leaves a part that is linear in where it is
+    const double rate_of_centre = offset.dot(rate);
+    const Vec2 rate_of_vertex = rate - cross(spin, offset);
 
     Candidates candidates;
-    const int count = static_cast<int>(p.shape.vertices().size());
-    const int end = std::min(count, first + Candidates::k_most);
+    const std::span<const Vec2> vertices = p.shape.vertices();
+    const int end = std::min(static_cast<int>(vertices.size()), first + Candidates::k_most);
     for (int k = first; k < end; ++k) {
-        const Vec2& r = p.shape.vertices()[k];
-        const Vec2 point = offset + r;
-        const double distance2 = point.squaredNorm();
-        const double ahead = distance2 + time * point.dot(rate + cross(spin, r));
-        const bool stays_out = (distance2 > circle * circle) & (ahead > 0.0) & (ahead * ahead > near * near * distance2);
+        const Vec2& r = vertices[k];
+        const double distance2 = (offset + r).squaredNorm();
+        const double least = distance2 - facing.half * std::abs(rate_of_centre + rate_of_vertex.dot(r));
+        const bool stays_out = (least > 0.0) & (least * least > near * near * distance2);
         candidates.list[candidates.count] = k;
-        candidates.count += ((!stays_out | !window.skips_far_vertices) & !p.shape.is_reflex(k)) ? 1 : 0;
+        candidates.count += stays_out ? 0 : 1;
     }
     return candidates;
 }
@@ -274,20 +308,25 @@ template <typename Relative>
 void scan_edges(const Facing<Relative>& facing, int vertex, MarchBounds& bounds, const Facing<Relative>& of_a,
                 const Facing<Relative>& of_b, Approaches& approaches, Strike& strike)
 {
+    const Side& p = facing.p;
     const Side& q = facing.q;
     const Window& window = facing.window;
-    const Seen seen = facing.see(facing.p.shape.vertices()[vertex], window.from, facing.p.at_start, q.at_start);
+    const Vec2& corner = p.shape.vertices()[vertex];
+    const Vec2 r = p.at_middle * corner;
+    const Seen seen = seen_from(q.at_middle, q.turning.spin(), facing.offset_at_middle + r, facing.rate_at_middle + cross(p.turning.spin(), r));
 
     // Leave a vertex alone that stays in front of an edge of a convex Q, which lies behind them all
-    const double length = horizon(strike, window) - window.from;
-    if (window.skips_far_vertices && q.shape.is_convex() && stays_in_front(seen, q.shape, bounds, length)) return;
+    if (window.skips_far_vertices && q.shape.is_convex() && stays_in_front(seen, q.shape, bounds, facing.half)) return;
 
-    // Keep the edges that the first look doesn't rule out
+    // Keep the edges that this look doesn't rule out
+    std::optional<Seen> at_start;
     for (const Edge& edge : q.shape.edges()) {
         const OpenPart part = open_part(edge, q.seams);
         bounds.length = part.length;
-        const EdgeReading first = read_edge(seen, edge, q.shape.vertices()[edge.from] + part.from * edge.tangent);
-        if (is_clear_for(first, bounds, length)) continue;
+        const Vec2 edge_start = q.shape.vertices()[edge.from] + part.from * edge.tangent;
+        if (window.skips_far_vertices && is_clear_within(read_edge(seen, edge, edge_start), bounds, facing.half)) continue;
+        if (!at_start) at_start = facing.see_at_start(corner);
+        const EdgeReading first = read_edge(*at_start, edge, edge_start);
         const double wait = strikes(first, bounds) ? 0.0 : certain_step(first, bounds);
         if (window.from + wait >= horizon(strike, window)) continue;
         if (approaches.count == Approaches::k_most) follow_all(approaches, of_a, of_b, strike);
@@ -304,11 +343,10 @@ void scan_vertices(const Facing<Relative>& facing, const Facing<Relative>& of_a,
     MarchBounds bounds = facing.bounds(p.shape.radius());
     const int count = static_cast<int>(p.shape.vertices().size());
     for (int first = 0; first < count; first += Candidates::k_most) {
-        const double length = horizon(strike, facing.window) - facing.window.from;
-        const Candidates candidates = near_vertices(facing, first, length);
+        const Candidates candidates = near_vertices(facing, first);
         for (int k = 0; k < candidates.count; ++k) {
             const int vertex = candidates.list[k];
-            if (!p.seams.empty() && is_no_corner(vertex, p.seams)) continue;
+            if (p.shape.is_reflex(vertex) || (!p.seams.empty() && is_no_corner(vertex, p.seams))) continue;
             scan_edges(facing, vertex, bounds, of_a, of_b, approaches, strike);
         }
     }
@@ -340,12 +378,18 @@ template <typename Relative>
 Strike first_strike(const Polygon& a, const Turning& turning_a, const Polygon& b, const Turning& turning_b,
                     const Relative& relative, const Window& window)
 {
-    const auto [world_from_a, world_from_b] = both_at(turning_a, turning_b, window.from);
-    const Side side_a{a, turning_a, world_from_a, window.seams_a};
-    const Side side_b{b, turning_b, world_from_b, window.seams_b};
+    // A bound on what bends is four times as close when it is taken from the middle of a stretch as from its beginning
+    const double half = 0.5 * std::max(0.0, std::min(window.until, window.horizon) - window.from);
+    const double middle = window.from + half;
+    StartRotations start(turning_a, turning_b, window.from);
+    const auto [a_at_middle, b_at_middle] = both_at(turning_a, turning_b, middle);
+    const Side side_a{a, turning_a, a_at_middle, window.seams_a};
+    const Side side_b{b, turning_b, b_at_middle, window.seams_b};
     const double distance = relative.offset_at(window.from).norm() + window.speed * (window.until - window.from);
-    const Facing<Relative> of_a{side_a, side_b, relative, 1.0, FeatureKind::vertex_of_a, window, distance};
-    const Facing<Relative> of_b{side_b, side_a, relative, -1.0, FeatureKind::vertex_of_b, window, distance};
+    const Vec2 offset = relative.offset_at(middle);
+    const Vec2 rate = relative.rate_at(middle);
+    const Facing<Relative> of_a{side_a, side_b, relative, 1.0, FeatureKind::vertex_of_a, window, distance, half, offset, rate, start};
+    const Facing<Relative> of_b{side_b, side_a, relative, -1.0, FeatureKind::vertex_of_b, window, distance, half, -offset, -rate, start};
     Strike strike;
     Approaches approaches;
     scan_vertices(of_a, of_a, of_b, approaches, strike);
