@@ -48,9 +48,11 @@ void Predictor::predict_cell(int body, double now)
 
 void Predictor::predict_struck(int body, int partner)
 {
-    const bool is_plain = neighbours_.has_cells() && rules_.is_plain && rows_[body].kind == BodyRows::Kind::disc;
-    if (is_plain) predict_near(body, partner);
-    else predict_partners(body, [&](int other) { return other != partner; });
+    const bool is_disc = rows_[body].kind == BodyRows::Kind::disc;
+    const bool is_plain = neighbours_.has_cells() && rules_.is_plain && (is_disc || rules_.skips_far_features);
+    if (!is_plain) predict_partners(body, [&](int other) { return other != partner; });
+    else if (is_disc) predict_near<false>(body, partner);
+    else predict_near<true>(body, partner);
 }
 
 void Predictor::predict_static(int body)
@@ -113,10 +115,13 @@ void Predictor::predict_movers(int a, int b)
     // [events.predict_movers.kinds]
 }
 
-/// The same as `predict_partners` for a disc that has just been struck where nothing falls: no body's note is younger
+/// The same as `predict_partners` for a body that has just been struck where nothing falls: no body's note is younger
 /// than its own, so that only the others are brought to its moment.
+/// has_corners  the body has: it is looked at more closely with all that its circle overlaps
+template <bool has_corners>
 void Predictor::predict_near(int body, int partner)
 {
+    using Kind = BodyRows::Kind;
     int* const near = near_.data();
     const int* const end = neighbours_.gather_movers(body, near);
     const auto count = static_cast<int>(end - near);
@@ -133,20 +138,28 @@ void Predictor::predict_near(int body, int partner)
         const double offset_y = row.position.y() - (other.position.y() + t * other.velocity.y());
         const double rate_x = row.velocity.x() - other.velocity.x();
         const double rate_y = row.velocity.y() - other.velocity.y();
-        const double reach = row.radius + other.radius;
+        const double both = row.radius + other.radius;
+        const double reach = has_corners ? bounding_reach(both) : both;
         const double miss = offset_x * rate_y - offset_y * rate_x;
+        const bool overlaps =
+            has_corners && offset_x * offset_x + offset_y * offset_y <= (reach * reach) * k_surely;
         const bool closes = offset_x * rate_x + offset_y * rate_y < 0.0;
         const bool passes = miss * miss > (rate_x * rate_x + rate_y * rate_y) * (reach * reach) * k_surely;
-        const bool is_plain = (other.kind == BodyRows::Kind::disc) & (t >= 0.0);
-        *kept = q;
+        const bool is_plain = (has_corners ? other.kind < Kind::is_static : other.kind == Kind::disc) & (t >= 0.0);
         const bool is_other = (q != body) & (q != partner);
-        kept += (((closes & !passes) | !is_plain) & is_other) ? 1 : 0;
+        *kept = q;
+        kept += (((closes & !passes) | overlaps | !is_plain) & is_other) ? 1 : 0;
     }
+    const int others = count - (partner >= 0 ? 2 : 1); // without the two that met
+    counts_.predictions += others;
+    counts_.far_pairs_skipped += bodies_.count() - 1 - others;
+    if (has_corners) counts_.far_features_skipped += others - (kept - near);
 
     for (const int* place = near; place != kept; ++place) {
         const BodyRows::Row& other = rows[*place];
-        if (other.kind != BodyRows::Kind::disc || !(other.time <= row.time)) {
-            predict_pair(body, *place);
+        if (has_corners || other.kind != Kind::disc || !(other.time <= row.time)) {
+            if (other.kind < Kind::is_static) predict_movers(body, *place);
+            else predict_general(body, *place, std::max(row.time, other.time), 0);
             continue;
         }
         const double t = row.time - other.time;
@@ -155,8 +168,6 @@ void Predictor::predict_near(int body, int partner)
         const double wait = time_to_meet(offset, row.velocity - other.velocity, reach);
         if (wait != k_never) foreseen_.note_pair(row.time + wait, row, other, Event::Kind::impact);
     }
-    counts_.predictions += count - 1;
-    counts_.far_pairs_skipped += bodies_.count() - count;
     neighbours_.for_each_static(body, [&](int other) { predict_pair(body, other); });
 }
 
