@@ -49,10 +49,13 @@ void Predictor::predict_cell(int body, double now)
 void Predictor::predict_struck(int body, int partner)
 {
     const bool is_disc = rows_[body].kind == BodyRows::Kind::disc;
-    const bool is_plain = neighbours_.has_cells() && rules_.is_plain && (is_disc || rules_.skips_far_features);
-    if (!is_plain) predict_partners(body, [&](int other) { return other != partner; });
-    else if (is_disc) predict_near<false>(body, partner);
-    else predict_near<true>(body, partner);
+    if (!neighbours_.has_cells() || rules_.searches_all || !(is_disc || rules_.skips_far_features)) {
+        predict_partners(body, [&](int other) { return other != partner; });
+    } else if (rules_.falls) {
+        is_disc ? predict_near<false, true>(body, partner) : predict_near<true, true>(body, partner);
+    } else {
+        is_disc ? predict_near<false, false>(body, partner) : predict_near<true, false>(body, partner);
+    }
 }
 
 void Predictor::predict_static(int body)
@@ -115,10 +118,11 @@ void Predictor::predict_movers(int a, int b)
     // [events.predict_movers.kinds]
 }
 
-/// The same as `predict_partners` for a body that has just been struck where nothing falls: no body's note is younger
-/// than its own, so that only the others are brought to its moment.
+/// The same as `predict_partners` for a body that has just been struck: no body's note is younger than its own, so that
+/// only the others are brought to its moment.
 /// has_corners  the body has: it is looked at more closely with all that its circle overlaps
-template <bool has_corners>
+/// falls        so do all that move
+template <bool has_corners, bool falls>
 void Predictor::predict_near(int body, int partner)
 {
     using Kind = BodyRows::Kind;
@@ -127,6 +131,16 @@ void Predictor::predict_near(int body, int partner)
     const auto count = static_cast<int>(end - near);
     const BodyRows::Row* const rows = rows_;
     const BodyRows::Row row = rows[body];
+    const Vec2& g = bodies_.acceleration();
+
+    // Bring another to the moment of this one
+    const auto position_of = [&](const BodyRows::Row& other, double t) -> Vec2 {
+        if (falls) return position_after(other.position, other.velocity, g, t);
+        return other.position + t * other.velocity;
+    };
+    const auto velocity_of = [&](const BodyRows::Row& other, double t) -> Vec2 {
+        return falls ? Vec2(other.velocity + t * g) : other.velocity;
+    };
 
     // Keep those that come near enough, and those that need a closer look
     int* kept = near;
@@ -134,17 +148,14 @@ void Predictor::predict_near(int body, int partner)
         const int q = *place;
         const BodyRows::Row& other = rows[q];
         const double t = row.time - other.time;
-        const double offset_x = row.position.x() - (other.position.x() + t * other.velocity.x());
-        const double offset_y = row.position.y() - (other.position.y() + t * other.velocity.y());
-        const double rate_x = row.velocity.x() - other.velocity.x();
-        const double rate_y = row.velocity.y() - other.velocity.y();
+        const Vec2 offset = row.position - position_of(other, t);
+        const Vec2 rate = row.velocity - velocity_of(other, t);
         const double both = row.radius + other.radius;
         const double reach = has_corners ? bounding_reach(both) : both;
-        const double miss = offset_x * rate_y - offset_y * rate_x;
-        const bool overlaps =
-            has_corners && offset_x * offset_x + offset_y * offset_y <= (reach * reach) * k_surely;
-        const bool closes = offset_x * rate_x + offset_y * rate_y < 0.0;
-        const bool passes = miss * miss > (rate_x * rate_x + rate_y * rate_y) * (reach * reach) * k_surely;
+        const double miss = cross(offset, rate);
+        const bool overlaps = has_corners && offset.squaredNorm() <= (reach * reach) * k_surely;
+        const bool closes = offset.dot(rate) < 0.0;
+        const bool passes = miss * miss > rate.squaredNorm() * (reach * reach) * k_surely;
         const bool is_plain = (has_corners ? other.kind < Kind::is_static : other.kind == Kind::disc) & (t >= 0.0);
         const bool is_other = (q != body) & (q != partner);
         *kept = q;
@@ -157,16 +168,16 @@ void Predictor::predict_near(int body, int partner)
 
     for (const int* place = near; place != kept; ++place) {
         const BodyRows::Row& other = rows[*place];
-        if (has_corners || other.kind != Kind::disc || !(other.time <= row.time)) {
-            if (other.kind < Kind::is_static) predict_movers(body, *place);
-            else predict_general(body, *place, std::max(row.time, other.time), 0);
-            continue;
+        if (!(other.kind < Kind::is_static)) {
+            predict_general(body, *place, std::max(row.time, other.time), 0);
+        } else if (has_corners || other.kind != Kind::disc || !(other.time <= row.time)) {
+            predict_movers(body, *place);
+        } else {
+            const double t = row.time - other.time;
+            const Vec2 offset = row.position - position_of(other, t);
+            const double wait = time_to_meet(offset, row.velocity - velocity_of(other, t), row.radius + other.radius);
+            if (wait != k_never) foreseen_.note_pair(row.time + wait, row, other, Event::Kind::impact);
         }
-        const double t = row.time - other.time;
-        const Vec2 offset = row.position - (other.position + t * other.velocity);
-        const double reach = row.radius + other.radius;
-        const double wait = time_to_meet(offset, row.velocity - other.velocity, reach);
-        if (wait != k_never) foreseen_.note_pair(row.time + wait, row, other, Event::Kind::impact);
     }
     neighbours_.for_each_static(body, [&](int other) { predict_pair(body, other); });
 }

@@ -78,7 +78,7 @@ public:
     void predict_static(int body);
 
 private:
-    template <bool has_corners>
+    template <bool has_corners, bool falls>
     void predict_near(int body, int partner);
     void predict_movers(int a, int b);
     void predict_general(int p, int q, double from, int windows);
