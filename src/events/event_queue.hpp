@@ -10,7 +10,8 @@ namespace flying {
 /// Something that will happen, if its bodies are left alone until then.
 struct Event
 {
-    enum class Kind : std::uint8_t {
+    enum class Kind : std::uint8_t
+    {
         cell,   ///< body a leaves its cell
         look,   ///< the pair must be looked at again
         later,  ///< the pair was looked at for as long as both were thought to fly: ask the same for more

@@ -21,7 +21,7 @@ struct PredictionRules
     bool falls = false;             ///< there is an acceleration
     bool searches_all = false;      ///< every pair takes the general search
     bool is_plain = false;          ///< movers are read from their rows, and fly straight
-    bool puts_off = false;     ///< pairs are looked at no further than both will fly, as far as is known
+    bool puts_off = false;          ///< pairs are looked at no further than both will fly, as far as is known
     bool skips_static_pairs = true; ///< as in the options of the engine, like those that follow
     bool skips_far_features = true;
     bool skips_apart_rings = true;

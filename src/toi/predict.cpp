@@ -94,9 +94,10 @@ struct Search
 
 [[nodiscard]] Prediction impact(const Strike& strike) { return {Prediction::Kind::impact, strike.time, strike.feature}; }
 [[nodiscard]] Prediction not_before(double time) { return {Prediction::Kind::not_before, time, {}}; }
-[[nodiscard]] Prediction put_off(double time) { return {Prediction::Kind::put_off, time, {}}; }
-
-
+[[nodiscard]] Prediction put_off(double time)
+{
+    return {Prediction::Kind::put_off, time, {}};
+}
 
 /// Look through one window. Returns an answer, or nothing where the search goes on after it.
 template <typename Look>
@@ -107,8 +108,6 @@ template <typename Look>
     if (strike.kind == MarchEnd::Kind::tired) return not_before(strike.time);
     return std::nullopt;
 }
-
-
 
 /// Window after window from `from` to `until`.
 /// horizon  of the first window; infinite but where it is the first of all [s]

@@ -31,7 +31,8 @@ struct Flyer
 /// What is known of the first impact of a pair.
 struct Prediction
 {
-    enum class Kind {
+    enum class Kind
+    {
         never,      ///< they don't meet as long as both fly on
         impact,     ///< they meet at `time`
         not_before, ///< nothing before `time`; ask again from there

@@ -129,7 +129,8 @@ struct MarchEnd
     double time = k_never; ///< of the strike, or up to which a tired march has seen nothing [s]
 };
 
-/// First strike of a vertex on an edge in [from, until), if it comes before `stop`. Steps don't depend on where it stops.
+/// First strike of a vertex on an edge in [from, until), if it comes before `stop`. Steps don't depend on where it
+/// stops.
 ///
 /// first       the reading at `from`, taken already
 /// read(time)  the reading at a moment of the world's clock

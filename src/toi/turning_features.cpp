@@ -12,13 +12,10 @@
 namespace flying {
 namespace {
 
-
 /// [touch tolerances] How far below an edge a vertex may lie and still be on it: tolerances
 /// differ from window to window, and what one of them let in must not be behind the edge for
 /// the next.
 constexpr double k_depth = 8.0;
-
-
 
 /// Keep the earlier of two ends; of two at one time, the first feature stays.
 void keep_earlier(Strike& strike, const MarchEnd& end, const Feature& feature)
@@ -32,8 +29,6 @@ void keep_earlier(Strike& strike, const MarchEnd& end, const Feature& feature)
     return std::min(strike.time, std::min(window.until, window.horizon));
 }
 
-
-
 /// A point as seen from a turning body: where it is in that body's frame, and how fast it
 /// moves there.
 struct Seen
@@ -41,8 +36,6 @@ struct Seen
     Vec2 point = Vec2::Zero();
     Vec2 rate = Vec2::Zero();
 };
-
-
 
 /// offset, rate  of the point relative to the body's position, in the world's frame
 /// spin          of the body [rad/s]
@@ -55,8 +48,6 @@ struct Seen
     return {point, rate_seen};
 }
 
-
-
 [[nodiscard]] EdgeReading read_edge(const Seen& seen, const Edge& edge,
                                     const Vec2& edge_start)
 {
@@ -64,8 +55,6 @@ struct Seen
     return {edge.normal.dot(from_start), edge.normal.dot(seen.rate),
             edge.tangent.dot(from_start), edge.tangent.dot(seen.rate)};
 }
-
-
 
 /// One polygon whose vertices are looked at, or whose edges are.
 struct Side
@@ -75,8 +64,6 @@ struct Side
     Rotation at_middle; ///< of the time that is looked at
     std::span<const Seam> seams;
 };
-
-
 
 /// Part of an edge that can be struck: beyond its ends there may be a crack that is none, and a neighbour may hide an end.
 struct OpenPart
@@ -313,7 +300,8 @@ void scan_edges(const Facing<Relative>& facing, int vertex, MarchBounds& bounds,
     const Window& window = facing.window;
     const Vec2& corner = p.shape.vertices()[vertex];
     const Vec2 r = p.at_middle * corner;
-    const Seen seen = seen_from(q.at_middle, q.turning.spin(), facing.offset_at_middle + r, facing.rate_at_middle + cross(p.turning.spin(), r));
+    const Seen seen = seen_from(q.at_middle, q.turning.spin(), facing.offset_at_middle + r,
+                                facing.rate_at_middle + cross(p.turning.spin(), r));
 
     // Leave a vertex alone that stays in front of an edge of a convex Q, which lies behind them all
     if (window.skips_far_vertices && q.shape.is_convex() && stays_in_front(seen, q.shape, bounds, facing.half)) return;
@@ -324,7 +312,8 @@ void scan_edges(const Facing<Relative>& facing, int vertex, MarchBounds& bounds,
         const OpenPart part = open_part(edge, q.seams);
         bounds.length = part.length;
         const Vec2 edge_start = q.shape.vertices()[edge.from] + part.from * edge.tangent;
-        if (window.skips_far_vertices && is_clear_within(read_edge(seen, edge, edge_start), bounds, facing.half)) continue;
+        if (window.skips_far_vertices && is_clear_within(read_edge(seen, edge, edge_start), bounds, facing.half))
+            continue;
         if (!at_start) at_start = facing.see_at_start(corner);
         const EdgeReading first = read_edge(*at_start, edge, edge_start);
         const double wait = strikes(first, bounds) ? 0.0 : certain_step(first, bounds);
@@ -355,9 +344,8 @@ void scan_vertices(const Facing<Relative>& facing, const Facing<Relative>& of_a,
 /// March of the distance between a point and a centre, less a radius. Distance bends
 /// upwards by itself, so that the acceleration alone bounds how fast it can fall.
 template <typename Offset, typename Counts>
-[[nodiscard]] MarchEnd march_distance(const Offset& offset_and_rate, double radius,
-                                      double acceleration, const Window& window,
-                                      double stop, const Counts& counts)
+[[nodiscard]] MarchEnd march_distance(const Offset& offset_and_rate, double radius, double acceleration,
+                                      const Window& window, double stop, const Counts& counts)
 {
     const double bend = acceleration * (1.0 + tolerance::k_bend_margin);
     const MarchBounds bounds{bend, k_never, k_never, window.tolerance};
@@ -370,9 +358,7 @@ template <typename Offset, typename Counts>
     return march(read(window.from), read, bounds, window.from, window.until, stop, counts);
 }
 
-
 } // namespace
-
 
 template <typename Relative>
 Strike first_strike(const Polygon& a, const Turning& turning_a, const Polygon& b, const Turning& turning_b,
@@ -388,8 +374,10 @@ Strike first_strike(const Polygon& a, const Turning& turning_a, const Polygon& b
     const double distance = relative.offset_at(window.from).norm() + window.speed * (window.until - window.from);
     const Vec2 offset = relative.offset_at(middle);
     const Vec2 rate = relative.rate_at(middle);
-    const Facing<Relative> of_a{side_a, side_b, relative, 1.0, FeatureKind::vertex_of_a, window, distance, half, offset, rate, start};
-    const Facing<Relative> of_b{side_b, side_a, relative, -1.0, FeatureKind::vertex_of_b, window, distance, half, -offset, -rate, start};
+    const Facing<Relative> of_a{side_a, side_b, relative, 1.0,  FeatureKind::vertex_of_a, window, distance,
+                                half,   offset, rate,     start};
+    const Facing<Relative> of_b{side_b, side_a,  relative, -1.0, FeatureKind::vertex_of_b, window, distance,
+                                half,   -offset, -rate,    start};
     Strike strike;
     Approaches approaches;
     scan_vertices(of_a, of_a, of_b, approaches, strike);
@@ -397,8 +385,6 @@ Strike first_strike(const Polygon& a, const Turning& turning_a, const Polygon& b
     follow_all(approaches, of_a, of_b, strike);
     return strike;
 }
-
-
 
 template <typename Relative>
 Strike first_strike(const Disc& a, const Polygon& b, const Turning& turning_b, const Relative& relative,
@@ -430,8 +416,6 @@ Strike first_strike(const Disc& a, const Polygon& b, const Turning& turning_b, c
         keep_earlier(strike, march(first, read, bounds, window.from, window.until, horizon(strike, window)),
                      {FeatureKind::vertex_of_a, -1, edge.from});
 
-
-
         // And against the corner at its start
         if (b.is_reflex(edge.from) || is_no_corner(edge.from, window.seams_b)) continue;
         const Vec2& corner = b.vertices()[edge.from];
@@ -454,8 +438,6 @@ Strike first_strike(const Disc& a, const Polygon& b, const Turning& turning_b, c
     return strike;
 }
 
-
-
 template <typename Relative>
 Strike first_strike(const Disc& a, const Disc& b, const Relative& relative, const Window& window)
 {
@@ -468,8 +450,6 @@ Strike first_strike(const Disc& a, const Disc& b, const Relative& relative, cons
                  {});
     return strike;
 }
-
-
 
 template <typename Relative>
 Strike first_strike(const Polygon& a, const Turning& turning_a, const HalfPlane& wall, const Relative& relative,
@@ -492,12 +472,11 @@ Strike first_strike(const Polygon& a, const Turning& turning_a, const HalfPlane&
             return EdgeReading{height, wall.normal.dot(rate), 0.0, 0.0};
         };
 
-        keep_earlier(strike, march(read(window.from), read, bounds, window.from, window.until, horizon(strike, window)), {FeatureKind::vertex_of_a, k, -1});
+        keep_earlier(strike, march(read(window.from), read, bounds, window.from, window.until, horizon(strike, window)),
+                     {FeatureKind::vertex_of_a, k, -1});
     }
     return strike;
 }
-
-
 
 template Strike first_strike(const Polygon&, const Turning&, const Polygon&, const Turning&, const RelativeFlight&,
                              const Window&);
@@ -505,13 +484,10 @@ template Strike first_strike(const Disc&, const Polygon&, const Turning&, const 
 template Strike first_strike(const Disc&, const Disc&, const RelativeFlight&, const Window&);
 template Strike first_strike(const Polygon&, const Turning&, const HalfPlane&, const RelativeFlight&, const Window&);
 
-
-
 template Strike first_strike(const Polygon&, const Turning&, const Polygon&, const Turning&, const CentralPairFlight&,
                              const Window&);
 template Strike first_strike(const Disc&, const Polygon&, const Turning&, const CentralPairFlight&, const Window&);
 template Strike first_strike(const Disc&, const Disc&, const CentralPairFlight&, const Window&);
 template Strike first_strike(const Polygon&, const Turning&, const HalfPlane&, const CentralPairFlight&, const Window&);
-
 
 } // namespace flying
