@@ -102,6 +102,7 @@ std::optional<EventFailure> EventEngine::handle(const Event& event)
     case Event::Kind::impact:
         return handle_impact(event);
     case Event::Kind::look:
+    case Event::Kind::later:
         handle_look(event);
         return std::nullopt;
     case Event::Kind::cell:
@@ -256,7 +257,10 @@ void EventEngine::handle_look(const Event& event)
 {
     const StageTimer timer(options_.seconds, seconds_.look);
     ++counts_.looks;
-    predictor().look(bodies_.row_of(event.a), bodies_.row_of(event.b), event.time);
+    const int a = bodies_.row_of(event.a);
+    const int b = bodies_.row_of(event.b);
+    if (event.kind == Event::Kind::later) predictor().look_later(a, b);
+    else predictor().look(a, b, event.time);
     if (event.owner == Event::Owner::none) foreseen_.call_all();
     else await(ForeseenEvents::owner_of(bodies_, event));
 }

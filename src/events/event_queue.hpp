@@ -10,9 +10,11 @@ namespace flying {
 /// Something that will happen, if its bodies are left alone until then.
 struct Event
 {
-    enum class Kind : std::uint8_t {
+    enum class Kind : std::uint8_t
+    {
         cell,   ///< body a leaves its cell
         look,   ///< the pair must be looked at again
+        later,  ///< the pair was looked at for as long as both were thought to fly: ask the same for more
         impact, ///< the pair meets
     };
     enum class Owner : std::uint8_t { none, a, b }; ///< whose first event it is

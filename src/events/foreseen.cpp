@@ -62,6 +62,7 @@ void ForeseenEvents::clear()
 {
     queue_.clear();
     for (Waiting& waiting : waiting_) waiting = {};
+    for (Event& impact : struck_) impact = {};
 }
 
 void ForeseenEvents::line_up(std::span<const int> old_rows)

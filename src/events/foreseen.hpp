@@ -19,7 +19,7 @@ public:
     /// bodies       how many there are
     /// lets_wait    only the first event of a body goes into the queue; else all do
     explicit ForeseenEvents(int bodies, bool lets_wait)
-        : waiting_(static_cast<std::size_t>(bodies)), lets_wait_(lets_wait)
+        : waiting_(static_cast<std::size_t>(bodies)), struck_(static_cast<std::size_t>(bodies)), lets_wait_(lets_wait)
     {
     }
 
@@ -28,6 +28,20 @@ public:
     void note_pair(double time, const BodyRows::Row& p, const BodyRows::Row& q, Event::Kind kind)
     {
         noted_.push_back({time, p.id < q.id ? p.id : q.id, p.id < q.id ? q.id : p.id, p.stamp + q.stamp, kind});
+    }
+    /// Note an impact, and that both bodies fly no longer than until then.
+    void note_impact(const BodyRows& bodies, double time, int p, int q)
+    {
+        note_pair(time, bodies[p], bodies[q], Event::Kind::impact);
+        for (const int row : {p, q}) {
+            if (time < end_of_flight(bodies, row)) struck_[bodies[row].id] = noted_.back();
+        }
+    }
+    /// No later than this is a body struck, as far as is known: the time of an impact that still counts.  [s]
+    [[nodiscard]] double end_of_flight(const BodyRows& bodies, int row) const
+    {
+        const Event& impact = struck_[bodies[row].id];
+        return impact.a >= 0 && bodies.is_current(impact) ? impact.time : k_never;
     }
     /// Note that a body leaves its cell.
     void note_cell(double time, const BodyRows::Row& row, int side)
@@ -78,6 +92,7 @@ public:
 private:
     EventQueue queue_;
     std::vector<Waiting> waiting_; // by row
+    std::vector<Event> struck_;    // by id: an impact that was foreseen of the body
     std::vector<Event> noted_;     // since the last that found their places
     bool lets_wait_;
     std::size_t sweep_at_ = 0;

@@ -12,12 +12,21 @@ namespace {
 /// Beyond this factor, two squares that were rounded a handful of times each are in the order of what they stand for.
 constexpr double k_surely = 1.0 + 0x1p-48;
 
+[[nodiscard]] bool any_polygon_moves(const BodyRows& bodies)
+{
+    for (int row = 0; row < bodies.count(); ++row) {
+        if (bodies[row].kind == BodyRows::Kind::polygon) return true;
+    }
+    return false;
+}
+
 } // namespace
 
 PredictionRules::PredictionRules(const EventEngineOptions& options, const BodyRows& bodies)
     : falls(bodies.acceleration() != Vec2::Zero() || !options.skips_absent_field),
       searches_all(bodies.is_central() || !options.skips_search),
       is_plain(!falls && !searches_all),
+      puts_off(!searches_all && any_polygon_moves(bodies)),
       skips_static_pairs(options.skips_static_pairs),
       skips_far_features(options.skips_far_features),
       skips_apart_rings(options.skips_apart_rings),
@@ -39,9 +48,14 @@ void Predictor::predict_cell(int body, double now)
 
 void Predictor::predict_struck(int body, int partner)
 {
-    const bool is_plain = neighbours_.has_cells() && rules_.is_plain && rows_[body].kind == BodyRows::Kind::disc;
-    if (is_plain) predict_near(body, partner);
-    else predict_partners(body, [&](int other) { return other != partner; });
+    const bool is_disc = rows_[body].kind == BodyRows::Kind::disc;
+    if (!neighbours_.has_cells() || rules_.searches_all || !(is_disc || rules_.skips_far_features)) {
+        predict_partners(body, [&](int other) { return other != partner; });
+    } else if (rules_.falls) {
+        is_disc ? predict_near<false, true>(body, partner) : predict_near<true, true>(body, partner);
+    } else {
+        is_disc ? predict_near<false, false>(body, partner) : predict_near<true, false>(body, partner);
+    }
 }
 
 void Predictor::predict_static(int body)
@@ -104,15 +118,29 @@ void Predictor::predict_movers(int a, int b)
     // [events.predict_movers.kinds]
 }
 
-/// The same as `predict_partners` for a disc that has just been struck where nothing falls: no body's note is younger
-/// than its own, so that only the others are brought to its moment.
+/// The same as `predict_partners` for a body that has just been struck: no body's note is younger than its own, so that
+/// only the others are brought to its moment.
+/// has_corners  the body has: it is looked at more closely with all that its circle overlaps
+/// falls        so do all that move
+template <bool has_corners, bool falls>
 void Predictor::predict_near(int body, int partner)
 {
+    using Kind = BodyRows::Kind;
     int* const near = near_.data();
     const int* const end = neighbours_.gather_movers(body, near);
     const auto count = static_cast<int>(end - near);
     const BodyRows::Row* const rows = rows_;
     const BodyRows::Row row = rows[body];
+    const Vec2& g = bodies_.acceleration();
+
+    // Bring another to the moment of this one
+    const auto position_of = [&](const BodyRows::Row& other, double t) -> Vec2 {
+        if (falls) return position_after(other.position, other.velocity, g, t);
+        return other.position + t * other.velocity;
+    };
+    const auto velocity_of = [&](const BodyRows::Row& other, double t) -> Vec2 {
+        return falls ? Vec2(other.velocity + t * g) : other.velocity;
+    };
 
     // Keep those that come near enough, and those that need a closer look
     int* kept = near;
@@ -120,34 +148,37 @@ void Predictor::predict_near(int body, int partner)
         const int q = *place;
         const BodyRows::Row& other = rows[q];
         const double t = row.time - other.time;
-        const double offset_x = row.position.x() - (other.position.x() + t * other.velocity.x());
-        const double offset_y = row.position.y() - (other.position.y() + t * other.velocity.y());
-        const double rate_x = row.velocity.x() - other.velocity.x();
-        const double rate_y = row.velocity.y() - other.velocity.y();
-        const double reach = row.radius + other.radius;
-        const double miss = offset_x * rate_y - offset_y * rate_x;
-        const bool closes = offset_x * rate_x + offset_y * rate_y < 0.0;
-        const bool passes = miss * miss > (rate_x * rate_x + rate_y * rate_y) * (reach * reach) * k_surely;
-        const bool is_plain = (other.kind == BodyRows::Kind::disc) & (t >= 0.0);
-        *kept = q;
+        const Vec2 offset = row.position - position_of(other, t);
+        const Vec2 rate = row.velocity - velocity_of(other, t);
+        const double both = row.radius + other.radius;
+        const double reach = has_corners ? bounding_reach(both) : both;
+        const double miss = cross(offset, rate);
+        const bool overlaps = has_corners && offset.squaredNorm() <= (reach * reach) * k_surely;
+        const bool closes = offset.dot(rate) < 0.0;
+        const bool passes = miss * miss > rate.squaredNorm() * (reach * reach) * k_surely;
+        const bool is_plain = (has_corners ? other.kind < Kind::is_static : other.kind == Kind::disc) & (t >= 0.0);
         const bool is_other = (q != body) & (q != partner);
-        kept += (((closes & !passes) | !is_plain) & is_other) ? 1 : 0;
+        *kept = q;
+        kept += (((closes & !passes) | overlaps | !is_plain) & is_other) ? 1 : 0;
     }
+    const int others = count - (partner >= 0 ? 2 : 1); // without the two that met
+    counts_.predictions += others;
+    counts_.far_pairs_skipped += bodies_.count() - 1 - others;
+    if (has_corners) counts_.far_features_skipped += others - (kept - near);
 
     for (const int* place = near; place != kept; ++place) {
         const BodyRows::Row& other = rows[*place];
-        if (other.kind != BodyRows::Kind::disc || !(other.time <= row.time)) {
-            predict_pair(body, *place);
-            continue;
+        if (!(other.kind < Kind::is_static)) {
+            predict_general(body, *place, std::max(row.time, other.time), 0);
+        } else if (has_corners || other.kind != Kind::disc || !(other.time <= row.time)) {
+            predict_movers(body, *place);
+        } else {
+            const double t = row.time - other.time;
+            const Vec2 offset = row.position - position_of(other, t);
+            const double wait = time_to_meet(offset, row.velocity - velocity_of(other, t), row.radius + other.radius);
+            if (wait != k_never) foreseen_.note_pair(row.time + wait, row, other, Event::Kind::impact);
         }
-        const double t = row.time - other.time;
-        const Vec2 offset = row.position - (other.position + t * other.velocity);
-        const double reach = row.radius + other.radius;
-        const double wait = time_to_meet(offset, row.velocity - other.velocity, reach);
-        if (wait != k_never) foreseen_.note_pair(row.time + wait, row, other, Event::Kind::impact);
     }
-    counts_.predictions += count - 1;
-    counts_.far_pairs_skipped += bodies_.count() - count;
     neighbours_.for_each_static(body, [&](int other) { predict_pair(body, other); });
 }
 
@@ -161,6 +192,10 @@ void Predictor::predict_general(int p, int q, double from, int windows)
     const int b = in_order ? q : p;
     PredictOptions options;
     options.windows = windows;
+    if (rules_.puts_off) {
+        const double end = std::min(foreseen_.end_of_flight(bodies_, p), foreseen_.end_of_flight(bodies_, q));
+        if (end < k_never) options.horizon = next_after(end);
+    }
     options.skips_far_features = rules_.skips_far_features;
     options.skips_apart_rings = rules_.skips_apart_rings;
     options.skips_far_vertices = rules_.skips_far_vertices;
@@ -173,7 +208,13 @@ void Predictor::predict_general(int p, int q, double from, int windows)
         ++counts_.far_features_skipped;
         return;
     }
-    const auto kind = prediction.kind == Prediction::Kind::impact ? Event::Kind::impact : Event::Kind::look;
+    if (rules_.puts_off && prediction.kind == Prediction::Kind::impact) {
+        foreseen_.note_impact(bodies_, prediction.time, a, b);
+        return;
+    }
+    const auto kind = prediction.kind == Prediction::Kind::impact    ? Event::Kind::impact
+                      : prediction.kind == Prediction::Kind::put_off ? Event::Kind::later
+                                                                     : Event::Kind::look;
     foreseen_.note_pair(prediction.time, rows_[a], rows_[b], kind);
 }
 

@@ -21,6 +21,7 @@ struct PredictionRules
     bool falls = false;             ///< there is an acceleration
     bool searches_all = false;      ///< every pair takes the general search
     bool is_plain = false;          ///< movers are read from their rows, and fly straight
+    bool puts_off = false;          ///< pairs are looked at no further than both will fly, as far as is known
     bool skips_static_pairs = true; ///< as in the options of the engine, like those that follow
     bool skips_far_features = true;
     bool skips_apart_rings = true;
@@ -65,20 +66,19 @@ public:
     void predict_pair(int p, int q)
     {
         ++counts_.predictions;
-        foresee(p, q);
-    }
-    /// A pair whose look was foreseen for this moment.  [s]
-    void look(int p, int q, double time) { predict_general(p, q, time, 1); }
-    /// All pairs of a static body with those that come after it.
-    void predict_static(int body);
-
-private:
-    void foresee(int p, int q)
-    {
         const bool both_fly = std::max(rows_[p].kind, rows_[q].kind) < BodyRows::Kind::is_static;
         if (both_fly && !rules_.searches_all) predict_movers(p, q);
         else predict_general(p, q, std::max(rows_[p].time, rows_[q].time), 0);
     }
+    /// A pair whose look was foreseen for this moment.  [s]
+    void look(int p, int q, double time) { predict_general(p, q, time, 1); }
+    /// A pair that was put off.
+    void look_later(int p, int q) { predict_general(p, q, std::max(rows_[p].time, rows_[q].time), 1); }
+    /// All pairs of a static body with those that come after it.
+    void predict_static(int body);
+
+private:
+    template <bool has_corners, bool falls>
     void predict_near(int body, int partner);
     void predict_movers(int a, int b);
     void predict_general(int p, int q, double from, int windows);
@@ -96,11 +96,14 @@ private:
 template <typename Wants>
 void Predictor::predict_partners(int body, const Wants& wants)
 {
+    const BodyRows::Row* const rows = rows_;
+    const bool is_mover = rows[body].kind < BodyRows::Kind::is_static && !rules_.searches_all;
     int predicted = 0;
     const auto look = [&](int other) {
         if (other == body || !wants(other)) return;
         ++predicted;
-        foresee(body, other);
+        if (is_mover && rows[other].kind < BodyRows::Kind::is_static) predict_movers(body, other);
+        else predict_general(body, other, std::max(rows[body].time, rows[other].time), 0);
     };
     if (neighbours_.has_cells()) {
         const Grid& cells = neighbours_.cells();

@@ -94,8 +94,10 @@ struct Search
 
 [[nodiscard]] Prediction impact(const Strike& strike) { return {Prediction::Kind::impact, strike.time, strike.feature}; }
 [[nodiscard]] Prediction not_before(double time) { return {Prediction::Kind::not_before, time, {}}; }
-
-
+[[nodiscard]] Prediction put_off(double time)
+{
+    return {Prediction::Kind::put_off, time, {}};
+}
 
 /// Look through one window. Returns an answer, or nothing where the search goes on after it.
 template <typename Look>
@@ -107,19 +109,21 @@ template <typename Look>
     return std::nullopt;
 }
 
-
-
 /// Window after window from `from` to `until`.
+/// horizon  of the first window; infinite but where it is the first of all [s]
 template <typename Look>
 [[nodiscard]] std::optional<Prediction> look_from(const Search& search, const Look& look, double from, double until,
-                                                  int& windows)
+                                                  int& windows, double horizon = k_never)
 {
     double time = from;
     while (time < until) {
         if (windows-- <= 0) return not_before(time);
-        const Window window = next_window(search, time, until);
+        Window window = next_window(search, time, until);
         if (window.until == k_never && window.speed + search.tip_speed == 0.0) return Prediction{};
+        window.horizon = horizon;
         if (const auto answer = look_through(look, window)) return answer;
+        if (horizon < window.until) return put_off(horizon);
+        horizon = k_never;
         time = window.until;
     }
     return std::nullopt;
@@ -144,7 +148,9 @@ template <typename Look>
         if (const auto answer = look_from(search, look, from, end, windows)) return *answer;
     }
     if (passage.enter == k_never) return {};
-    if (const auto answer = look_from(search, look, std::max(from, enter), start + passage.leave, windows)) return *answer;
+    const double horizon = from <= enter ? options.horizon : k_never;
+    const double end = start + passage.leave;
+    if (const auto answer = look_from(search, look, std::max(from, enter), end, windows, horizon)) return *answer;
     return {};
 }
 

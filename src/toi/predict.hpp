@@ -14,6 +14,7 @@ namespace flying {
 struct PredictOptions
 {
     int windows = 16;               ///< how many windows of turning features to look at before answering `not_before`
+    double horizon = k_never;       ///< nothing later is asked for, where the search begins with the first window [s]
     bool skips_far_features = true; ///< leave features alone until the bounding circles meet
     bool skips_apart_rings = true;  ///< leave bodies alone whose rings don't overlap
     bool skips_far_vertices = true; ///< leave vertices alone that stay out of reach

@@ -31,10 +31,12 @@ struct Flyer
 /// What is known of the first impact of a pair.
 struct Prediction
 {
-    enum class Kind {
+    enum class Kind
+    {
         never,      ///< they don't meet as long as both fly on
         impact,     ///< they meet at `time`
         not_before, ///< nothing before `time`; ask again from there
+        put_off,    ///< nothing before `time`, which is as far as was asked; ask the same again for more
     };
     Kind kind = Kind::never;
     double time = k_never; ///< [s]

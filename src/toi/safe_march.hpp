@@ -95,15 +95,15 @@ struct MarchBounds
     return step;
 }
 
-/// One of the things that keep vertex and edge apart does so for this long, and is farther from its end than the
-/// tolerance then. The same as a certain step, asked without its roots.
-[[nodiscard]] inline bool is_clear_for(const EdgeReading& now, const MarchBounds& bounds, double time)
+/// One of the things that keep vertex and edge apart does so for so long before and after, by more than the tolerance:
+/// no march within that time would find a strike. No root is asked for.
+[[nodiscard]] inline bool is_clear_within(const EdgeReading& now, const MarchBounds& bounds, double half)
 {
     const double slack = bounds.tolerance.touch;
-    const double most = 0.5 * bounds.bend * time * time + slack;
-    const auto lasts = [&](double f, double f_rate) { return f > 0.0 && f + time * f_rate > most; };
-    return lasts(now.gap, now.gap_rate) || lasts(-lowest_touch(now, bounds) - now.gap, -now.gap_rate) ||
-           lasts(-slack - now.along, -now.along_rate) || lasts(now.along - bounds.length - slack, now.along_rate);
+    const double most = 0.5 * bounds.bend * half * half + slack;
+    const auto lasts = [&](double f, double f_rate) { return f - half * std::abs(f_rate) > most; };
+    return lasts(now.gap, now.gap_rate) || lasts(-bounds.depth - now.gap, now.gap_rate) ||
+           lasts(-slack - now.along, now.along_rate) || lasts(now.along - bounds.length - slack, now.along_rate);
 }
 
 /// The vertex was above the edge and now lies too deep to touch it. A certain step doesn't lead
@@ -129,7 +129,8 @@ struct MarchEnd
     double time = k_never; ///< of the strike, or up to which a tired march has seen nothing [s]
 };
 
-/// First strike of a vertex on an edge in [from, until).
+/// First strike of a vertex on an edge in [from, until), if it comes before `stop`. Steps don't depend on where it
+/// stops.
 ///
 /// first       the reading at `from`, taken already
 /// read(time)  the reading at a moment of the world's clock
@@ -138,14 +139,14 @@ struct MarchEnd
 /// the time.
 template <typename Read, typename Counts>
 [[nodiscard]] MarchEnd march(const EdgeReading& first, const Read& read, const MarchBounds& bounds, double from,
-                             double until, const Counts& counts)
+                             double until, double stop, const Counts& counts)
 {
     constexpr int k_most_steps = 2000;
     EdgeReading now = first;
     double time = from;
     for (int k = 0; k < k_most_steps; ++k) {
         // [toi.march.step]
-        if (!(time < until)) return {};
+        if (!(time < std::min(until, stop))) return {};
         if (k > 0) {
             const EdgeReading before = now;
             now = read(time);
@@ -180,9 +181,9 @@ template <typename Read, typename Counts>
 /// The same where every strike counts.
 template <typename Read>
 [[nodiscard]] MarchEnd march(const EdgeReading& first, const Read& read, const MarchBounds& bounds, double from,
-                             double until)
+                             double until, double stop = k_never)
 {
-    return march(first, read, bounds, from, until, [](double) { return true; });
+    return march(first, read, bounds, from, until, stop, [](double) { return true; });
 }
 
 } // namespace flying

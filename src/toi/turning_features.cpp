@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "math/tolerance.hpp"
 #include "toi/bend.hpp"
@@ -11,13 +12,10 @@
 namespace flying {
 namespace {
 
-
 /// [touch tolerances] How far below an edge a vertex may lie and still be on it: tolerances
 /// differ from window to window, and what one of them let in must not be behind the edge for
 /// the next.
 constexpr double k_depth = 8.0;
-
-
 
 /// Keep the earlier of two ends; of two at one time, the first feature stays.
 void keep_earlier(Strike& strike, const MarchEnd& end, const Feature& feature)
@@ -26,9 +24,10 @@ void keep_earlier(Strike& strike, const MarchEnd& end, const Feature& feature)
 }
 
 /// Nothing later than this is of interest any more.
-[[nodiscard]] double horizon(const Strike& strike, const Window& window) { return std::min(strike.time, window.until); }
-
-
+[[nodiscard]] double horizon(const Strike& strike, const Window& window)
+{
+    return std::min(strike.time, std::min(window.until, window.horizon));
+}
 
 /// A point as seen from a turning body: where it is in that body's frame, and how fast it
 /// moves there.
@@ -37,8 +36,6 @@ struct Seen
     Vec2 point = Vec2::Zero();
     Vec2 rate = Vec2::Zero();
 };
-
-
 
 /// offset, rate  of the point relative to the body's position, in the world's frame
 /// spin          of the body [rad/s]
@@ -51,8 +48,6 @@ struct Seen
     return {point, rate_seen};
 }
 
-
-
 [[nodiscard]] EdgeReading read_edge(const Seen& seen, const Edge& edge,
                                     const Vec2& edge_start)
 {
@@ -61,18 +56,14 @@ struct Seen
             edge.tangent.dot(from_start), edge.tangent.dot(seen.rate)};
 }
 
-
-
 /// One polygon whose vertices are looked at, or whose edges are.
 struct Side
 {
     const Polygon& shape;
     const Turning& turning;
-    Rotation at_start; ///< of the window
+    Rotation at_middle; ///< of the time that is looked at
     std::span<const Seam> seams;
 };
-
-
 
 /// Part of an edge that can be struck: beyond its ends there may be a crack that is none, and a neighbour may hide an end.
 struct OpenPart
@@ -110,17 +101,36 @@ struct OpenPart
     });
 }
 
-/// A point in front of one of a polygon's edges stays there for so long. No root is asked for: what bends down and is
-/// above zero at both ends of a stretch is so between them.
-[[nodiscard]] bool stays_in_front(const Seen& seen, const Polygon& polygon, const MarchBounds& bounds, double time)
+/// A point in front of one of a polygon's edges is so for so long before and after. No root is asked for: what bends
+/// down and is above zero at both ends of a stretch is so between them.
+[[nodiscard]] bool stays_in_front(const Seen& seen, const Polygon& polygon, const MarchBounds& bounds, double half)
 {
-    const double fall = 0.5 * bounds.bend * time * time;
+    const double least = 0.5 * bounds.bend * half * half + bounds.tolerance.touch;
     for (const Edge& edge : polygon.edges()) {
-        const double gap = edge.normal.dot(seen.point - polygon.vertices()[edge.from]) - bounds.tolerance.touch;
-        if (gap > 0.0 && gap + time * edge.normal.dot(seen.rate) > fall) return true;
+        const double gap = edge.normal.dot(seen.point - polygon.vertices()[edge.from]);
+        if (gap - half * std::abs(edge.normal.dot(seen.rate)) > least) return true;
     }
     return false;
 }
+
+/// How A and B are turned at the start of a window: asked for only where something comes near.
+class StartRotations
+{
+public:
+    StartRotations(const Turning& a, const Turning& b, double time) : a_(a), b_(b), time_(time) {}
+
+    [[nodiscard]] const std::array<Rotation, 2>& both()
+    {
+        if (!both_) both_ = both_at(a_, b_, time_);
+        return *both_;
+    }
+
+private:
+    const Turning& a_;
+    const Turning& b_;
+    double time_;
+    std::optional<std::array<Rotation, 2>> both_;
+};
 
 /// The vertices of P and the edges of Q within a window, and what all of their readings share.
 template <typename Relative>
@@ -133,6 +143,10 @@ struct Facing
     FeatureKind kind = FeatureKind::vertex_of_a;
     const Window& window;
     double distance = 0.0; ///< bound on that of the two positions [m]
+    double half = 0.0;     ///< of the time that is looked at [s]
+    Vec2 offset_at_middle; ///< from Q to P, in the middle of it [m]
+    Vec2 rate_at_middle;   ///< [m/s]
+    StartRotations& start;
 
     [[nodiscard]] Seen see(const Vec2& vertex, double time, const Rotation& world_from_p,
                            const Rotation& world_from_q) const
@@ -141,6 +155,13 @@ struct Facing
         const Vec2 point = sign * relative.offset_at(time) + r;
         const Vec2 rate = sign * relative.rate_at(time) + cross(p.turning.spin(), r);
         return seen_from(world_from_q, q.turning.spin(), point, rate);
+    }
+
+    [[nodiscard]] Seen see_at_start(const Vec2& vertex) const
+    {
+        const auto& [of_a, of_b] = start.both();
+        const bool p_is_a = kind == FeatureKind::vertex_of_a;
+        return see(vertex, window.from, p_is_a ? of_a : of_b, p_is_a ? of_b : of_a);
     }
 
     /// All but the edge's length.
@@ -176,7 +197,7 @@ struct Approaches
 
 /// First strike of one vertex on one edge.
 template <typename Relative>
-[[nodiscard]] MarchEnd follow(const Facing<Relative>& facing, int vertex, int edge_index, double until)
+[[nodiscard]] MarchEnd follow(const Facing<Relative>& facing, int vertex, int edge_index, double stop)
 {
     const Side& p = facing.p;
     const Side& q = facing.q;
@@ -197,8 +218,8 @@ template <typename Relative>
         return is_open(p.shape, vertex, p.seams, -normal);
     };
     const double from = facing.window.from;
-    const EdgeReading first = read_edge(facing.see(corner, from, p.at_start, q.at_start), edge, edge_start);
-    return march(first, read, bounds, from, until, counts);
+    const EdgeReading first = read_edge(facing.see_at_start(corner), edge, edge_start);
+    return march(first, read, bounds, from, facing.window.until, stop, counts);
 }
 
 /// Follow what approaches, that which may strike first before the others: most of them can't be earlier than its
@@ -218,12 +239,88 @@ void follow_all(Approaches& approaches, const Facing<Relative>& of_a, const Faci
         approach.earliest = k_never;
 
         const Facing<Relative>& facing = approach.kind == FeatureKind::vertex_of_a ? of_a : of_b;
-        const MarchEnd end = follow(facing, approach.vertex, approach.edge, std::min(limit, facing.window.until));
+        const MarchEnd end = follow(facing, approach.vertex, approach.edge, std::min(limit, facing.window.horizon));
         if (end.kind == MarchEnd::Kind::none || end.time >= limit) continue;
         strike = {end.kind, end.time, {approach.kind, approach.vertex, approach.edge}};
         struck = next;
     }
     approaches.count = 0;
+}
+
+/// Vertices of P that are to be looked at, of a few.
+struct Candidates
+{
+    static constexpr int k_most = 16;
+    std::array<int, k_most> list;
+    int count = 0;
+};
+
+/// Vertices of P, no more than so many from `first` on, that may come into Q's circle. Seen from P, where none of them
+/// turns. Most stay out and which of them do can't be guessed, so that nothing here waits for a guess.
+template <typename Relative>
+[[nodiscard]] Candidates near_vertices(const Facing<Relative>& facing, int first)
+{
+    const Side& p = facing.p;
+    const Window& window = facing.window;
+    const Rotation p_from_world = inverse(p.at_middle);
+    const Vec2 offset = p_from_world * facing.offset_at_middle;
+    const Vec2 rate = p_from_world * facing.rate_at_middle;
+    const double spin = p.turning.spin();
+
+    // Q's circle, and how far out of it a point that flies straight must remain to stay out
+    const double circle = facing.q.shape.radius() * (1.0 + tolerance::k_bounding_margin) + window.tolerance.touch;
+    const double bend = acceleration_bound(facing.relative) + spin * spin * p.shape.radius();
+    const double near = window.skips_far_vertices ? circle + 0.5 * bend * facing.half * facing.half : k_never;
+
+    // Half the rate of a vertex's squared distance, of which its turning leaves a part that is linear in where it is
+    const double rate_of_centre = offset.dot(rate);
+    const Vec2 rate_of_vertex = rate - cross(spin, offset);
+
+    Candidates candidates;
+    const std::span<const Vec2> vertices = p.shape.vertices();
+    const int end = std::min(static_cast<int>(vertices.size()), first + Candidates::k_most);
+    for (int k = first; k < end; ++k) {
+        const Vec2& r = vertices[k];
+        const double distance2 = (offset + r).squaredNorm();
+        const double least = distance2 - facing.half * std::abs(rate_of_centre + rate_of_vertex.dot(r));
+        const bool stays_out = (least > 0.0) & (least * least > near * near * distance2);
+        candidates.list[candidates.count] = k;
+        candidates.count += stays_out ? 0 : 1;
+    }
+    return candidates;
+}
+
+/// Find the edges of Q that one vertex of P may strike.
+template <typename Relative>
+void scan_edges(const Facing<Relative>& facing, int vertex, MarchBounds& bounds, const Facing<Relative>& of_a,
+                const Facing<Relative>& of_b, Approaches& approaches, Strike& strike)
+{
+    const Side& p = facing.p;
+    const Side& q = facing.q;
+    const Window& window = facing.window;
+    const Vec2& corner = p.shape.vertices()[vertex];
+    const Vec2 r = p.at_middle * corner;
+    const Seen seen = seen_from(q.at_middle, q.turning.spin(), facing.offset_at_middle + r,
+                                facing.rate_at_middle + cross(p.turning.spin(), r));
+
+    // Leave a vertex alone that stays in front of an edge of a convex Q, which lies behind them all
+    if (window.skips_far_vertices && q.shape.is_convex() && stays_in_front(seen, q.shape, bounds, facing.half)) return;
+
+    // Keep the edges that this look doesn't rule out
+    std::optional<Seen> at_start;
+    for (const Edge& edge : q.shape.edges()) {
+        const OpenPart part = open_part(edge, q.seams);
+        bounds.length = part.length;
+        const Vec2 edge_start = q.shape.vertices()[edge.from] + part.from * edge.tangent;
+        if (window.skips_far_vertices && is_clear_within(read_edge(seen, edge, edge_start), bounds, facing.half))
+            continue;
+        if (!at_start) at_start = facing.see_at_start(corner);
+        const EdgeReading first = read_edge(*at_start, edge, edge_start);
+        const double wait = strikes(first, bounds) ? 0.0 : certain_step(first, bounds);
+        if (window.from + wait >= horizon(strike, window)) continue;
+        if (approaches.count == Approaches::k_most) follow_all(approaches, of_a, of_b, strike);
+        approaches.list[approaches.count++] = {window.from + wait, vertex, edge.from, facing.kind};
+    }
 }
 
 /// Find the vertices of P that may strike an edge of Q.
@@ -232,48 +329,14 @@ void scan_vertices(const Facing<Relative>& facing, const Facing<Relative>& of_a,
                    Approaches& approaches, Strike& strike)
 {
     const Side& p = facing.p;
-    const Side& q = facing.q;
-    const Window& window = facing.window;
-    const Vec2 offset = facing.sign * facing.relative.offset_at(window.from);
-    const Vec2 rate = facing.sign * facing.relative.rate_at(window.from);
-    const double spin = p.turning.spin();
     MarchBounds bounds = facing.bounds(p.shape.radius());
-
-    // Q's circle, and how far from it a vertex must be to stay out of it in all of the window
-    const double circle = q.shape.radius() * (1.0 + tolerance::k_bounding_margin) + window.tolerance.touch;
-    const double travel = (window.speed + std::abs(spin) * p.shape.radius()) * (window.until - window.from);
-    const double far = (circle + travel) * (1.0 + tolerance::k_bounding_margin);
-    const double bend = acceleration_bound(facing.relative) + spin * spin * p.shape.radius();
-
-    for (int k = 0; k < static_cast<int>(p.shape.vertices().size()); ++k) {
-        if (p.shape.is_reflex(k) || (!p.seams.empty() && is_no_corner(k, p.seams))) continue;
-        const Vec2 r = p.at_start * p.shape.vertices()[k];
-        const Vec2 point = offset + r;
-        const double distance2 = point.squaredNorm();
-        if (window.skips_far_vertices && distance2 > far * far) continue;
-
-        // Leave a vertex alone that stays out of the circle, or in front of an edge of a convex Q, which lies behind
-        // them all
-        const Vec2 point_rate = rate + cross(spin, r);
-        const double length = horizon(strike, window) - window.from;
-        const double near = circle + 0.5 * bend * length * length;
-        if (window.skips_far_vertices && distance2 > circle * circle &&
-            point.dot(point + length * point_rate) > near * std::sqrt(distance2)) {
-            continue;
-        }
-        const Seen seen = seen_from(q.at_start, q.turning.spin(), point, point_rate);
-        if (window.skips_far_vertices && q.shape.is_convex() && stays_in_front(seen, q.shape, bounds, length)) continue;
-
-        // Keep the edges that the first look doesn't rule out
-        for (const Edge& edge : q.shape.edges()) {
-            const OpenPart part = open_part(edge, q.seams);
-            bounds.length = part.length;
-            const EdgeReading first = read_edge(seen, edge, q.shape.vertices()[edge.from] + part.from * edge.tangent);
-            if (is_clear_for(first, bounds, length)) continue;
-            const double wait = strikes(first, bounds) ? 0.0 : certain_step(first, bounds);
-            if (window.from + wait >= horizon(strike, window)) continue;
-            if (approaches.count == Approaches::k_most) follow_all(approaches, of_a, of_b, strike);
-            approaches.list[approaches.count++] = {window.from + wait, k, edge.from, facing.kind};
+    const int count = static_cast<int>(p.shape.vertices().size());
+    for (int first = 0; first < count; first += Candidates::k_most) {
+        const Candidates candidates = near_vertices(facing, first);
+        for (int k = 0; k < candidates.count; ++k) {
+            const int vertex = candidates.list[k];
+            if (p.shape.is_reflex(vertex) || (!p.seams.empty() && is_no_corner(vertex, p.seams))) continue;
+            scan_edges(facing, vertex, bounds, of_a, of_b, approaches, strike);
         }
     }
 }
@@ -281,9 +344,8 @@ void scan_vertices(const Facing<Relative>& facing, const Facing<Relative>& of_a,
 /// March of the distance between a point and a centre, less a radius. Distance bends
 /// upwards by itself, so that the acceleration alone bounds how fast it can fall.
 template <typename Offset, typename Counts>
-[[nodiscard]] MarchEnd march_distance(const Offset& offset_and_rate, double radius,
-                                      double acceleration, const Window& window,
-                                      double until, const Counts& counts)
+[[nodiscard]] MarchEnd march_distance(const Offset& offset_and_rate, double radius, double acceleration,
+                                      const Window& window, double stop, const Counts& counts)
 {
     const double bend = acceleration * (1.0 + tolerance::k_bend_margin);
     const MarchBounds bounds{bend, k_never, k_never, window.tolerance};
@@ -293,23 +355,29 @@ template <typename Offset, typename Counts>
         const double rate = seen.point.dot(seen.rate) / distance;
         return EdgeReading{distance - radius, rate, 0.0, 0.0};
     };
-    return march(read(window.from), read, bounds, window.from, until, counts);
+    return march(read(window.from), read, bounds, window.from, window.until, stop, counts);
 }
 
-
 } // namespace
-
 
 template <typename Relative>
 Strike first_strike(const Polygon& a, const Turning& turning_a, const Polygon& b, const Turning& turning_b,
                     const Relative& relative, const Window& window)
 {
-    const auto [world_from_a, world_from_b] = both_at(turning_a, turning_b, window.from);
-    const Side side_a{a, turning_a, world_from_a, window.seams_a};
-    const Side side_b{b, turning_b, world_from_b, window.seams_b};
+    // A bound on what bends is four times as close when it is taken from the middle of a stretch as from its beginning
+    const double half = 0.5 * std::max(0.0, std::min(window.until, window.horizon) - window.from);
+    const double middle = window.from + half;
+    StartRotations start(turning_a, turning_b, window.from);
+    const auto [a_at_middle, b_at_middle] = both_at(turning_a, turning_b, middle);
+    const Side side_a{a, turning_a, a_at_middle, window.seams_a};
+    const Side side_b{b, turning_b, b_at_middle, window.seams_b};
     const double distance = relative.offset_at(window.from).norm() + window.speed * (window.until - window.from);
-    const Facing<Relative> of_a{side_a, side_b, relative, 1.0, FeatureKind::vertex_of_a, window, distance};
-    const Facing<Relative> of_b{side_b, side_a, relative, -1.0, FeatureKind::vertex_of_b, window, distance};
+    const Vec2 offset = relative.offset_at(middle);
+    const Vec2 rate = relative.rate_at(middle);
+    const Facing<Relative> of_a{side_a, side_b, relative, 1.0,  FeatureKind::vertex_of_a, window, distance,
+                                half,   offset, rate,     start};
+    const Facing<Relative> of_b{side_b, side_a,  relative, -1.0, FeatureKind::vertex_of_b, window, distance,
+                                half,   -offset, -rate,    start};
     Strike strike;
     Approaches approaches;
     scan_vertices(of_a, of_a, of_b, approaches, strike);
@@ -317,8 +385,6 @@ Strike first_strike(const Polygon& a, const Turning& turning_a, const Polygon& b
     follow_all(approaches, of_a, of_b, strike);
     return strike;
 }
-
-
 
 template <typename Relative>
 Strike first_strike(const Disc& a, const Polygon& b, const Turning& turning_b, const Relative& relative,
@@ -347,10 +413,8 @@ Strike first_strike(const Disc& a, const Polygon& b, const Turning& turning_b, c
                              moved_start);
         };
         const EdgeReading first = read_edge(seen, edge, moved_start);
-        keep_earlier(strike, march(first, read, bounds, window.from, horizon(strike, window)),
+        keep_earlier(strike, march(first, read, bounds, window.from, window.until, horizon(strike, window)),
                      {FeatureKind::vertex_of_a, -1, edge.from});
-
-
 
         // And against the corner at its start
         if (b.is_reflex(edge.from) || is_no_corner(edge.from, window.seams_b)) continue;
@@ -374,8 +438,6 @@ Strike first_strike(const Disc& a, const Polygon& b, const Turning& turning_b, c
     return strike;
 }
 
-
-
 template <typename Relative>
 Strike first_strike(const Disc& a, const Disc& b, const Relative& relative, const Window& window)
 {
@@ -388,8 +450,6 @@ Strike first_strike(const Disc& a, const Disc& b, const Relative& relative, cons
                  {});
     return strike;
 }
-
-
 
 template <typename Relative>
 Strike first_strike(const Polygon& a, const Turning& turning_a, const HalfPlane& wall, const Relative& relative,
@@ -412,12 +472,11 @@ Strike first_strike(const Polygon& a, const Turning& turning_a, const HalfPlane&
             return EdgeReading{height, wall.normal.dot(rate), 0.0, 0.0};
         };
 
-        keep_earlier(strike, march(read(window.from), read, bounds, window.from, horizon(strike, window)), {FeatureKind::vertex_of_a, k, -1});
+        keep_earlier(strike, march(read(window.from), read, bounds, window.from, window.until, horizon(strike, window)),
+                     {FeatureKind::vertex_of_a, k, -1});
     }
     return strike;
 }
-
-
 
 template Strike first_strike(const Polygon&, const Turning&, const Polygon&, const Turning&, const RelativeFlight&,
                              const Window&);
@@ -425,13 +484,10 @@ template Strike first_strike(const Disc&, const Polygon&, const Turning&, const 
 template Strike first_strike(const Disc&, const Disc&, const RelativeFlight&, const Window&);
 template Strike first_strike(const Polygon&, const Turning&, const HalfPlane&, const RelativeFlight&, const Window&);
 
-
-
 template Strike first_strike(const Polygon&, const Turning&, const Polygon&, const Turning&, const CentralPairFlight&,
                              const Window&);
 template Strike first_strike(const Disc&, const Polygon&, const Turning&, const CentralPairFlight&, const Window&);
 template Strike first_strike(const Disc&, const Disc&, const CentralPairFlight&, const Window&);
 template Strike first_strike(const Polygon&, const Turning&, const HalfPlane&, const CentralPairFlight&, const Window&);
-
 
 } // namespace flying

@@ -18,6 +18,7 @@ struct Window
 {
     double from = 0.0;  ///< [s]
     double until = 0.0; ///< [s]
+    double horizon = k_never; ///< nothing later is asked for; what happens before doesn't depend on it [s]
     double speed = 0.0; ///< bound on the relative speed of the two positions within it [m/s]
     bool skips_far_vertices = true; ///< leave those alone that stay out of reach
     GapTolerance tolerance;

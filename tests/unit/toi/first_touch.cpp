@@ -220,6 +220,37 @@ TEST_CASE("asking in pieces, and looking before the circles meet, changes no bit
     }
 }
 
+TEST_CASE("a pair that is put off strikes no earlier, and with no horizon or all of its vertices gives the same bits")
+{
+    Random random(10);
+    int put_off = 0;
+    for (int k = 0; k < tried(2000); ++k) {
+        const Polygon a = star(random, 5, 0.4);
+        const Polygon b = box(random.uniform(0.2, 2.0), random.uniform(0.2, 2.0));
+        const Flyer fa = random_flyer(random, Vec2(-1.6, random.uniform(-1.0, 1.0)));
+        const Flyer fb = random_flyer(random, Vec2(1.6, random.uniform(-1.0, 1.0)));
+        const double start = common_start(fa, fb);
+        const double horizon = start + random.uniform(0.0, 1.0);
+        const Prediction whole = predict(a, fa, b, fb, start, {.windows = 100000});
+        const Prediction all = predict(a, fa, b, fb, start, {.windows = 100000, .skips_far_vertices = false});
+        const Prediction cut = predict(a, fa, b, fb, start, {.windows = 100000, .horizon = horizon});
+        INFO("case " << k);
+        CHECK(all.kind == whole.kind);
+        CHECK(all.time == whole.time);
+        CHECK(all.feature == whole.feature);
+        if (cut.kind == Prediction::Kind::put_off) {
+            ++put_off;
+            CHECK(cut.time == horizon);
+            CHECK(whole.time >= horizon);
+        } else {
+            CHECK(cut.kind == whole.kind);
+            CHECK(cut.time == whole.time);
+            CHECK(cut.feature == whole.feature);
+        }
+    }
+    CHECK(put_off > 0);
+}
+
 TEST_CASE("lengths, times and masses by powers of two scale a prediction bit for bit")
 {
     Random random(9);
