@@ -179,9 +179,9 @@ TEST_CASE("what nothing holds flies round the centre by the closed form, whateve
 
 TEST_CASE("bodies that fall on the core, whatever they are, come to their end, and no energy comes from nowhere")
 {
-    // Each of them is one run of chaos, so bounds are for all 48 together. Measured over seven engines that differed in a
-    // bit or a few (336 runs): on the way 0.001 of the largest radius in the median, 0.0064 at worst; at the end half of
-    // them less than 1e-12 of the smaller radius, 0.0077 at worst
+    // Each of them is one run of chaos, so bounds are for all 48 together. Measured over seven engines that differed in
+    // a bit or a few (336 runs): on the way 0.001 of the largest radius in the median, 0.0064 at worst; at the end half
+    // of them less than 1e-12 of the smaller radius, 0.0077 at worst
     constexpr double k_largest = 0.3; // radius of a body [m]
     std::vector<double> on_the_way;   // [radii of the largest]
     std::vector<double> at_the_end;   // [radii of the smaller of two]

@@ -64,7 +64,7 @@ double energy_of(const RestEngine& engine)
 
 } // namespace
 
-TEST_CASE("random scenes at rest: energy never rises, no body is lost, nothing becomes no number or overlaps in the end")
+TEST_CASE("random scenes at rest: energy never rises, no body is lost, nothing is no number or overlaps in the end")
 {
     // The first of the scenes of ./course stress rest, which goes on for as many as one likes
     const int count = flying::testing::tried(45);

@@ -144,7 +144,7 @@ TEST_CASE("small bodies thrown into the notches of a concave one don't get into 
     }
 }
 
-TEST_CASE("random scenes that broke a promise once: none is in another in the end, few on the way, and energy never rises")
+TEST_CASE("random scenes that broke a promise once: none is in another in the end, few on the way, no energy rises")
 {
     // 100: what was paid for a push out of an overlap led back into it. 106, 434: bodies that an impact had thrown
     // further than was reckoned with came where others, of other groups, were already. 165: the same, through a wall,

@@ -79,10 +79,11 @@ double mean_overlap(const RestEngine& engine)
 
 } // namespace
 
-TEST_CASE("heaps that are swept fall asleep soon after they have settled: then steps are no work, and a blow wakes them")
+TEST_CASE("heaps that are swept fall asleep once they have settled: then steps are no work, and a blow wakes them")
 {
-    // A disc may find a bowl of others to roll in, where nothing brakes it: one of 24 heaps had one that rolled for 30 s.
-    // Measured over four engines that differed in a bit or a few: the median sleeps after 5 s, all but one after 7 to 9
+    // A disc may find a bowl of others to roll in, where nothing brakes it: one of 24 heaps had one that rolled for
+    // 30 s. Measured over four engines that differed in a bit or a few: the median sleeps after 5 s, all but one after
+    // 7 to 9
     std::vector<double> after; // so long they were asleep, or the longest that was waited [s]
     int lying = 0;             // balls that fell in and lie still
     for (int number = 0; number < 8; ++number) {
