@@ -31,15 +31,11 @@ double bytes_of(const GrowthRecord& growth, const std::string& engine)
 
 int main()
 {
-    const auto read = read_record_file(FLYING_GROWTH);
-    if (!read) {
-        std::fprintf(stderr, "%s: found no records; expected the file of a run of ./course bench\n", FLYING_GROWTH);
-        return 1;
-    }
+    const auto read = read_kept_run(FLYING_GROWTH);
+    if (!read) return 1;
     const Records& records = *read;
-    std::printf("Run of %s\n%s\n%s\n", records.run.date.c_str(), records.run.machine.c_str(),
-                records.run.compiler.c_str());
-    for (const std::string& peer : records.run.peers) std::printf("%s\n", peer.c_str());
+    std::printf("Run of %s\n", records.run.date.c_str());
+    print_with_what(records.run);
 
     std::printf("\n%-42s %8s %8s %9s %9s\n", "", "exponent", "most", "seconds", "memory");
     for (const GrowthRecord& growth : records.growths) {

@@ -68,15 +68,12 @@ Row row_named(const Records& records, const std::string& name)
 
 int main()
 {
-    const auto read = read_record_file(FLYING_MEASURED);
-    if (!read) {
-        std::fprintf(stderr, "%s: found no records; expected the file of a run of ./course bench\n", FLYING_MEASURED);
-        return 1;
-    }
+    const auto read = read_kept_run(FLYING_MEASURED);
+    if (!read) return 1;
     const Records& records = *read;
-    std::printf("Run '%s' of %s, %d repeats\n%s\n%s\n", records.run.name.c_str(), records.run.date.c_str(),
-                records.run.repeats, records.run.machine.c_str(), records.run.compiler.c_str());
-    for (const std::string& peer : records.run.peers) std::printf("%s\n", peer.c_str());
+    std::printf("Run '%s' of %s, %d repeats\n", records.run.name.c_str(), records.run.date.c_str(),
+                records.run.repeats);
+    print_with_what(records.run);
 
     std::printf("\n%-17s %9s %9s %12s %11s %11s\n", "", "our error", "our time", "theirs, best", "over theirs",
                 "over theirs");

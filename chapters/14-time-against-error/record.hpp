@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdio>
 #include <fstream>
 #include <map>
 #include <optional>
@@ -139,6 +140,21 @@ template <typename Record>
     std::ifstream file(path, std::ios::binary);
     if (!file) return std::nullopt;
     return read_records(std::string(std::istreambuf_iterator<char>(file), {}));
+}
+
+/// The same for a program that can't go on without them: says so where there are none.
+[[nodiscard]] inline std::optional<Records> read_kept_run(const char* path)
+{
+    std::optional<Records> records = read_record_file(path);
+    if (!records) std::fprintf(stderr, "%s: found no records; expected the file of a run of ./course bench\n", path);
+    return records;
+}
+
+/// With what it was run, and the peers.
+inline void print_with_what(const RunRecord& run)
+{
+    std::printf("%s\n%s\n", run.machine.c_str(), run.compiler.c_str());
+    for (const std::string& peer : run.peers) std::printf("%s\n", peer.c_str());
 }
 
 /// The points of one engine's curve by the measure of this number; none where it has no curve.

@@ -28,11 +28,8 @@ void print(const std::string& label, const std::string& text)
 
 int main()
 {
-    const auto records = read_record_file(FLYING_MEASURED);
-    if (!records) {
-        std::fprintf(stderr, "%s: found no records; expected the file of a run of ./course bench\n", FLYING_MEASURED);
-        return 1;
-    }
+    const auto records = read_kept_run(FLYING_MEASURED);
+    if (!records) return 1;
     for (const DiagramRecord& diagram : records->diagrams) {
         std::printf("%s: %s; %d %s, %g s\n", diagram.name.c_str(), diagram.title.c_str(), diagram.bodies,
                     diagram.bodies == 1 ? "body" : "bodies", diagram.until);

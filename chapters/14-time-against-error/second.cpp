@@ -37,15 +37,12 @@ double time_ratio(const std::vector<Point>& a, const std::vector<Point>& b)
 
 int main()
 {
-    const auto read = read_record_file(FLYING_SECOND);
-    if (!read) {
-        std::fprintf(stderr, "%s: found no records; expected the file of a run of ./course bench\n", FLYING_SECOND);
-        return 1;
-    }
+    const auto read = read_kept_run(FLYING_SECOND);
+    if (!read) return 1;
     const Records& records = *read;
-    std::printf("Run '%s' of %s, %d repeats\n%s\n%s\n", records.run.name.c_str(), records.run.date.c_str(),
-                records.run.repeats, records.run.machine.c_str(), records.run.compiler.c_str());
-    for (const std::string& peer : records.run.peers) std::printf("%s\n", peer.c_str());
+    std::printf("Run '%s' of %s, %d repeats\n", records.run.name.c_str(), records.run.date.c_str(),
+                records.run.repeats);
+    print_with_what(records.run);
 
     for (const DiagramRecord& diagram : records.diagrams) {
         std::printf("\n%s: %s\n", diagram.name.c_str(), diagram.measures.front().c_str());

@@ -135,14 +135,16 @@ TEST_CASE("a swept heap that would speed up by less than a share of gravity does
 TEST_CASE("what floor and walls bear of a heap at rest is its weight")
 {
     double worst = 0.0;
-    for (const int n : {120, 200, 250}) {
+    for (const int n : {80, 100, 120, 250}) {
         RestEngine engine(over_a_pit(n));
         time_to_sleep(engine, 30.0);
         const Weighed weighed = weigh(engine);
         const double mean = weighed.weight / (n * k_gravity);
         CHECK_EQUATION("heaps.weight", weighed.borne, weighed.weight, k_stopped, {"n", n}, {"m", mean},
                        {"g", k_gravity});
-        CHECK_TWIN("heaps.weight", weighed.borne, weighed.weight * (n - 1) / n, k_stopped);
+        // In a larger heap, the price of standing still would hide a missing disc
+        const double missing = weighed.weight * (n - 1) / n;
+        if (2.0 * k_stopped * n < 1.0) CHECK_TWIN("heaps.weight", weighed.borne, missing, k_stopped);
         worst = std::max(worst, std::abs(weighed.borne / weighed.weight - 1.0));
     }
     RECORD_VALUE("heaps.weight.off", worst);

@@ -1,11 +1,14 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "math/random.hpp"
 #include "motion/kepler.hpp"
 #include "rest/rest_engine.hpp"
+#include "support/overlap.hpp"
 #include "support/worlds.hpp"
 
 // A run with e < 1 or friction in a central field stopped as soon as something came to lie on the core: the resting
@@ -176,6 +179,12 @@ TEST_CASE("what nothing holds flies round the centre by the closed form, whateve
 
 TEST_CASE("bodies that fall on the core, whatever they are, come to their end, and no energy comes from nowhere")
 {
+    // Each of them is one run of chaos, so bounds are for all 48 together. Measured over seven engines that differed in
+    // a bit or a few (336 runs): on the way 0.001 of the largest radius in the median, 0.0064 at worst; at the end half
+    // of them less than 1e-12 of the smaller radius, 0.0077 at worst
+    constexpr double k_largest = 0.3; // radius of a body [m]
+    std::vector<double> on_the_way;   // [radii of the largest]
+    std::vector<double> at_the_end;   // [radii of the smaller of two]
     int at_rest = 0;
     for (int k = 0; k < 48; ++k) {
         const double e[] = {0.0, 0.3, 0.5, 0.9};
@@ -192,10 +201,19 @@ TEST_CASE("bodies that fall on the core, whatever they are, come to their end, a
             CHECK(now <= before + 1e-10 * std::abs(start));
             before = now;
         }
-        CHECK(world.report().max_overlap <= 0.01 * 0.3);
+        on_the_way.push_back(world.report().max_overlap / k_largest);
+        at_the_end.push_back(deepest_overlap(world));
         at_rest += world.report().engine == "events and rest" ? 1 : 0;
     }
     CHECK(at_rest > 24);
+    std::sort(on_the_way.begin(), on_the_way.end());
+    std::sort(at_the_end.begin(), at_the_end.end());
+    CHECK(on_the_way[23] <= 0.002);
+    CHECK(on_the_way[45] <= 0.01);
+    CHECK(on_the_way[47] <= 0.02);
+    CHECK(at_the_end[23] <= 1e-9);
+    CHECK(at_the_end[46] <= 0.01);
+    CHECK(at_the_end[47] <= 0.02);
 }
 
 TEST_CASE("steps alone move bodies round a centre, too")

@@ -4,25 +4,12 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <numbers>
 
-#include "math/random.hpp"
+#include "stress/random_draws.hpp"
 #include "toi/predict.hpp"
 
 namespace flying::stress {
 namespace {
-
-constexpr double k_pi = std::numbers::pi;
-
-Vec2 direction(double angle)
-{
-    return {std::cos(angle), std::sin(angle)};
-}
-
-double log_uniform(Random& random, double low, double high)
-{
-    return std::exp(random.uniform(std::log(low), std::log(high)));
-}
 
 /// Any way, and a length between two. (Draws are statements of their own here: in one expression compilers choose their
 /// order, and a seed would mean another pair to each.)

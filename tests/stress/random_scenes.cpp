@@ -3,25 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <numbers>
 
 #include "math/hash.hpp"
-#include "math/random.hpp"
+#include "stress/random_draws.hpp"
 
 namespace flying::stress {
 namespace {
-
-constexpr double k_pi = std::numbers::pi;
-
-Vec2 direction(double angle)
-{
-    return {std::cos(angle), std::sin(angle)};
-}
-
-double log_uniform(Random& random, double low, double high)
-{
-    return std::exp(random.uniform(std::log(low), std::log(high)));
-}
 
 /// A shape within a circle of radius `size` about its centre of mass, or not much beyond.
 ShapeDef random_shape(Random& random, SceneKind kind, double size)

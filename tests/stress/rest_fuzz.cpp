@@ -24,6 +24,10 @@ void print(long seed, const RestScene& scene, const RestFindings& f, double seco
     std::printf("seed %ld: rise %.1e (step %d), overlap %.1e (step %d, %d on %d), at the end %.1e, lost %d%s, %.2f s; %s\n", seed,
                 f.rise, f.rise_step, f.overlap, f.overlap_step, f.overlap_a, f.overlap_b, f.end_overlap, f.lost,
                 f.finite ? "" : ", not finite", seconds, scene.label.c_str());
+    const flying::RestAccount& rest = f.rest;
+    const auto count = [](std::int64_t number) { return static_cast<long long>(number); };
+    std::printf("    islands %lld, unsolved %lld, projected %lld, limited %lld by %.1e J\n", count(rest.islands),
+                count(rest.unsolved), count(rest.projected), count(rest.limited), rest.energy_limited);
     std::fflush(stdout);
 }
 

@@ -6,34 +6,11 @@
 #include <utility>
 #include <vector>
 
+#include "support/bodies.hpp"
 #include "world/world.hpp"
 
-/// Bodies and worlds that tests of several folders make alike.
+/// Worlds that tests of several folders make alike.
 namespace flying::testing {
-
-inline BodyDef disc(double radius, const Vec2& position, const Vec2& velocity = Vec2::Zero())
-{
-    BodyDef body;
-    body.shape = DiscDef{radius};
-    body.position = position;
-    body.velocity = velocity;
-    return body;
-}
-
-inline BodyDef rectangle(double width, double height, const Vec2& position, const Vec2& velocity = Vec2::Zero())
-{
-    BodyDef body;
-    body.shape = RectangleDef{width, height};
-    body.position = position;
-    body.velocity = velocity;
-    return body;
-}
-
-inline BodyDef still(BodyDef body)
-{
-    body.is_static = true;
-    return body;
-}
 
 /// The scene's world; its faults are told, and the test ends, where it has any.
 inline World world_of(const Scene& scene, EngineChoice engine = EngineChoice::automatic,

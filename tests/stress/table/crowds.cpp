@@ -7,39 +7,10 @@
 
 #include <fmt/format.h>
 
-#include "collide/separation.hpp"
-#include "geometry/aabb.hpp"
 #include "math/random.hpp"
 #include "table/trials.hpp"
 
 namespace flying::stress {
-
-double deepest_overlap(const World& world)
-{
-    const BoxDef& box = *world.scene().world.box;
-    std::vector<CollisionShape> shapes;
-    std::vector<double> radius;
-    for (int k = 0; k < world.body_count(); ++k) {
-        shapes.push_back(make_collision_shape(world.shape(k)));
-        radius.push_back(bounding_radius(world.shape(k)));
-    }
-    double deepest = 0.0;
-    for (int a = 0; a < world.body_count(); ++a) {
-        const Pose pose = pose_of(world.state(a));
-        const flying::Aabb bounds = flying::bounding_box(world.shape(a), pose);
-        const double out = std::max((box.min - bounds.min).maxCoeff(), (bounds.max - box.max).maxCoeff());
-        deepest = std::max(deepest, out / radius[static_cast<std::size_t>(a)]);
-        for (int b = a + 1; b < world.body_count(); ++b) {
-            const auto i = static_cast<std::size_t>(a);
-            const auto j = static_cast<std::size_t>(b);
-            const Pose other = pose_of(world.state(b));
-            if ((pose.position - other.position).norm() > radius[i] + radius[j]) continue;
-            deepest =
-                std::max(deepest, -separation(shapes[i], pose, shapes[j], other) / std::min(radius[i], radius[j]));
-        }
-    }
-    return deepest;
-}
 
 namespace {
 

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "support/bodies.hpp"
+#include "support/overlap.hpp"
 #include "world/world.hpp"
 
 /// The rows of the stress table, each an attempt to break the simulator. ./course stress table runs them.
@@ -51,29 +53,10 @@ struct Trial
 
 // ---- What several of them make ------------------------------------------------------------------------------------
 
-inline BodyDef disc(double radius, const Vec2& position, const Vec2& velocity = Vec2::Zero())
-{
-    BodyDef body;
-    body.shape = DiscDef{radius};
-    body.position = position;
-    body.velocity = velocity;
-    return body;
-}
-
-inline BodyDef rectangle(double width, double height, const Vec2& position, const Vec2& velocity = Vec2::Zero())
-{
-    BodyDef body;
-    body.shape = RectangleDef{width, height};
-    body.position = position;
-    body.velocity = velocity;
-    return body;
-}
-
-inline BodyDef still(BodyDef body)
-{
-    body.is_static = true;
-    return body;
-}
+using testing::deepest_overlap;
+using testing::disc;
+using testing::rectangle;
+using testing::still;
 
 inline constexpr double k_gravity = 9.81; ///< [m/s^2]
 
@@ -105,10 +88,6 @@ inline World events_of(const Scene& scene)
     options.engine = EngineChoice::events;
     return world_of(scene, options);
 }
-
-/// Deepest overlap of two bodies, or of one with the box, over the bounding radius of the smaller one. The scene has a
-/// box.
-[[nodiscard]] double deepest_overlap(const World& world);
 
 /// Throws where the run can't go on.
 inline void run_to(World& world, double time)
