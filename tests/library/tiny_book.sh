@@ -27,8 +27,9 @@ grep -q 'A weight on a string was the first good clock' $html/index.html || fail
 [[ -f $html/figures/02-large-swings/late.svg ]] || fail "no figure"
 ctest --test-dir build >"$work/log" 2>&1 || { tail -n 20 "$work/log"; exit 1; }
 
-# A constant that is wrong stops the book, which names the equation
+# A constant that is wrong stops the book, which names the equation; chapter 2 has it, too, and may be the first to stop
 sed -i 's/return 2.0 \* std::numbers::pi/return 2.002 * std::numbers::pi/' src/pendulum/small.hpp
-if cmake --build build --target book >"$work/log" 2>&1; then fail "a wrong constant made a book"; fi
-grep -q 'small.period' "$work/log" || fail "the equation with the wrong constant was not named"
+if cmake --build build --target book -- -k 0 >"$work/log" 2>&1; then fail "a wrong constant made a book"; fi
+grep -q 'small.period' "$work/log" ||
+    { tail -n 40 "$work/log"; fail "the equation with the wrong constant was not named"; }
 echo "a book of two chapters was made, and a wrong constant stopped it"
