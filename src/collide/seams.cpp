@@ -177,7 +177,7 @@ void mend_at_seams(const Polygon& part, const Pose& world_from_part, std::span<c
     const Rotation part_from_world = inverse(world_from_part.rotation);
     const double sign = owner == Owner::a ? 1.0 : -1.0;
 
-    // What lies on the joint surface, as its normal sees it
+    // What lies on the joint surface, as its normal sees it; neighbours that may part have none that is sharp enough
     if (const auto* polygon = std::get_if<Polygon>(&other); polygon && manifold.count > 0) {
         const Vec2 normal = part_from_world * Vec2(sign * manifold.contacts[0].normal);
         for (const Seam& seam : seams) {
@@ -212,7 +212,8 @@ void mend_at_seams(const Polygon& part, const Pose& world_from_part, std::span<c
             const Vec2 from_corner = nearest.point - corner;
             // Where the inside of an edge lies on the corner, the neighbour that is loose gives way
             const Vec2 there = here + contact.separation * normal;
-            if (seam.is_loose && std::holds_alternative<Polygon>(other) && (nearest.point - there).squaredNorm() > near * near)
+            if (seam.is_loose && std::holds_alternative<Polygon>(other) &&
+                (nearest.point - there).squaredNorm() > near * near)
                 continue;
             // What lies well below the surface, and not in the polygon, is beside both, not on them
             const double height = instead.dot(from_corner);

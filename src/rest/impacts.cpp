@@ -17,10 +17,7 @@ namespace {
 /// nothing may be lost.  [m/s]
 [[nodiscard]] double slowest_blow(const RestData& data, const Island& island)
 {
-    const std::span<const ContactPoint> points = island.points;
-    const bool is_elastic =
-        std::any_of(points.begin(), points.end(), [](const ContactPoint& c) { return c.restitution == 1.0; });
-    const double by_field = is_elastic ? 0.0 : rest_tolerance::k_blow * field_speed(data, island);
+    const double by_field = any_elastic(island.points) ? 0.0 : rest_tolerance::k_blow * field_speed(data, island);
     return by_field + solve_rounding(island) +
            rest_tolerance::k_stagnant * rest_tolerance::k_residual * top_speed(data, island);
 }

@@ -125,7 +125,7 @@ namespace {
 
 using Mode = PieceSystem::Mode;
 
-/// A point that does not part clearly may bear, and holds: it is easier to let go of some than to find all one by one.
+/// A point that bore, or doesn't part, may bear, and holds: it is easier to let go of some than to find all one by one.
 void guess(PieceSystem& pieces, const ContactProblem& problem)
 {
     for (std::size_t k = 0; k < problem.points.size(); ++k) {

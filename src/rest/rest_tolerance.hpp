@@ -26,8 +26,7 @@ inline constexpr double k_still = 0x1p-36;
 inline constexpr double k_tall = 17.0 / 16.0;
 
 /// [speeds that the field gives in a step] A slower approach is left to the load, of which it is a thousandth; a faster
-/// slip is a slide; what bears, and comes nearer no faster, goes on to bear. Also [shifts]: a path from nothing begins
-/// so much before the first point closes.
+/// slip is a slide; what bears, and comes nearer no faster, goes on to bear.
 inline constexpr double k_blow = 0x1p-10;
 
 /// [steps] What closes so soon closes now: less than it takes to pass a gap of 1e-9 m, so that each ball of a row is
@@ -80,6 +79,10 @@ inline constexpr int k_few_rounds = 4;
 /// Points, or bodies, of the largest island that is followed in detail: the end of each slip, the moment of each
 /// impact. In larger ones all that a step brings comes at its start.
 inline constexpr int k_most_in_detail = 12;
+
+// ---- Path of solutions (piece_path)
+/// [shifts] A path from nothing begins so much before the first point closes.
+inline constexpr double k_path_before = 0x1p-10;
 
 // ---- Direct solver (piece_system, island_solver)
 /// [greatest speeds] What parts so fast bears nothing.
@@ -165,8 +168,8 @@ inline constexpr double k_rest_speed = 0x1p-8;
 /// [energies of fall] What a sweep's changes are worth when there are enough of them.
 inline constexpr double k_enough = 0x1p-10;
 
-/// [sizes] Overlap that sweeps may add in one step of a heap that is slow. With the
-/// eightfold, what is heaviest sinks into what is lightest.
+/// [sizes] Overlap that sweeps may add in one step of a heap that is slow. With the eightfold, what is heaviest sinks
+/// into what is lightest.
 inline constexpr double k_slow_approach = 0x1p-13;
 
 /// Sweeps that go on where more is left, twice as many each time, up to the most.

@@ -64,11 +64,10 @@ double energy_of(const RestEngine& engine)
 
 } // namespace
 
-TEST_CASE("random scenes at rest: energy never rises, no body is lost, nothing is no number or overlaps in the end")
+TEST_CASE("random scenes at rest: energy never rises, no body is lost, nothing becomes no number or overlaps")
 {
     // The first of the scenes of ./course stress rest, which goes on for as many as one likes
     const int count = flying::testing::tried(45);
-    int overlapped = 0;
     for (int seed = 1; seed <= count; ++seed) {
         const RestScene scene = make_rest_scene(seed);
         CAPTURE(seed);
@@ -78,11 +77,8 @@ TEST_CASE("random scenes at rest: energy never rises, no body is lost, nothing i
         CHECK(findings.lost == 0);
         CHECK(findings.rise <= k_rise_allowed);
         CHECK(findings.end_overlap <= k_overlap_allowed);
-        CHECK(findings.overlap <= 5.0 * k_overlap_allowed);
-        if (findings.overlap > k_overlap_allowed) ++overlapped;
+        CHECK(findings.overlap <= k_overlap_allowed);
     }
-    // Two of the first 2400 overlap by more than is allowed, on their way
-    CHECK(overlapped <= 1 + count / 500);
 }
 
 TEST_CASE("a pile of 64 polygons settles with few solves a step, and stays where it is")

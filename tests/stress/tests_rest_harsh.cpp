@@ -144,7 +144,7 @@ TEST_CASE("small bodies thrown into the notches of a concave one don't get into 
     }
 }
 
-TEST_CASE("random scenes that broke a promise once: few overlap, hardly any in the end, and no energy rises")
+TEST_CASE("random scenes that broke a promise once: no body gets into another in any step, and energy never rises")
 {
     // 100: what was paid for a push out of an overlap led back into it. 106, 434: bodies that an impact had thrown
     // further than was reckoned with came where others, of other groups, were already. 165: the same, through a wall,
@@ -159,12 +159,8 @@ TEST_CASE("random scenes that broke a promise once: few overlap, hardly any in t
     // 192, 1149: who had met unforeseen went back to before the blow that threw one at the other. 1069, 1414: a corner
     // of a body with notches came lower than the points that were known of it.
     //
-    // A change of one bit makes other runs of them, each as good as a new draw of a harsh kind. Measured over six
-    // engines that differed so: of 138 runs two overlapped by more than is allowed, both in one engine, by 0.054 at
-    // worst, and one of them at its end, by 0.027
-    int overlapped = 0;
-    int overlapped_at_end = 0;
-    double deepest = 0.0; // [sizes of the smaller one]
+    // A change of one bit makes other runs of them. One that fails then has shown a fault of the method each time that it
+    // was looked into
     for (const std::uint64_t seed :
          testing::tried({100,  103,  106,  134,  165,  190,  192,  214,  434,  1002, 1021, 1069, 1142,
                          1149, 1193, 1414, 1695, 1795, 1798, 2077, 2132, 2157, 2169, 2212, 2331, 2487})) {
@@ -175,11 +171,6 @@ TEST_CASE("random scenes that broke a promise once: few overlap, hardly any in t
         CHECK(findings.finite);
         CHECK(findings.lost == 0);
         CHECK(findings.rise <= stress::k_rise_allowed);
-        if (findings.end_overlap > stress::k_overlap_allowed) ++overlapped_at_end;
-        if (findings.overlap > stress::k_overlap_allowed) ++overlapped;
-        deepest = std::max(deepest, findings.overlap);
+        CHECK(findings.overlap <= stress::k_overlap_allowed);
     }
-    CHECK(overlapped_at_end <= 1);
-    CHECK(overlapped <= 2);
-    CHECK(deepest <= 10.0 * stress::k_overlap_allowed);
 }

