@@ -93,7 +93,7 @@ TEST_CASE("a crossing is found beside a point that is known, at any depth")
     for (const double depth : {1e-9, 1e-4, 3e-3, 0.02}) {
         const double length = 1.0;
         const double width = 0.2;
-        const Vec2 foot = body[3] - (length - 0.3 * width) * side;
+        const Vec2 foot = body[3] - (length + 0.3 * depth) * side; // the tip is beyond the plank's end, too
         // Turn the plank about its foot until its upper end is so deep
         const double turn = depth / length;
         const Vec2 along = Rotation::of(turn) * side;
