@@ -74,16 +74,19 @@ bool Panel::key(unsigned value)
     Gtk::Widget* control = focus();
     if (!control || is_in_sight(*control) || std::find(std::begin(working), std::end(working), value) == std::end(working)) return false;
 
-    // Scroll to it first: GTK 4.8 gives a list that drops down beyond the screen's edge a place and a size that it never set
-    double x = 0.0;
-    double y = 0.0;
-    if (!control->translate_coordinates(column_, 0.0, 0.0, x, y)) return false;
-    get_vadjustment()->clamp_page(y, y + control->get_height() + 2.0 * column_.get_margin_top());
+    // Scroll to it first: GTK 4.8 gives a list that drops down beyond the screen's edge a place and a size that it never set.
+    // Asked for at each frame: a wheel that turned just before goes on for some frames, and would take the panel back
     add_tick_callback([this, control](const Glib::RefPtr<Gdk::FrameClock>&) {
         if (focus() != control) return false;
-        if (!is_in_sight(*control)) return true;
-        control->activate();
-        return false;
+        if (is_in_sight(*control)) {
+            control->activate();
+            return false;
+        }
+        double x = 0.0;
+        double y = 0.0;
+        if (!control->translate_coordinates(column_, 0.0, 0.0, x, y)) return false;
+        get_vadjustment()->clamp_page(y, y + control->get_height() + 2.0 * column_.get_margin_top());
+        return true;
     });
     return true;
 }
