@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "09-which-pairs/all_pairs.hpp"
 #include "broadphase/grid.hpp"
 #include "broadphase/sweep.hpp"
 #include "collide/separation.hpp"
