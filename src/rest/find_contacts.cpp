@@ -192,7 +192,6 @@ void add_points(RestData& data, int index, const Manifold& manifold, double clos
                          .closes_at = closes_at,
                          .closing_speed = closing_speed});
         data.motion.set_arms(found.back(), contact.normal, r_a, r_b);
-        data.max_overlap = std::max(data.max_overlap, -contact.separation);
     }
     static_cast<PairLoads&>(pair) = now;
 }
