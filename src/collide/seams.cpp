@@ -217,7 +217,7 @@ void mend_at_seams(const Polygon& part, const Pose& world_from_part, std::span<c
                 continue;
             // What lies well below the surface, and not in the polygon, is beside both, not on them
             const double height = instead.dot(from_corner);
-            if (height < std::min(contact.separation, 0.0) - near) continue;
+            if (height < std::min(contact.separation, 0.0) - k_sunk * near) continue;
             const double over = from_corner.dot(seam.onwards);
             if (over > seam.crack && seam.bend != Seam::Bend::hollow && !seam.is_loose) return false;
             if (over < -seam.crack && seam.bend == Seam::Bend::none && is_no_corner) return false;
