@@ -57,3 +57,32 @@ TEST_CASE("a corner that comes into a loose hollow touches the open side of it")
     CHECK((manifold.contacts[0].normal - Vec2(0.0, -1.0)).norm() < 1e-15);
     CHECK(manifold.contacts[0].separation == doctest::Approx(0.01));
 }
+
+TEST_CASE("what lies beside two neighbours, deeper below their joint surface than bodies overlap, keeps its own contact")
+{
+    // The right side of a square is hidden by a neighbour that goes on from its upper corner; both may move
+    const Polygon part = rectangle(Vec2::Zero(), Vec2(1.0, 1.0));
+    const Polygon square = rectangle(Vec2(-0.5, -0.5), Vec2(0.5, 0.5));
+    for (const bool is_loose : {false, true}) {
+        const Seam seam{2, 1, 2, Vec2(1.0, 0.0), Vec2(0.0, 1.0), 1e-9, Seam::Bend::none, is_loose};
+        for (const double depth : {0.002, 0.01, 0.025}) {
+            CAPTURE(depth);
+            // One that stands on its tip, a thousandth away from that side, all within the size of a contact
+            const Pose place{Vec2(1.001 + std::numbers::sqrt2 / 2.0, 1.0 - depth), Rotation::of(std::numbers::pi / 4.0)};
+            const Manifold plain = make_manifold(part, Pose{}, square, place, 0.05);
+            REQUIRE(plain.count == 1);
+            REQUIRE(plain.contacts[0].separation == doctest::Approx(0.001));
+            Manifold mended = plain;
+            mend_at_seams(part, Pose{}, std::vector{seam}, Owner::a, square, place, 0.03, 0.05, mended);
+            REQUIRE(mended.count == 1);
+            CHECK(mended.contacts[0].separation == plain.contacts[0].separation);
+            CHECK(mended.contacts[0].normal == plain.contacts[0].normal);
+        }
+        // As deep as an overlap, it lies on the surface
+        const Pose place{Vec2(1.001 + std::numbers::sqrt2 / 2.0, 0.9995), Rotation::of(std::numbers::pi / 4.0)};
+        Manifold mended = make_manifold(part, Pose{}, square, place, 0.05);
+        mend_at_seams(part, Pose{}, std::vector{seam}, Owner::a, square, place, 0.03, 0.05, mended);
+        REQUIRE(mended.count == (is_loose ? 1 : 0)); // or its neighbour has it
+        if (is_loose) CHECK(mended.contacts[0].separation == doctest::Approx(-0.0005));
+    }
+}
