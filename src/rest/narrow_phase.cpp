@@ -13,9 +13,10 @@ namespace {
 /// Where two parts cross so that neither has a corner in the other's body, as corners that slide past each other do:
 /// the points along the shortest way that parts them, if that is over a side.
 ///
+/// touch  gaps below this, of either sign, are contact [m]
 /// known  overlap up to this is no news [m]
 [[nodiscard]] Manifold points_of_crossing(const RestBodies& bodies, const RestPair& pair, const Pose& pose_a,
-                                          const Pose& pose_b, double known)
+                                          const Pose& pose_b, double touch, double known)
 {
     const auto* a = std::get_if<Polygon>(&bodies.shapes[pair.a].parts[pair.part_a].shape);
     const auto* b = std::get_if<Polygon>(&bodies.shapes[pair.b].parts[pair.part_b].shape);
@@ -29,7 +30,7 @@ namespace {
     // The corner that is deepest under the side stands beyond its ends, or else it is a point of the outlines
     const Vec2 corner = of_a ? Vec2(a_from_b * b->vertices()[axis.vertex])
                              : Vec2(relative_pose(pose_b, pose_a) * a->vertices()[axis.vertex]);
-    if (bodies.outlines[of_a ? pair.a : pair.b].holds(corner)) return {};
+    if (bodies.outlines[of_a ? pair.a : pair.b].holds(corner, touch)) return {};
     return make_manifold(*a, pose_a, *b, pose_b, a_from_b, axis, 0.0);
 }
 
@@ -48,7 +49,7 @@ namespace {
     const double touch = bodies.touch_gap(pair.a, pose_a.position, pair.b, pose_b.position);
     const Manifold manifold = outline_points(a, b, margin, touch);
     const double lowest = manifold.count > 0 ? manifold.contacts[0].separation : 0.0; // it stands first
-    const Manifold crossing = points_of_crossing(bodies, pair, pose_a, pose_b, std::max(touch, -lowest));
+    const Manifold crossing = points_of_crossing(bodies, pair, pose_a, pose_b, touch, std::max(touch, -lowest));
     return crossing.count > 0 ? crossing : manifold;
 }
 

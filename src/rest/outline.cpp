@@ -49,7 +49,13 @@ Outline::Outline(const Shape& shape, const CollisionShape& parts)
     }
 }
 
-bool Outline::holds(const Vec2& point) const
+double Outline::Side::distance_to(const Vec2& point) const
+{
+    const double along = std::clamp(tangent.dot(point - start), 0.0, length);
+    return (point - (start + along * tangent)).norm();
+}
+
+bool Outline::holds(const Vec2& point, double touch) const
 {
     // Count the sides that a line crosses which leaves the point towards greater x
     bool is_inside = false;
@@ -58,7 +64,8 @@ bool Outline::holds(const Vec2& point) const
         const bool is_left_of_it = side.normal.dot(point - side.start) < 0.0;
         if (is_left_of_it == (side.finish.y() > side.start.y())) is_inside = !is_inside;
     }
-    return is_inside;
+    const auto is_on = [&](const Side& side) { return side.distance_to(point) <= touch; };
+    return is_inside && std::none_of(sides_.begin(), sides_.end(), is_on);
 }
 
 } // namespace flying

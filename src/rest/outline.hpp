@@ -24,6 +24,8 @@ public:
         double length = 0.0;         ///< [m]
         bool rises_before = false;   ///< the boundary turns towards the outside where the side starts
         bool rises_after = false;    ///< the same where it ends
+
+        [[nodiscard]] double distance_to(const Vec2& point) const; ///< [m]
     };
     /// A corner that sticks out; or a whole disc, which is one with a radius.
     struct Corner
@@ -50,8 +52,9 @@ public:
     }
     /// Of a part; infinite where it has none, as a disc.  [m]
     [[nodiscard]] double longest_side(int part) const { return longest_side_[part]; }
-    /// Whether a point lies inside of the boundary.
-    [[nodiscard]] bool holds(const Vec2& point) const;
+    /// Whether a point lies inside of the boundary, and not on it.
+    /// touch  what is no further from a side than this lies on it [m]
+    [[nodiscard]] bool holds(const Vec2& point, double touch) const;
 
 private:
     std::vector<Side> sides_; // part after part

@@ -32,23 +32,14 @@ using Corner = Outline::Corner;
             here_from_there.rotation * corner.after};
 }
 
-[[nodiscard]] double distance_to(const Side& side, const Vec2& point)
-{
-    const double along = std::clamp(side.tangent.dot(point - side.start), 0.0, side.length);
-    return (point - (side.start + along * side.tangent)).norm();
-}
-
 /// The corner lies inside of the body, and leaves it by the shortest way over this side.
 [[nodiscard]] bool leaves_over(const Outline& outline, const Side& side, const Corner& corner, double touch)
 {
-    const double distance = distance_to(side, corner.place);
-    for (const Side& other : outline.sides()) {
-        // Beyond an end that sticks out there is no way over it
-        const double along = other.tangent.dot(corner.place - other.start);
-        if ((along < 0.0 && !other.rises_before) || (along > other.length && !other.rises_after)) continue;
-        if (faces(corner, other.normal) && distance_to(other, corner.place) < distance - touch) return false;
-    }
-    return outline.holds(corner.place);
+    const double depth = side.distance_to(corner.place);
+    const auto is_nearer = [&](const Side& other) {
+        return faces(corner, other.normal) && other.distance_to(corner.place) < depth - touch;
+    };
+    return std::none_of(outline.sides().begin(), outline.sides().end(), is_nearer) && outline.holds(corner.place, touch);
 }
 
 /// Points of one pair of parts, in one frame; the best two of them.
