@@ -112,7 +112,7 @@ TEST_CASE("the list of pairs is made anew when a box may be left, and no sooner"
                 if (engine.counts().looks > before) searched.push_back(k);
             }
             const double every = searched[3] - searched[2];
-            const double room = 3.0 * r / (32.0 * v * options.step);
+            const double room = r / (32.0 * v * options.step);
             CHECK_EQUATION("heaps.looks", every, 3.0 + std::floor(room), 0.0, {"r", r}, {"v", v}, {"d", options.step});
             CHECK_TWIN("heaps.looks", every, 2.0 + std::floor(room), 0.0);
         }

@@ -125,7 +125,7 @@ void forget_ways(RestData& data, const Island& island)
 
 bool CurvedWays::may_follow(const Island& island)
 {
-    return !is_heap(island) && island.point_count() <= rest_tolerance::k_most_followed;
+    return !is_heap(island) && island.point_count() <= rest_tolerance::k_most_in_detail;
 }
 
 bool CurvedWays::follow(RestData& data, Island& island)
@@ -244,7 +244,7 @@ CurvedWays::Bend CurvedWays::bend_lines(RestData& data, const Island& island, bo
         const double touch = data.bodies.touch_gap(c.a, c.b);
         bent.bound = std::isinf(c.bound) ? c.bound : c.gap > touch ? -c.gap / data.motion.span : 0.0;
         const double left = end_[k].gap - least_gap(c, touch);
-        if (!is_corrected || std::isinf(c.bound) || std::abs(left) <= rest_tolerance::k_left_of_gap * touch) continue;
+        if (!is_corrected || std::isinf(c.bound) || std::abs(left) <= touch) continue;
         const auto along_ways = [&](int body) {
             return Mover{data.motion.shift[body].x(), data.motion.shift[body].y(), data.motion.turn[body], 0.0, 0.0};
         };
@@ -299,7 +299,7 @@ bool CurvedWays::all_close(const RestData& data) const
         if (!(c.normal > 0.0)) continue;
         const double touch = data.bodies.touch_gap(c.a, c.b);
         const double left = end_[k].gap - least_gap(c, touch);
-        if (std::abs(left) > rest_tolerance::k_left_of_gap * touch) return false;
+        if (std::abs(left) > touch) return false;
     }
     return true;
 }

@@ -87,9 +87,9 @@ void HeapSweeps::sweep_on(RestData& data, const Island& island, std::span<Mover>
         for (const ContactPoint& c : points) push(c, -c.normal, -c.tangent, movers[c.a], movers[c.b]);
     };
     SweepPlan plan;
-    for (int sweeps = rest_tolerance::k_more_sweeps; sweeps <= rest_tolerance::k_most_sweeps; sweeps *= 2) {
+    plan.sweeps = rest_tolerance::k_more_sweeps;
+    for (int round = 0; round < rest_tolerance::k_few_rounds; ++round, plan.sweeps *= 2) {
         if (worst_missed(data, movers, points) <= most) return;
-        plan.sweeps = sweeps;
         plan.tolerance = 0.0;
         take_back();
         sweeps_.sweep(movers, island.members, points, plan, data.solver.counts());

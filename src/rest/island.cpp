@@ -30,7 +30,7 @@ bool is_solved_whole(const RestData& data, const Island& island)
         if (c.pair != last) ++pairs;
         last = c.pair;
     }
-    return pairs <= rest_tolerance::k_tall * island.member_count();
+    return pairs <= island.member_count();
 }
 
 double greatest_speed(std::span<const Mover> movers, std::span<const double> radius, std::span<const int> members)

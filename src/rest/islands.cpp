@@ -105,7 +105,7 @@ void Islands::part_slow(const RestData& data, std::span<const int> bodies, std::
     // [rest.islands.holds]
     const auto holds = [&](const ContactPoint& c) {
         if (c.normal > 0.0 || c.closes_at < motion.span) return true;
-        const double time = rest_tolerance::k_ahead * motion.span;
+        const double time = motion.span;
         const double u = normal_speed(c, motion.before[c.a], motion.before[c.b]);
         const double way = time * (std::min(u, 0.0) + 0.5 * time * std::min(motion.fall_of(c), 0.0));
         return c.gap + way <= data.bodies.touch_gap(c.a, c.b);

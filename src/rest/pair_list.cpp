@@ -145,8 +145,7 @@ void PairList::search(std::span<const RestBody> bodies, std::span<const Collisio
     searched_.assign(movers.list().begin(), movers.list().end());
 
     for (const int k : movers.list())
-        make_box(bodies[k], shapes[k], k,
-                 rest_tolerance::k_room_reaches * reach[k] + rest_tolerance::k_room_radii * radius[k]);
+        make_box(bodies[k], shapes[k], k, rest_tolerance::k_room_reaches * reach[k]);
     find_partners(bodies, movers);
     awake_.clear_index(static_cast<int>(bodies.size()));
     add_pairs(bodies, radius);

@@ -201,15 +201,9 @@ std::vector<int> RestEngine::find_clear(double within)
 bool RestEngine::bounces(const RestPair& pair, double load) const
 {
     if (pair.restitution != 1.0 || pair.friction != 0.0) return false;
-    const auto speed = [&](int index) {
-        const BodyState& s = data_.bodies.list[index].state;
-        return data_.bodies.list[index].is_static ? 0.0
-                                                  : s.velocity.norm() + std::abs(s.spin) * data_.bodies.radius[index];
-    };
     const double step = data_.options.step;
     const double push =
         load * (data_.bodies.list[pair.a].inertia.inv_mass + data_.bodies.list[pair.b].inertia.inv_mass);
-    if (push > rest_tolerance::k_most_bounces * (speed(pair.a) + speed(pair.b))) return false;
 
     // Hops that are too low can't be told from contact
     const auto pull = [&](int index) {

@@ -21,10 +21,6 @@ inline constexpr double k_stiffness = 0x1p32;
 /// room; and a hundredth of what a slope gives that is 1e-9 too steep. Slip below this has ended.
 inline constexpr double k_still = 0x1p-36;
 
-/// [pairs per body] A stack on a floor has one, a pyramid nearly two. Up to here one body in sixteen leans on a second
-/// one, and eliminating along the stack fills in few blocks.
-inline constexpr double k_tall = 17.0 / 16.0;
-
 /// [speeds that the field gives in a step] A slower approach is left to the load, of which it is a thousandth; a faster
 /// slip is a slide; what bears, and comes nearer no faster, goes on to bear.
 inline constexpr double k_blow = 0x1p-10;
@@ -72,17 +68,13 @@ inline constexpr int k_patience = 64;
 inline constexpr int k_quick_rounds = 8;
 
 /// Rounds of what is near after two or three: pushes that take off overlap, each of which leaves about the square of
-/// what it found; limits of friction that follow normal impulses; ends of slips in one step; and, for each point,
-/// pieces of a path that begins with nothing.
+/// what it found; limits of friction that follow normal impulses; ends of slips in one step; sweeps that go on, each
+/// time with twice as many; and, for each point, pieces of a path that begins with nothing.
 inline constexpr int k_few_rounds = 4;
 
 /// Points, or bodies, of the largest island that is followed in detail: the end of each slip, the moment of each
 /// impact. In larger ones all that a step brings comes at its start.
 inline constexpr int k_most_in_detail = 12;
-
-// ---- Path of solutions (piece_path)
-/// [shifts] A path from nothing begins so much before the first point closes.
-inline constexpr double k_path_before = 0x1p-10;
 
 // ---- Direct solver (piece_system, island_solver)
 /// [greatest speeds] What parts so fast bears nothing.
@@ -103,9 +95,7 @@ inline constexpr double k_interior_short = 0.1;
 inline constexpr double k_one_face = 0.75;
 
 // ---- Pairs (pair_list)
-/// [radii] and [reaches] Room that the box of a body gets: more room, fewer searches and more pairs.
-inline constexpr double k_room_radii = 0.0625;
-
+/// [reaches] Room that the box of a body gets: more room, fewer searches and more pairs.
 inline constexpr double k_room_reaches = 3.0;
 
 // ---- Contacts ahead (find_contacts)
@@ -114,21 +104,8 @@ inline constexpr double k_room_reaches = 3.0;
 inline constexpr double k_deep = 0x1p-10;
 
 // ---- Curved ways (curved_ways)
-/// Points of the largest island whose lines of push are followed along its ways.
-inline constexpr int k_most_followed = 16;
-
 /// [1, or sizes] A line of push that changes by less within a step is straight.
 inline constexpr double k_straight = 0x1p-36;
-
-inline constexpr double k_left_of_gap = 0.125;
-
-// ---- Steps of other lengths, and bodies that may fly again (rest_engine)
-/// [impacts in a step] More of them in place of a load cost too much.
-inline constexpr double k_most_bounces = 8.0;
-
-// ---- Islands (islands)
-/// [steps] Two that would not touch within so many, as things go, don't belong to one island by that.
-inline constexpr double k_ahead = 4.0;
 
 // ---- Projection, and the verdict on a step (projection, rest_step)
 /// [rad] Turn within a step that an island with contacts may make.
@@ -172,10 +149,8 @@ inline constexpr double k_enough = 0x1p-10;
 /// into what is lightest.
 inline constexpr double k_slow_approach = 0x1p-13;
 
-/// Sweeps that go on where more is left, twice as many each time, up to the most.
+/// Sweeps that go on where more is left, twice as many in each round.
 inline constexpr int k_more_sweeps = 128;
-
-inline constexpr int k_most_sweeps = 1024;
 
 /// Sweeps that end the impacts of a heap, and that take off its overlap.
 inline constexpr int k_heap_sweeps = 16;
