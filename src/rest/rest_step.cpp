@@ -45,15 +45,16 @@ double end_of_load(const RestData& data, const Island& island)
     return first < data.motion.span ? first : 0.0;
 }
 
-/// The step may end as it was found: with little overlap or no more than there was, and little turning.
+/// The step may end as it was found: with little overlap or no more than there was, and nobody beyond the room in which
+/// it was looked for.
 bool is_fair(const RestData& data, const Island& island, double overlap)
 {
     const double fair = is_heap(island) ? rest_tolerance::k_most_overlap : rest_tolerance::k_fair_overlap;
     if (overlap > fair && overlap > overlap_at_start(data, island)) return false;
     for (const int member : island.members) {
-        if (!(std::abs(data.motion.turn[member]) * data.bodies.turning[member] <=
-              rest_tolerance::k_fair_turn * data.bodies.radius[member]))
-            return false;
+        const double arc = std::abs(data.motion.turn[member]) * data.bodies.turning[member];
+        const double room = rest_tolerance::k_room_reaches * data.motion.reach[member];
+        if (!(data.motion.shift[member].norm() + arc <= room)) return false;
     }
     return true;
 }

@@ -107,10 +107,6 @@ inline constexpr double k_deep = 0x1p-10;
 /// [1, or sizes] A line of push that changes by less within a step is straight.
 inline constexpr double k_straight = 0x1p-36;
 
-// ---- Projection, and the verdict on a step (projection, rest_step)
-/// [rad] Turn within a step that an island with contacts may make.
-inline constexpr double k_fair_turn = 0.25;
-
 // ---- Seams (looks)
 /// [speeds] Two that part no faster than this, beside one that passes both, go together.
 inline constexpr double k_together = 0x1p-6;
