@@ -22,7 +22,7 @@ inline bool share_a_point(const Vec2& a, const Vec2& b, const Vec2& c, const Vec
     return lies_on(c, a, b) || lies_on(d, a, b) || lies_on(a, c, d) || lies_on(b, c, d);
 }
 
-/// No two edges share a point, but neighbours their corner.
+/// No two edges share a point, except neighbours at their common corner.
 inline bool is_simple(const std::vector<Vec2>& ring)
 {
     const std::size_t n = ring.size();
