@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <system_error>
 #include <vector>
 
 #include "stages.hpp"
@@ -18,12 +19,19 @@ struct Destroy
     void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
 };
 
+/// One thread can be had, then no more.
+std::jthread start_one(const std::function<void(int)>& paint_band, int band)
+{
+    if (band == 1) return start_thread(paint_band, band);
+    throw std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again));
+}
+
 /// All bytes of the picture, painted in so many bands.
-std::vector<int> painted(const Stage& stage, int bands)
+std::vector<int> painted(const Stage& stage, int bands, StartThread* start = start_thread)
 {
     const std::unique_ptr<cairo_surface_t, Destroy> image(
         cairo_image_surface_create(CAIRO_FORMAT_RGB24, k_size.width, k_size.height));
-    paint_stage(image.get(), stage, k_size, bands);
+    paint_stage(image.get(), stage, k_size, bands, start);
     REQUIRE(cairo_surface_status(image.get()) == CAIRO_STATUS_SUCCESS);
     std::vector<int> bytes;
     for (int y = 0; y < k_size.height; ++y) {
@@ -98,4 +106,14 @@ TEST_CASE("painted in bands, few bodies with shadows, faces, a ship and the help
     stage.face.reset();
     REQUIRE(press(stage, "u"));
     check_bands(stage);
+}
+
+TEST_CASE("where a thread can't be had, the bands that are left are painted all the same")
+{
+    Stage stage = stage_of(three_bodies());
+    play(stage, 0.5);
+    for (const int bands : {2, 3, 4}) {
+        CAPTURE(bands);
+        CHECK(painted(stage, bands, start_one) == painted(stage, bands));
+    }
 }
