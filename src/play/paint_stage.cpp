@@ -30,7 +30,7 @@ void paint_stage(cairo_t* cairo, const Stage& stage, SurfaceSize size)
     cairo_save(cairo);
     paint_faces(cairo, stage, map);
     paint_layers(cairo, stage, map, theme);
-    paint_hand(cairo, stage, map, theme);
+    paint_hand(cairo, stage, size, map, theme);
     paint_figures(cairo, stage, size, theme);
     paint_panels(cairo, stage, size, theme);
     cairo_restore(cairo);
