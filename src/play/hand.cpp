@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "play/paint_stage.hpp"
 #include "play/pick.hpp"
@@ -22,14 +23,34 @@ double pixel_length(const Stage& stage)
     return 1.0 / stage_map(stage, stage.size).scale;
 }
 
-/// Velocity of the pointer, in simulated time.  [m/s]
+/// Mean velocity of the pointer until it was seen last, in simulated time.  [m/s]
 Vec2 pointer_velocity(const Stage& stage)
 {
     const std::vector<Hand::Trace>& traces = stage.hand.traces;
-    const double since = stage.now - k_throw_over;
-    const auto first = std::find_if(traces.begin(), traces.end(), [&](const Hand::Trace& t) { return t.time >= since; });
-    if (first == traces.end() || stage.now <= first->time) return Vec2::Zero();
-    return (stage.hand.pointer - first->place) / ((stage.now - first->time) * stage.clock.speed);
+    if (traces.empty()) return Vec2::Zero();
+    const Hand::Trace& last = traces.back();
+    const double since = last.time - k_throw_over;
+    const auto next = std::find_if(traces.begin(), traces.end(), [&](const Hand::Trace& t) { return t.time >= since; });
+    Hand::Trace first = *next;
+    if (next != traces.begin()) {
+        // It was seen before and after that moment: between them it went straight
+        const Hand::Trace& before = *std::prev(next);
+        const double share = (since - before.time) / (next->time - before.time);
+        first = {since, before.place + share * (next->place - before.place)};
+    }
+    if (first.time >= last.time) return Vec2::Zero();
+    return (last.place - first.place) / ((last.time - first.time) * stage.clock.speed);
+}
+
+/// What a throw that ends now or later may ask for is kept.
+void add_trace(std::vector<Hand::Trace>& traces, const Hand::Trace& trace)
+{
+    // A time before the last one is that of another clock: keys have taken over from the mouse, or the mouse from keys
+    if (!traces.empty() && trace.time < traces.back().time) traces.clear();
+    traces.push_back(trace);
+    const double since = trace.time - k_throw_over;
+    const auto next = std::find_if(traces.begin(), traces.end(), [&](const Hand::Trace& t) { return t.time >= since; });
+    if (next != traces.begin()) traces.erase(traces.begin(), std::prev(next));
 }
 
 /// Give the held body's point a velocity, by a push at that point.
@@ -74,22 +95,25 @@ std::string_view tool_text(Tool tool)
     return texts[static_cast<int>(tool)];
 }
 
-void point_at(Stage& stage, const Vec2& pixel)
+void point_at(Stage& stage, const Vec2& pixel, std::optional<double> time)
 {
-    stage.hand.by_keys = false;
-    point_at_world(stage, stage_map(stage, stage.size).world_at(pixel));
+    point_at_world(stage, stage_map(stage, stage.size).world_at(pixel), time);
 }
 
-void point_at_world(Stage& stage, const Vec2& place)
+void point_at_world(Stage& stage, const Vec2& place, std::optional<double> time)
 {
     Hand& hand = stage.hand;
     if (!is_finite(place)) return;
+    hand.by_keys = false;
     hand.pointer = place;
     hand.is_here = true;
-    hand.traces.push_back({stage.now, place});
-    const double since = stage.now - 2.0 * k_throw_over;
-    const auto old = std::find_if(hand.traces.begin(), hand.traces.end(), [&](const Hand::Trace& t) { return t.time >= since; });
-    hand.traces.erase(hand.traces.begin(), old);
+    if (time) add_trace(hand.traces, {*time, place});
+}
+
+void point_by_keys(Stage& stage, const Vec2& place)
+{
+    point_at_world(stage, place, stage.now);
+    stage.hand.by_keys = true;
 }
 
 void leave(Stage& stage)
@@ -159,6 +183,7 @@ void press_return(Stage& stage)
     if (!hand.is_here) return;
     const bool holds_on = hand.tool == Tool::grab || hand.tool == Tool::disc || hand.tool == Tool::polygon;
     if (holds_on && hand.is_pressed) {
+        add_trace(hand.traces, {stage.now, hand.pointer}); // it has been there until now
         release_button(stage);
         return;
     }
@@ -228,8 +253,7 @@ void select_next(Stage& stage, int steps)
     if (count == 0) return;
     const int from = stage.hand.selected < 0 ? (steps > 0 ? -1 : 0) : stage.hand.selected;
     stage.hand.selected = ((from + steps) % count + count) % count;
-    stage.hand.by_keys = true;
-    point_at_world(stage, stage.run.world().state(stage.hand.selected).position);
+    point_by_keys(stage, stage.run.world().state(stage.hand.selected).position);
 }
 
 void check_hand(Stage& stage)

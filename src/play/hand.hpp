@@ -36,8 +36,8 @@ struct Hand
     /// Where the pointer was, for the speed of a throw.
     struct Trace
     {
-        double time = 0.0; ///< of the stage's own clock [s]
-        Vec2 place = Vec2::Zero();
+        double time = 0.0; ///< by the clock of what moves it [s]
+        Vec2 place = Vec2::Zero(); ///< in the world [m]
     };
 
     Tool tool = Tool::grab;
@@ -47,7 +47,7 @@ struct Hand
     bool is_pressed = false;
     Vec2 pressed_at = Vec2::Zero(); ///< [m]
     std::optional<Grip> grip;
-    std::vector<Trace> traces;
+    std::vector<Trace> traces;      ///< of late, in the order of time
     std::vector<Vec2> points;       ///< of the polygon that is drawn [m]
     int selected = -1;              ///< body that is looked at; -1 for none
     int sides = 5;                  ///< of new polygons, 3 ... 12
@@ -61,10 +61,15 @@ enum class Button
     right
 };
 
-/// The pointer goes to a place.  pixel  of the stage's surface
-void point_at(Stage& stage, const Vec2& pixel);
+/// The pointer goes to a place.
+/// pixel  of the stage's surface
+/// time   when it was there, by the pointer's own clock, whatever the time of the frame that tells of it [s]; where it is
+///        not known, nothing is learnt of the pointer's speed
+void point_at(Stage& stage, const Vec2& pixel, std::optional<double> time);
 /// The same, in the world. [m]
-void point_at_world(Stage& stage, const Vec2& place);
+void point_at_world(Stage& stage, const Vec2& place, std::optional<double> time);
+/// Keys move it there, now.
+void point_by_keys(Stage& stage, const Vec2& place);
 void leave(Stage& stage);
 /// A button goes down, and up, where the pointer is.
 void press_button(Stage& stage, Button button);

@@ -22,9 +22,8 @@ void move_pointer(Stage& stage, int x, int y, bool coarse)
     const Vec2 extent = view.max - view.min;
     const double way = extent.maxCoeff() / (coarse ? 25.0 : 160.0);
     if (!stage.hand.is_here) stage.hand.pointer = 0.5 * (view.min + view.max);
-    stage.hand.by_keys = true;
     const Vec2 place = stage.hand.pointer + way * Vec2(x, y);
-    point_at_world(stage, place.cwiseMax(view.min).cwiseMin(view.max));
+    point_by_keys(stage, place.cwiseMax(view.min).cwiseMin(view.max));
 }
 
 template <int X, int Y, bool Coarse>

@@ -137,7 +137,7 @@ std::vector<std::string> cost_lines(const Stage& stage)
 
 std::vector<std::string> plan_lines(const Plan& plan)
 {
-    std::vector<std::string> lines{"what this scene doesn't need"};
+    std::vector<std::string> lines{"what the plan skips"};
     for (const Skip& skip : plan.skips) {
         const char* kind = skip.kind == SkipClass::neutral   ? "same bits"
                            : skip.kind == SkipClass::ordered ? "same bits, by order"

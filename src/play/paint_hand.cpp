@@ -10,6 +10,7 @@
 #include "draw/body_path.hpp"
 #include "geometry/make_polygon.hpp"
 #include "play/brush.hpp"
+#include "play/pick.hpp"
 #include "world/make_shape.hpp"
 
 namespace flying {
@@ -27,14 +28,18 @@ void dash(cairo_t* cairo, bool dashed)
     cairo_set_dash(cairo, lengths, dashed ? 2 : 0, 0.0);
 }
 
-/// A few words beside a point.
-void paint_words(cairo_t* cairo, const Vec2& at, const std::string& words, const Theme& theme, const Colour& colour)
+/// A few words beside a point, below and to the right of it; where the surface ends, as far to the left as they need, and
+/// above it.
+void paint_words(cairo_t* cairo, SurfaceSize size, const Vec2& at, const std::string& words, const Theme& theme)
 {
     brush::letters(cairo, k_note_letters);
     const double width = brush::text_width(cairo, words) + 16.0;
-    const PixelBox box{at.x() + 14.0, at.y() + 12.0, at.x() + 14.0 + width, at.y() + 36.0};
+    const double height = 24.0;
+    const double left = std::max(0.0, std::min(at.x() + 14.0, size.width - width));
+    const double top = at.y() + 12.0 + height <= size.height ? at.y() + 12.0 : at.y() - 12.0 - height;
+    const PixelBox box{left, top, left + width, top + height};
     brush::panel(cairo, box, theme);
-    brush::use(cairo, colour);
+    brush::use(cairo, theme.ink);
     brush::text(cairo, box.left + 8.0, box.top + 16.5, words);
 }
 
@@ -90,11 +95,19 @@ void paint_grip(cairo_t* cairo, const Stage& stage, const ViewMap& map, const Th
     brush::dot(cairo, held, 4.0);
 }
 
-/// The body that a click would add, as a shadow of itself.
-void paint_new(cairo_t* cairo, const Stage& stage, const ViewMap& map, const Theme& theme)
+/// The pointer is still where a click has added what lies under it. That there's no room for another needn't be said yet.
+bool has_just_added(const Stage& stage)
 {
     const Hand& hand = stage.hand;
-    if (!hand.is_here || hand.tool == Tool::draw) return;
+    return !hand.is_pressed && hand.pointer == hand.pressed_at && hand.selected >= 0 &&
+           body_at(stage.run.world(), hand.pointer, 0.0) == hand.selected;
+}
+
+/// The body that a click would add, as a shadow of itself.
+void paint_new(cairo_t* cairo, const Stage& stage, SurfaceSize size, const ViewMap& map, const Theme& theme)
+{
+    const Hand& hand = stage.hand;
+    if (!hand.is_here || hand.tool == Tool::draw || has_just_added(stage)) return;
     const std::optional<BodyDef> body = new_body(stage);
     if (!body) return;
     const Expected<Shape> shape = make_shape(body->shape);
@@ -109,21 +122,23 @@ void paint_new(cairo_t* cairo, const Stage& stage, const ViewMap& map, const The
     dash(cairo, !fault.empty());
     cairo_stroke(cairo);
     dash(cairo, false);
-    if (!fault.empty()) paint_words(cairo, map(hand.pointer), fault, theme, theme.ink);
+    std::string words = fault;
     if (body->velocity.norm() > 0.0) {
         brush::use(cairo, theme.ink);
         brush::arrow(cairo, map(body->position), map(body->position + k_seconds_of_arrow * body->velocity), 2.5);
-        paint_words(cairo, map(hand.pointer), fmt::format("{:.3g} m/s", body->velocity.norm()), theme, theme.ink);
+        if (fault.empty()) words = fmt::format("{:.3g} m/s", body->velocity.norm());
     }
+    if (!words.empty()) paint_words(cairo, size, map(hand.pointer), words, theme);
 }
 
 /// The polygon so far; sides that cross are thick, and what is wrong is said.
-void paint_drawing(cairo_t* cairo, const Stage& stage, const ViewMap& map, const Theme& theme)
+void paint_drawing(cairo_t* cairo, const Stage& stage, SurfaceSize size, const ViewMap& map, const Theme& theme)
 {
     const Hand& hand = stage.hand;
     if (hand.tool != Tool::draw) return;
     if (hand.points.empty()) {
-        if (hand.is_here) paint_words(cairo, map(hand.pointer), "click the corners; close at the first one", theme, theme.ink);
+        if (hand.is_here)
+            paint_words(cairo, size, map(hand.pointer), "click the corners; close at the first one", theme);
         return;
     }
     std::vector<Vec2> points = hand.points;
@@ -169,7 +184,7 @@ void paint_drawing(cairo_t* cairo, const Stage& stage, const ViewMap& map, const
     cairo_arc(cairo, first.x(), first.y(), 8.0, 0.0, 2.0 * std::numbers::pi);
     cairo_set_line_width(cairo, 1.5);
     cairo_stroke(cairo);
-    if (!fault.empty()) paint_words(cairo, map(points.back()), fault, theme, theme.ink);
+    if (!fault.empty()) paint_words(cairo, size, map(points.back()), fault, theme);
 }
 
 void paint_crosshair(cairo_t* cairo, const Stage& stage, const ViewMap& map, const Theme& theme)
@@ -190,12 +205,12 @@ void paint_crosshair(cairo_t* cairo, const Stage& stage, const ViewMap& map, con
 
 } // namespace
 
-void paint_hand(cairo_t* cairo, const Stage& stage, const ViewMap& map, const Theme& theme)
+void paint_hand(cairo_t* cairo, const Stage& stage, SurfaceSize size, const ViewMap& map, const Theme& theme)
 {
     paint_selected(cairo, stage, map, theme);
     paint_grip(cairo, stage, map, theme);
-    paint_new(cairo, stage, map, theme);
-    paint_drawing(cairo, stage, map, theme);
+    paint_new(cairo, stage, size, map, theme);
+    paint_drawing(cairo, stage, size, map, theme);
     paint_crosshair(cairo, stage, map, theme);
     paint_facts(cairo, stage, theme);
 }

@@ -1,7 +1,7 @@
 #include "play/paint_stage.hpp"
 
 #include <algorithm>
-#include <thread>
+#include <system_error>
 #include <vector>
 
 #include "play/paint_figures.hpp"
@@ -30,19 +30,24 @@ void paint_stage(cairo_t* cairo, const Stage& stage, SurfaceSize size)
     cairo_save(cairo);
     paint_faces(cairo, stage, map);
     paint_layers(cairo, stage, map, theme);
-    paint_hand(cairo, stage, map, theme);
+    paint_hand(cairo, stage, size, map, theme);
     paint_figures(cairo, stage, size, theme);
     paint_panels(cairo, stage, size, theme);
     cairo_restore(cairo);
 }
 
-void paint_stage(cairo_surface_t* image, const Stage& stage, SurfaceSize size, int bands)
+std::jthread start_thread(const std::function<void(int)>& paint_band, int band)
+{
+    return std::jthread(paint_band, band);
+}
+
+void paint_stage(cairo_surface_t* image, const Stage& stage, SurfaceSize size, int bands, StartThread* start)
 {
     cairo_surface_flush(image);
     unsigned char* pixels = cairo_image_surface_get_data(image);
     if (!pixels) return; // there was no memory for it
     const int stride = cairo_image_surface_get_stride(image);
-    const auto paint_band = [&](int band) {
+    const std::function<void(int)> paint_band = [&](int band) {
         const int top = band * size.height / bands;
         const int rows = (band + 1) * size.height / bands - top;
         if (rows == 0) return;
@@ -55,8 +60,14 @@ void paint_stage(cairo_surface_t* image, const Stage& stage, SurfaceSize size, i
         cairo_surface_destroy(part);
     };
     std::vector<std::jthread> others;
-    for (int band = 1; band < bands; ++band) others.emplace_back(paint_band, band);
+    int band = 1;
+    try {
+        for (; band < bands; ++band) others.push_back(start(paint_band, band));
+    } catch (const std::system_error&) {
+        // No more threads to be had: all the rest is for this one
+    }
     paint_band(0);
+    for (; band < bands; ++band) paint_band(band);
     others.clear(); // waits for them
     cairo_surface_mark_dirty(image);
 }

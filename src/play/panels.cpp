@@ -75,12 +75,14 @@ void paint_restitution(cairo_t* cairo, const Stage& stage, SurfaceSize size, con
 void paint_gravity(cairo_t* cairo, const Stage& stage, SurfaceSize size, const Theme& theme)
 {
     const Field& field = stage.run.scene().world.field;
-    const PixelBox box{k_margin, size.height - 170.0, k_margin + 260.0, size.height - 50.0};
+    const auto* central = std::get_if<CentralField>(&field);
+    const double height = central ? 90.0 : 120.0;
+    const PixelBox box{k_margin, size.height - 50.0 - height, k_margin + 260.0, size.height - 50.0};
     brush::panel(cairo, box, theme);
     brush::letters(cairo, k_panel_letters);
     brush::use(cairo, theme.ink);
     const double x = box.left + k_inside;
-    if (const auto* central = std::get_if<CentralField>(&field)) {
+    if (central) {
         brush::text(cairo, x, box.top + 24.0, "central field");
         brush::text(cairo, x, box.top + 52.0, fmt::format("strength {:.4g} m\u00b3/s\u00b2   (up, down)", central->mu));
         brush::text(cairo, x, box.top + 76.0, fmt::format("radius {:.3g} m   (left, right)", central->radius));

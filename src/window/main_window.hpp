@@ -2,6 +2,7 @@
 
 #include <gtkmm/applicationwindow.h>
 #include <gtkmm/box.h>
+#include <gtkmm/eventcontroller.h>
 #include <gtkmm/filechoosernative.h>
 
 #include <map>
@@ -24,6 +25,8 @@ private:
     void listen_to_keys();
     void listen_to_pointer();
     void listen_to_drops();
+    /// The pointer is at this place of the canvas, by the event that the controller is handling.
+    void point(const Gtk::EventController& controller, const Vec2& pixel);
     [[nodiscard]] bool tick(double frame_time);
     [[nodiscard]] bool key(unsigned value, Gdk::ModifierType modifiers);
     [[nodiscard]] bool scroll(double dx, double dy, Gdk::ModifierType modifiers);

@@ -1,3 +1,5 @@
+#include <gdk/gdk.h>
+#include <gdkmm/event.h>
 #include <giomm/file.h>
 #include <gtkmm/droptarget.h>
 #include <gtkmm/eventcontrollermotion.h>
@@ -6,6 +8,7 @@
 #include <gtkmm/gesturedrag.h>
 
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "play/paint_stage.hpp"
@@ -17,6 +20,14 @@ namespace {
 
 constexpr double k_zoom = 1.15; ///< of one notch
 
+/// The time of an event; none where it has none, as when the pointer comes in since something has moved away from under it.
+/// milliseconds  as GTK has it, 0 for none.                                     [s]
+std::optional<double> event_time(guint32 milliseconds)
+{
+    if (milliseconds == 0) return std::nullopt;
+    return 1e-3 * milliseconds;
+}
+
 bool is_control(Gdk::ModifierType modifiers)
 {
     return (modifiers & Gdk::ModifierType::CONTROL_MASK) == Gdk::ModifierType::CONTROL_MASK;
@@ -24,13 +35,28 @@ bool is_control(Gdk::ModifierType modifiers)
 
 } // namespace
 
+void MainWindow::point(const Gtk::EventController& controller, const Vec2& pixel)
+{
+    // Of the moves within one frame GTK tells the last, which knows the others: where they were on the surface, and when
+    const auto event = controller.get_current_event();
+    Vec2 last = Vec2::Zero();
+    if (event && event->get_event_type() == Gdk::Event::Type::MOTION_NOTIFY && event->get_position(last.x(), last.y())) {
+        guint count = 0;
+        GdkTimeCoord* earlier = gdk_event_get_history(const_cast<GdkEvent*>(event->gobj()), &count);
+        for (guint k = 0; k < count; ++k) {
+            const Vec2 place(earlier[k].axes[GDK_AXIS_X], earlier[k].axes[GDK_AXIS_Y]);
+            point_at(stage_, pixel + place - last, event_time(earlier[k].time));
+        }
+        g_free(earlier);
+    }
+    point_at(stage_, pixel, event_time(controller.get_current_event_time()));
+    is_stale_ = true;
+}
+
 void MainWindow::listen_to_pointer()
 {
     auto motion = Gtk::EventControllerMotion::create();
-    const auto move = [this](double x, double y) {
-        point_at(stage_, Vec2(x, y));
-        is_stale_ = true;
-    };
+    const auto move = [this, &controller = *motion.get()](double x, double y) { point(controller, Vec2(x, y)); };
     motion->signal_enter().connect(move);
     motion->signal_motion().connect(move);
     motion->signal_leave().connect([this] {
@@ -42,9 +68,9 @@ void MainWindow::listen_to_pointer()
     for (const auto& [number, button] : {std::pair(1U, Button::left), std::pair(3U, Button::right)}) {
         auto click = Gtk::GestureClick::create();
         click->set_button(number);
-        click->signal_pressed().connect([this, kind = button](int, double x, double y) {
+        click->signal_pressed().connect([this, kind = button, &controller = *click.get()](int, double x, double y) {
             canvas_.grab_focus();
-            point_at(stage_, Vec2(x, y));
+            point(controller, Vec2(x, y));
             press_button(stage_, kind);
             touch();
         });
@@ -53,11 +79,15 @@ void MainWindow::listen_to_pointer()
                 release_button(stage_);
                 touch();
             };
-            click->signal_released().connect([this, release](int, double x, double y) {
-                point_at(stage_, Vec2(x, y));
+            click->signal_released().connect([this, release, &controller = *click.get()](int, double x, double y) {
+                point(controller, Vec2(x, y));
                 release();
             });
-            click->signal_cancel().connect([release](Gdk::EventSequence*) { release(); });
+            // What is taken from the hand isn't thrown
+            click->signal_cancel().connect([this, release](Gdk::EventSequence*) {
+                stage_.hand.traces.clear();
+                release();
+            });
         }
         canvas_.add_controller(click);
     }

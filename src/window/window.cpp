@@ -30,6 +30,7 @@ int run_window(Stage stage, const WindowOptions& options)
         // Controls close together, so that all are seen in a window of 800 pixels
         const auto style = Gtk::CssProvider::create();
         style->load_from_data("button { padding: 1px 8px; min-height: 22px; } scale { padding: 4px 8px; min-height: 16px; }"
+                              " scale.horizontal > value.right { margin-left: 16px; }"
                               " checkbutton { padding: 0 2px; min-height: 20px; }");
         Gtk::StyleContext::add_provider_for_display(Gdk::Display::get_default(), style, GTK_STYLE_PROVIDER_PRIORITY_APPLICATION);
         window = std::make_unique<MainWindow>(stage, options);

@@ -65,6 +65,12 @@ inline void play(Stage& stage, double seconds, double frame = 1.0 / 60.0)
     for (double t = 0.0; t < seconds - 0.5 * frame; t += frame) stage.advance(frame, no_time);
 }
 
+/// The mouse goes there, and the frame that is told of it is in time.
+inline void point(Stage& stage, const Vec2& place)
+{
+    point_at_world(stage, place, stage.now);
+}
+
 /// All numbers of all bodies, for comparing bit by bit.
 inline std::vector<double> numbers_of(const Stage& stage)
 {

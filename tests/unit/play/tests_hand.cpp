@@ -8,7 +8,7 @@ namespace {
 
 void click(Stage& stage, const Vec2& place)
 {
-    point_at_world(stage, place);
+    point(stage, place);
     press_button(stage, Button::left);
     release_button(stage);
 }
@@ -35,13 +35,13 @@ TEST_CASE("a body that is held follows the pointer, and flies on with its speed 
     Scene scene = three_bodies();
     scene.world.field = NoField{};
     Stage stage = stage_of(scene);
-    point_at_world(stage, {5.1, 2.0});
+    point(stage, {5.1, 2.0});
     press_button(stage, Button::left);
     REQUIRE(stage.hand.grip.has_value());
     CHECK(stage.hand.grip->body == 1);
     for (int k = 0; k < 60; ++k) {
         stage.advance(1.0 / 60.0, no_time);
-        point_at_world(stage, Vec2(5.1, 2.0) + k * Vec2(0.03, 0.04));
+        point(stage, Vec2(5.1, 2.0) + k * Vec2(0.03, 0.04));
     }
     // 1.8 m/s and 2.4 m/s, a tenth of a second behind
     const BodyState held = stage.run.world().state(1);
@@ -60,17 +60,63 @@ TEST_CASE("a body that is held follows the pointer, and flies on with its speed 
     CHECK(stage.run.world().state(1).velocity == Vec2::Zero());
 }
 
+TEST_CASE("a throw has the speed of the hand, whatever the frames do")
+{
+    Scene scene = three_bodies();
+    scene.world.field = NoField{};
+    const Vec2 start(5.1, 2.0);
+    const Vec2 velocity(3.0, 1.0);
+    for (const int reports_a_frame : {1, 5, 1000}) {
+        for (const bool rests : {false, true}) {
+            CAPTURE(reports_a_frame);
+            CAPTURE(rests);
+            Stage stage = stage_of(scene);
+            // The mouse has a clock of its own, and reports every eight milliseconds
+            double time = 7000.0;
+            Vec2 place = start;
+            point_at_world(stage, place, time);
+            press_button(stage, Button::left);
+            REQUIRE(stage.hand.grip.has_value());
+            for (int report = 1; report <= 25; ++report) {
+                time += 0.008;
+                place += 0.008 * (report > 10 ? velocity : Vec2(-velocity));
+                point_at_world(stage, place, time);
+                if (report % reports_a_frame == 0) stage.advance(0.008 * reports_a_frame, no_time);
+            }
+            if (rests) time += 0.1;
+            point_at_world(stage, place, time);
+            release_button(stage);
+            const BodyState thrown = stage.run.world().state(1);
+            const Vec2 at_grip = velocity_at(thrown, Rotation::of(thrown.angle) * Vec2(0.1, 0.0));
+            CHECK((at_grip - (rests ? Vec2::Zero() : velocity)).norm() < 1e-9);
+        }
+    }
+}
+
+TEST_CASE("keys that let go of what the mouse has moved don't throw it")
+{
+    Scene scene = three_bodies();
+    scene.world.field = NoField{};
+    Stage stage = stage_of(scene);
+    point_at_world(stage, {5.1, 2.0}, 7000.0);
+    press_button(stage, Button::left);
+    point_at_world(stage, {5.5, 2.0}, 7000.05);
+    press(stage, "return");
+    CHECK(stage.hand.grip == std::nullopt);
+    CHECK(stage.run.world().state(1).velocity.norm() < 1e-9);
+}
+
 TEST_CASE("while time stands still a body is carried, and not into another")
 {
     Stage stage = stage_of(three_bodies());
     press(stage, "p");
-    point_at_world(stage, {2.0, 4.0});
+    point(stage, {2.0, 4.0});
     press_button(stage, Button::left);
-    point_at_world(stage, {3.5, 4.5});
+    point(stage, {3.5, 4.5});
     stage.advance(0.01, no_time);
     CHECK((stage.run.world().state(0).position - Vec2(3.5, 4.5)).norm() < 1e-9);
     CHECK(stage.run.world().state(0).velocity == Vec2(1.0, 0.0));
-    point_at_world(stage, {5.0, 2.0});
+    point(stage, {5.0, 2.0});
     stage.advance(0.01, no_time);
     CHECK((stage.run.world().state(0).position - Vec2(3.5, 4.5)).norm() < 1e-9);
     CHECK(stage.run.time() == 0.0);
@@ -94,9 +140,9 @@ TEST_CASE("discs and polygons are added where there is room, with the speed that
     press(stage, "3");
     press(stage, "page_up");
     press(stage, "bracketright");
-    point_at_world(stage, {3.0, 6.0});
+    point(stage, {3.0, 6.0});
     press_button(stage, Button::left);
-    point_at_world(stage, {4.0, 6.5});
+    point(stage, {4.0, 6.5});
     release_button(stage);
     REQUIRE(stage.run.world().body_count() == 5);
     CHECK(stage.run.world().state(4).position == Vec2(3.0, 6.0));

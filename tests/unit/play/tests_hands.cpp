@@ -15,7 +15,7 @@ void move_at_random(Stage& stage, Random& random)
     switch (random.below(6)) {
     case 0:
     case 1:
-        point_at_world(stage, stage.picture.view.min + Vec2(random.uniform() * extent.x(), random.uniform() * extent.y()));
+        point(stage, stage.picture.view.min + Vec2(random.uniform() * extent.x(), random.uniform() * extent.y()));
         break;
     case 2: press_button(stage, Button::left); break;
     case 3: release_button(stage); break;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <system_error>
 #include <vector>
 
 #include "stages.hpp"
@@ -18,12 +19,19 @@ struct Destroy
     void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
 };
 
+/// One thread can be had, then no more.
+std::jthread start_one(const std::function<void(int)>& paint_band, int band)
+{
+    if (band == 1) return start_thread(paint_band, band);
+    throw std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again));
+}
+
 /// All bytes of the picture, painted in so many bands.
-std::vector<int> painted(const Stage& stage, int bands)
+std::vector<int> painted(const Stage& stage, int bands, StartThread* start = start_thread)
 {
     const std::unique_ptr<cairo_surface_t, Destroy> image(
         cairo_image_surface_create(CAIRO_FORMAT_RGB24, k_size.width, k_size.height));
-    paint_stage(image.get(), stage, k_size, bands);
+    paint_stage(image.get(), stage, k_size, bands, start);
     REQUIRE(cairo_surface_status(image.get()) == CAIRO_STATUS_SUCCESS);
     std::vector<int> bytes;
     for (int y = 0; y < k_size.height; ++y) {
@@ -34,6 +42,18 @@ std::vector<int> painted(const Stage& stage, int bands)
         }
     }
     return bytes;
+}
+
+/// Bytes that look otherwise where the pointer is over the stage.
+int bytes_of_the_hand(Stage& stage)
+{
+    stage.hand.is_here = true;
+    const std::vector<int> with = painted(stage, 1);
+    stage.hand.is_here = false;
+    const std::vector<int> without = painted(stage, 1);
+    int others = 0;
+    for (std::size_t k = 0; k < with.size(); ++k) others += with[k] != without[k];
+    return others;
 }
 
 /// Where a band cuts a slanting edge, the edge is rounded anew, by less than a quarter of a pixel: two of the sixteen
@@ -98,4 +118,45 @@ TEST_CASE("painted in bands, few bodies with shadows, faces, a ship and the help
     stage.face.reset();
     REQUIRE(press(stage, "u"));
     check_bands(stage);
+}
+
+TEST_CASE("where a thread can't be had, the bands that are left are painted all the same")
+{
+    Stage stage = stage_of(three_bodies());
+    play(stage, 0.5);
+    for (const int bands : {2, 3, 4}) {
+        CAPTURE(bands);
+        CHECK(painted(stage, bands, start_one) == painted(stage, bands));
+    }
+}
+
+TEST_CASE("what a click has just added isn't in the way of another before the pointer moves on")
+{
+    Stage stage = stage_of(three_bodies());
+    press(stage, "p");
+    press(stage, "2");
+    point(stage, {8.0, 2.0});
+    press_button(stage, Button::left);
+    release_button(stage);
+    REQUIRE(stage.run.world().body_count() == 4);
+    CHECK(bytes_of_the_hand(stage) == 0);
+    point(stage, {8.1, 2.0});
+    CHECK(bytes_of_the_hand(stage) > 0);
+}
+
+TEST_CASE("words beside the pointer stay on the surface")
+{
+    Scene scene;
+    scene.world.box = BoxDef{{0.0, 0.0}, {10.0, 8.0}};
+    Stage stage = stage_of(scene);
+    stage.size = k_size;
+    press(stage, "4");
+    point_at(stage, {40.0, 100.0}, 0.0);
+    const int all = bytes_of_the_hand(stage);
+    CHECK(all > 1000);
+    for (const Vec2& pixel : {Vec2(395.0, 100.0), Vec2(40.0, 298.0), Vec2(395.0, 298.0)}) {
+        point_at(stage, pixel, 0.0);
+        // What lies under them counts where it is of another colour than their panel
+        CHECK(bytes_of_the_hand(stage) > 0.6 * all);
+    }
 }
