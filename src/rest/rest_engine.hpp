@@ -5,17 +5,12 @@
 #include <vector>
 
 #include "rest/body_set.hpp"
-#include "rest/contact_forces.hpp"
-#include "rest/curved_ways.hpp"
-#include "rest/heap_sweeps.hpp"
-#include "rest/impacts.hpp"
+#include "rest/island_step.hpp"
 #include "rest/islands.hpp"
 #include "rest/meetings.hpp"
-#include "rest/projection.hpp"
 #include "rest/rest_data.hpp"
 #include "rest/rest_way.hpp"
 #include "rest/sleepers.hpp"
-#include "rest/slip_ends.hpp"
 
 namespace flying {
 
@@ -175,10 +170,7 @@ private:
     [[nodiscard]] bool wake_touched();
     void wake_all_with(int body);
     void solve_islands(int depth);
-    void solve_island(Island& island, int depth);
-    void find_lossless(Island& island, bool sweeps);
     void finish_islands(int depth, std::span<const int> pairs);
-    [[nodiscard]] double end_early(Island& island, int depth);
     [[nodiscard]] bool may_be_parted(const Island& island, int depth) const;
     [[nodiscard]] bool may_be_halved(const Island& island, int depth) const;
     void find_pairs_of(Again& again, std::span<const int> pairs);
@@ -195,15 +187,10 @@ private:
     double start_ = 0.0; // [s]
     std::int64_t steps_ = 0;
 
-    // The stages of a step, each with what it needs for its own work
     std::vector<ContactPoint> found_; // in the order of the pairs
     std::vector<double> farthest_;    // that each body may get in the step, thrown or not [m]
     Islands islands_;
-    Impacts impacts_;
-    SlipEnds slip_ends_;
-    CurvedWays curves_;
-    HeapSweeps sweeps_;
-    Projection projection_;
+    IslandStep island_step_;
 
     Sleepers sleepers_;
     std::vector<char> still_;        // of each body: the last step left it as it was

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "rest/energy_limit.hpp"
 #include "rest/find_contacts.hpp"
@@ -11,69 +10,6 @@
 
 namespace flying {
 namespace {
-
-[[nodiscard]] bool bears(const ContactPoint& c)
-{
-    return c.normal > 0.0;
-}
-
-/// Deepest overlap that the step has begun with.  [sizes]
-double overlap_at_start(const RestData& data, const Island& island)
-{
-    double worst = 0.0;
-    for (const ContactPoint& c : island.points) {
-        worst = std::max(worst, -c.gap / std::min(data.bodies.radius[c.a], data.bodies.radius[c.b]));
-    }
-    return worst;
-}
-
-/// When a load that wanes evenly comes to its end: where it is less than a third of what it was over the step before,
-/// that is within this one; 0 where none does.  [s]
-double end_of_load(const RestData& data, const Island& island)
-{
-    double first = data.motion.span;
-    for (const ContactPoint& c : island.points) {
-        const RestPair& pair = data.pairs.pairs()[c.pair];
-        const auto* own = std::find(pair.feature, pair.feature + pair.count, c.feature);
-        const double before = own != pair.feature + pair.count ? pair.normal[own - pair.feature] : 0.0;
-        if (!(3.0 * c.normal < before)) continue;
-
-        // Both are means, and stand for the middles of their steps; of one that has ended before that, less is known
-        const double share = c.normal > 0.0 ? 0.5 + c.normal / (before - c.normal) : 0.25;
-        first = std::min(first, share * data.motion.span);
-    }
-    return first < data.motion.span ? first : 0.0;
-}
-
-/// The step may end as it was found: with little overlap or no more than there was, and nobody beyond the room in which
-/// it was looked for.
-bool is_fair(const RestData& data, const Island& island, double overlap)
-{
-    const double fair = is_heap(island) ? rest_tolerance::k_most_overlap : rest_tolerance::k_fair_overlap;
-    if (overlap > fair && overlap > overlap_at_start(data, island)) return false;
-    for (const int member : island.members) {
-        const double arc = std::abs(data.motion.turn[member]) * data.bodies.turning[member];
-        const double room = rest_tolerance::k_room_reaches * data.motion.reach[member];
-        if (!(data.motion.shift[member].norm() + arc <= room)) return false;
-    }
-    return true;
-}
-
-/// Ways of an island whose velocities are found.
-void find_places(RestData& data, const Island& island)
-{
-    if (island.has_ways || !island.is_exact) return;
-
-    // Places move by the mean of the velocities before and after
-    StepMotion& motion = data.motion;
-    for (const int member : island.members) {
-        const Mover& old = motion.before[member];
-        const Mover& now = motion.now[member];
-        const Vec2 mean(0.5 * (old.v_x + now.v_x), 0.5 * (old.v_y + now.v_y));
-        motion.shift[member] += motion.span * mean;
-        motion.turn[member] += motion.span * (0.5 * (old.spin + now.spin));
-    }
-}
 
 /// What pairs bear, for another length of time.
 void scale_loads(RestData& data, std::span<const int> pairs, double factor)
@@ -235,72 +171,7 @@ void RestEngine::solve_islands(int depth)
 {
     data_.counts.groups += static_cast<std::int64_t>(islands_.all().size());
     data_.counts.points += static_cast<std::int64_t>(islands_.point_count());
-    for (Island& island : islands_.all()) solve_island(island, depth);
-}
-
-void RestEngine::solve_island(Island& island, int depth)
-{
-    if (island.points.empty()) {
-        fly(data_, island);
-        return;
-    }
-    // Strike, or end the part where the first impact comes; small islands go on from there with another look
-    island.in_turn = !is_heap(island) && may_be_parted(island, depth);
-    bool is_struck = impacts_.strike(data_, island, sweeps_);
-    if (island.in_turn) island.cut_at = is_struck ? data_.motion.span : first_impact(data_, island);
-    if (island.cut_at > 0.0) return;
-    // Where nothing may be lost, what was struck goes on to strike what it would meet within the step
-    for (int k = 0; k < rest_tolerance::k_patience && is_struck && !is_heap(island) && is_lossless(island); ++k)
-        is_struck = impacts_.strike(data_, island, sweeps_);
-
-    // Find the forces of the contacts
-    const bool sweeps = !is_solved_whole(data_, island);
-    if (is_lossless(island)) {
-        find_lossless(island, sweeps);
-    } else if (sweeps) {
-        sweeps_.sweep_large(data_, island);
-        return;
-    } else {
-        if (!CurvedWays::may_follow(island)) curves_.take_lines_halfway(data_, island);
-        set_velocity_bias(data_, island);
-        find_impulses(data_, island, data_.motion.before, data_.motion.span);
-        if (is_heap(island) && !island.is_solved) {
-            // It would cost more than it brings to look on; sweeps go on from what bore before
-            recall_impulses(data_, island);
-            if (!sweeps_.sweep_small(data_, island)) {
-                recall_impulses(data_, island);
-                sweeps_.sweep_large(data_, island);
-                return;
-            }
-        }
-    }
-    if (std::none_of(island.points.begin(), island.points.end(), bears)) {
-        fly(data_, island);
-        return;
-    }
-    if (!curves_.follow(data_, island) && island.point_count() <= rest_tolerance::k_most_in_detail)
-        slip_ends_.part(data_, island);
-    calm(data_, island);
-}
-
-/// Forces where nothing may be lost. They are found again as long as gaps close that were thought to stay open.
-void RestEngine::find_lossless(Island& island, bool sweeps)
-{
-    set_lossless_bias(data_, island);
-    for (int k = 0; k < rest_tolerance::k_quick_rounds; ++k) {
-        if (!sweeps) find_impulses(data_, island, data_.motion.before, data_.motion.span);
-        if (is_heap(island) && (sweeps || !island.is_solved)) {
-            set_free(data_, island, data_.motion.before, data_.motion.span);
-            sweeps_.sweep_velocities(data_, island, data_.motion.now, island.points);
-        }
-        const std::span<const Mover> before = data_.motion.before;
-        const double share = neutral_share(data_, island, before, data_.motion.now, Way::mean_velocity);
-        if (share != 1.0) {
-            scale_impulses(island, share);
-            take_share(data_, island, before, data_.motion.now, Way::mean_velocity, share);
-        }
-        if (island.in_turn || !close_missed(data_, island)) return;
-    }
+    for (Island& island : islands_.all()) island_step_.find(data_, island, may_be_parted(island, depth));
 }
 
 void RestEngine::finish_islands(int depth, std::span<const int> pairs)
@@ -311,7 +182,7 @@ void RestEngine::finish_islands(int depth, std::span<const int> pairs)
     again.members.clear();
     again.pairs.clear();
     for (Island& island : islands_.all()) {
-        if (island.cut_at == 0.0) island.cut_at = end_early(island, depth);
+        if (island.cut_at == 0.0) island.cut_at = island_step_.end_early(data_, island, may_be_halved(island, depth));
         if (island.cut_at > 0.0) {
             const int part = static_cast<int>(again.parts.size());
             again.parts.push_back({static_cast<int>(again.members.size()), island.member_count(), 0, 0, island.cut_at});
@@ -326,26 +197,6 @@ void RestEngine::finish_islands(int depth, std::span<const int> pairs)
         move_island(island);
     }
     if (!again.parts.empty()) find_pairs_of(again, pairs);
-}
-
-/// The verdict on what was found for an island: the moment at which its step is to end early, or 0 where it stands,
-/// with its overlap taken off.  [s]
-double RestEngine::end_early(Island& island, int depth)
-{
-    find_places(data_, island);
-    if (island.in_turn) {
-        const double missed = missed_impact(data_, island);
-        if (missed > 0.0) return missed;
-        if (island.has_ways && data_.motion.span == data_.options.step) {
-            const double end = end_of_load(data_, island);
-            if (end > 0.0) return end;
-        }
-    }
-    if (island.points.empty()) return 0.0;
-    const double overlap = projection_.measure_overlap(data_, island);
-    if (may_be_halved(island, depth) && !is_fair(data_, island, overlap)) return 0.5 * data_.motion.span;
-    projection_.put_apart(data_, island, overlap, sweeps_);
-    return 0.0;
 }
 
 /// There may be more parts of its step.

@@ -1,0 +1,162 @@
+#include "rest/island_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "rest/contact_forces.hpp"
+#include "rest/energy_limit.hpp"
+#include "rest/rest_tolerance.hpp"
+#include "rest/step_field.hpp"
+
+namespace flying {
+namespace {
+
+[[nodiscard]] bool bears(const ContactPoint& c)
+{
+    return c.normal > 0.0;
+}
+
+/// Deepest overlap that the step has begun with.  [sizes]
+double overlap_at_start(const RestData& data, const Island& island)
+{
+    double worst = 0.0;
+    for (const ContactPoint& c : island.points) {
+        worst = std::max(worst, -c.gap / std::min(data.bodies.radius[c.a], data.bodies.radius[c.b]));
+    }
+    return worst;
+}
+
+/// When a load that wanes evenly comes to its end: where it is less than a third of what it was over the step before,
+/// that is within this one; 0 where none does.  [s]
+double end_of_load(const RestData& data, const Island& island)
+{
+    double first = data.motion.span;
+    for (const ContactPoint& c : island.points) {
+        const RestPair& pair = data.pairs.pairs()[c.pair];
+        const auto* own = std::find(pair.feature, pair.feature + pair.count, c.feature);
+        const double before = own != pair.feature + pair.count ? pair.normal[own - pair.feature] : 0.0;
+        if (!(3.0 * c.normal < before)) continue;
+
+        // Both are means, and stand for the middles of their steps; of one that has ended before that, less is known
+        const double share = c.normal > 0.0 ? 0.5 + c.normal / (before - c.normal) : 0.25;
+        first = std::min(first, share * data.motion.span);
+    }
+    return first < data.motion.span ? first : 0.0;
+}
+
+/// The step may end as it was found: with little overlap or no more than there was, and nobody beyond the room in which
+/// it was looked for.
+bool is_fair(const RestData& data, const Island& island, double overlap)
+{
+    const double fair = is_heap(island) ? rest_tolerance::k_most_overlap : rest_tolerance::k_fair_overlap;
+    if (overlap > fair && overlap > overlap_at_start(data, island)) return false;
+    for (const int member : island.members) {
+        const double arc = std::abs(data.motion.turn[member]) * data.bodies.turning[member];
+        const double room = rest_tolerance::k_room_reaches * data.motion.reach[member];
+        if (!(data.motion.shift[member].norm() + arc <= room)) return false;
+    }
+    return true;
+}
+
+/// Ways of an island whose velocities are found.
+void find_places(RestData& data, const Island& island)
+{
+    if (island.has_ways || !island.is_exact) return;
+
+    // Places move by the mean of the velocities before and after
+    StepMotion& motion = data.motion;
+    for (const int member : island.members) {
+        const Mover& old = motion.before[member];
+        const Mover& now = motion.now[member];
+        const Vec2 mean(0.5 * (old.v_x + now.v_x), 0.5 * (old.v_y + now.v_y));
+        motion.shift[member] += motion.span * mean;
+        motion.turn[member] += motion.span * (0.5 * (old.spin + now.spin));
+    }
+}
+
+} // namespace
+
+void IslandStep::find(RestData& data, Island& island, bool may_be_parted)
+{
+    if (island.points.empty()) {
+        fly(data, island);
+        return;
+    }
+    // Strike, or end the part where the first impact comes; small islands go on from there with another look
+    island.in_turn = !is_heap(island) && may_be_parted;
+    bool is_struck = impacts_.strike(data, island, sweeps_);
+    if (island.in_turn) island.cut_at = is_struck ? data.motion.span : first_impact(data, island);
+    if (island.cut_at > 0.0) return;
+    // Where nothing may be lost, what was struck goes on to strike what it would meet within the step
+    for (int k = 0; k < rest_tolerance::k_patience && is_struck && !is_heap(island) && is_lossless(island); ++k)
+        is_struck = impacts_.strike(data, island, sweeps_);
+
+    // Find the forces of the contacts
+    const bool sweeps = !is_solved_whole(data, island);
+    if (is_lossless(island)) {
+        find_lossless(data, island, sweeps);
+    } else if (sweeps) {
+        sweeps_.sweep_large(data, island);
+        return;
+    } else {
+        if (!CurvedWays::may_follow(island)) curves_.take_lines_halfway(data, island);
+        set_velocity_bias(data, island);
+        find_impulses(data, island, data.motion.before, data.motion.span);
+        if (is_heap(island) && !island.is_solved) {
+            // It would cost more than it brings to look on; sweeps go on from what bore before
+            recall_impulses(data, island);
+            if (!sweeps_.sweep_small(data, island)) {
+                recall_impulses(data, island);
+                sweeps_.sweep_large(data, island);
+                return;
+            }
+        }
+    }
+    if (std::none_of(island.points.begin(), island.points.end(), bears)) {
+        fly(data, island);
+        return;
+    }
+    if (!curves_.follow(data, island) && island.point_count() <= rest_tolerance::k_most_in_detail)
+        slip_ends_.part(data, island);
+    calm(data, island);
+}
+
+/// Forces where nothing may be lost. They are found again as long as gaps close that were thought to stay open.
+void IslandStep::find_lossless(RestData& data, Island& island, bool sweeps)
+{
+    set_lossless_bias(data, island);
+    for (int k = 0; k < rest_tolerance::k_quick_rounds; ++k) {
+        if (!sweeps) find_impulses(data, island, data.motion.before, data.motion.span);
+        if (is_heap(island) && (sweeps || !island.is_solved)) {
+            set_free(data, island, data.motion.before, data.motion.span);
+            sweeps_.sweep_velocities(data, island, data.motion.now, island.points);
+        }
+        const std::span<const Mover> before = data.motion.before;
+        const double share = neutral_share(data, island, before, data.motion.now, Way::mean_velocity);
+        if (share != 1.0) {
+            scale_impulses(island, share);
+            take_share(data, island, before, data.motion.now, Way::mean_velocity, share);
+        }
+        if (island.in_turn || !close_missed(data, island)) return;
+    }
+}
+
+double IslandStep::end_early(RestData& data, Island& island, bool may_be_halved)
+{
+    find_places(data, island);
+    if (island.in_turn) {
+        const double missed = missed_impact(data, island);
+        if (missed > 0.0) return missed;
+        if (island.has_ways && data.motion.span == data.options.step) {
+            const double end = end_of_load(data, island);
+            if (end > 0.0) return end;
+        }
+    }
+    if (island.points.empty()) return 0.0;
+    const double overlap = projection_.measure_overlap(data, island);
+    if (may_be_halved && !is_fair(data, island, overlap)) return 0.5 * data.motion.span;
+    projection_.put_apart(data, island, overlap, sweeps_);
+    return 0.0;
+}
+
+} // namespace flying
