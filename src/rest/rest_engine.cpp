@@ -24,9 +24,9 @@ RestEngine::RestEngine(std::vector<RestBody> bodies, const RestOptions& options,
       still_(data_.bodies.list.size(), 0),
       awake_(data_.bodies.count()),
       before_(data_.bodies.list.size()),
-      clear_(data_.bodies.list.size(), 0),
-      part_of_(data_.bodies.list.size(), -1)
+      clear_(data_.bodies.list.size(), 0)
 {
+    parts_.of.assign(data_.bodies.list.size(), -1);
     for (int k = 0; k < data_.bodies.count(); ++k) {
         expect_flight(data_, k, data_.bodies.list[k].state.position);
         stirred_.push_back(k);

@@ -162,6 +162,14 @@ private:
         std::vector<int> pairs;
     };
 
+    /// Steps that are made in parts.
+    struct Parts
+    {
+        std::vector<Again> at; ///< at each depth of parts within parts
+        int made = 0;          ///< of the step of an island
+        std::vector<int> of;   ///< of each body, while pairs are sorted out; -1 for none
+    };
+
     void list_awake();
     void begin_awake();
     void measure_reach(std::span<const int> bodies);
@@ -199,9 +207,7 @@ private:
     std::vector<int> moved_;         // those that the last step was for, ascending
     std::vector<BodyBefore> before_; // of those
     std::vector<char> clear_;        // of each body, while those are found; else 0
-    std::vector<Again> again_;       // at each depth of parts within parts
-    int parts_made_ = 0;             // of the step of an island
-    std::vector<int> part_of_;       // of each body, while pairs are sorted out; -1 for none
+    Parts parts_;
     RestSeconds seconds_;
     std::vector<std::vector<Leg>>* legs_ = nullptr; // of each body, as it is known outside, while they are noted
 };

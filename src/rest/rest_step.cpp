@@ -47,7 +47,7 @@ void RestEngine::step()
     for (const Island& island : islands_.all()) {
         for (const int member : island.members) before_[member].island = island.members.front();
     }
-    parts_made_ = 0;
+    parts_.made = 0;
     solve_islands(0);
     watch.stop(seconds_.solve);
     finish_islands(0, {});
@@ -176,8 +176,8 @@ void RestEngine::solve_islands(int depth)
 
 void RestEngine::finish_islands(int depth, std::span<const int> pairs)
 {
-    again_.resize(rest_tolerance::k_most_parts + 1);
-    Again& again = again_[depth];
+    parts_.at.resize(rest_tolerance::k_most_parts + 1);
+    Again& again = parts_.at[depth];
     again.parts.clear();
     again.members.clear();
     again.pairs.clear();
@@ -186,7 +186,7 @@ void RestEngine::finish_islands(int depth, std::span<const int> pairs)
         if (island.cut_at > 0.0) {
             const int part = static_cast<int>(again.parts.size());
             again.parts.push_back({static_cast<int>(again.members.size()), island.member_count(), 0, 0, island.cut_at});
-            for (const int member : island.members) part_of_[member] = part;
+            for (const int member : island.members) parts_.of[member] = part;
             again.members.insert(again.members.end(), island.members.begin(), island.members.end());
             continue;
         }
@@ -203,7 +203,7 @@ void RestEngine::finish_islands(int depth, std::span<const int> pairs)
 bool RestEngine::may_be_parted(const Island& island, int depth) const
 {
     const int most = is_heap(island) ? rest_tolerance::k_quick_rounds : rest_tolerance::k_most_parts;
-    return depth < rest_tolerance::k_most_parts && parts_made_ < most;
+    return depth < rest_tolerance::k_most_parts && parts_.made < most;
 }
 
 /// The same where nothing says where to part it; the step of a small island, however many impacts it had.
@@ -220,8 +220,8 @@ void RestEngine::find_pairs_of(Again& again, std::span<const int> pairs)
     // those that may touch, which depends on when it was made
     const bool is_first = pairs.empty();
     const auto part_of = [&](const RestPair& pair) {
-        const int a = part_of_[pair.a];
-        const int b = part_of_[pair.b];
+        const int a = parts_.of[pair.a];
+        const int b = parts_.of[pair.b];
         if (data_.bodies.list[pair.a].is_static) return b;
         if (data_.bodies.list[pair.b].is_static) return a;
         return a == b ? a : -1;
@@ -244,7 +244,7 @@ void RestEngine::find_pairs_of(Again& again, std::span<const int> pairs)
     }
     again.pairs.resize(first);
     each([&](int pair, Again::Part& part) { again.pairs[part.first_pair + part.pair_count++] = pair; });
-    for (const int member : again.members) part_of_[member] = -1;
+    for (const int member : again.members) parts_.of[member] = -1;
 }
 
 /// The steps of islands that end early, at a moment each: the part up to there, and what is left.
@@ -254,12 +254,12 @@ void RestEngine::make_parts(int depth, std::span<const double> cuts)
 {
     const double whole = data_.motion.span;
     const double after_whole = data_.motion.after;
-    for (std::size_t k = 0; k < again_[depth].parts.size(); ++k) {
-        const Again::Part part = again_[depth].parts[k];
+    for (std::size_t k = 0; k < parts_.at[depth].parts.size(); ++k) {
+        const Again::Part part = parts_.at[depth].parts[k];
         const std::span<const int> members =
-            std::span(again_[depth].members).subspan(part.first_member, part.member_count);
-        const std::span<const int> pairs = std::span(again_[depth].pairs).subspan(part.first_pair, part.pair_count);
-        if (depth == 0) parts_made_ = 0;
+            std::span(parts_.at[depth].members).subspan(part.first_member, part.member_count);
+        const std::span<const int> pairs = std::span(parts_.at[depth].pairs).subspan(part.first_pair, part.pair_count);
+        if (depth == 0) parts_.made = 0;
         double before = whole;
         double begun = 0.0;
         const std::span<const double> ends = cuts.empty() ? std::span(&part.cut_at, 1) : cuts;
@@ -267,7 +267,7 @@ void RestEngine::make_parts(int depth, std::span<const double> cuts)
             const double end = i < ends.size() ? ends[i] : whole;
             const double length = end - begun;
             if (!(length > 0.0)) continue;
-            ++parts_made_;
+            ++parts_.made;
             data_.motion.span = length;
             begun = end;
             data_.motion.after = after_whole + (whole - end);
@@ -286,7 +286,7 @@ void RestEngine::make_parts(int depth, std::span<const double> cuts)
         scale_loads(data_, pairs, whole / before);
         ++data_.counts.parts;
     }
-    again_[depth].parts.clear();
+    parts_.at[depth].parts.clear();
 }
 
 /// Islands that met, and were not thought to, go back, to make their step in parts that begin whenever any of them has
@@ -306,7 +306,7 @@ bool RestEngine::go_back(std::vector<double>& met)
     (void)list_pairs();
     const Meetings meetings = find_meetings(data_, before_, awake_);
     if (meetings.islands.empty()) return false;
-    Again& again = again_[0];
+    Again& again = parts_.at[0];
     again.parts.assign(1, {});
     met.insert(std::upper_bound(met.begin(), met.end(), meetings.first), meetings.first);
     again.members.clear();
@@ -321,7 +321,7 @@ bool RestEngine::go_back(std::vector<double>& met)
         data_.motion.expected_angular_acceleration[k] = old.expected_angular_acceleration;
         if (legs_) (*legs_)[data_.bodies.order[k]].clear();
         again.members.push_back(k);
-        part_of_[k] = 0;
+        parts_.of[k] = 0;
     }
     again.parts[0].member_count = static_cast<int>(again.members.size());
     find_pairs_of(again, {});
