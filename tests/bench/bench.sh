@@ -3,7 +3,8 @@
 #
 #   bench.sh FOLDER_OF_PROGRAMS [options]     those of flying_diagrams, or of flying_bench; results go to out/bench
 set -euo pipefail
-export LC_ALL=C.UTF-8
+# Every engine has one thread; the one that a peer's library would start does nothing but spin
+export LC_ALL=C.UTF-8 OPENBLAS_NUM_THREADS=1
 
 here=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")" && pwd)
 if [[ ${1:-} == --help ]]; then
