@@ -2,11 +2,9 @@
 
 #include <vector>
 
-#include "collide/separation.hpp"
 #include "geometry/make_polygon.hpp"
 #include "mass/polygon.hpp"
 #include "math/random.hpp"
-#include "rest/outline_points.hpp"
 #include "chapters/support/lying_bodies.hpp"
 
 // What the outline of a body says beside its shape: vertices in the middle of straight sides, and sides in one line.
@@ -150,28 +148,5 @@ TEST_CASE("boxes lie still on the arms of a cross, in the gaps of a comb, and wh
                       falls(rectangle_ring(0.7, 0.7), Vec2(-1.02, 3.0), tilt, material),
                       falls(rectangle_ring(0.7, 0.7), Vec2(1.02, 3.0), tilt, material)},
                      8.0, 0.7);
-    }
-}
-
-TEST_CASE("of two tips that meet along a line, neither lies deep in the other because rounding puts it there")
-{
-    // Two that slide along a floor, each on its tip; the one's side hangs over the other's tip
-    const Polygon hull({{Vec2(-2.0, 0.0), Vec2(0.0, 0.0), Vec2(1.5, 2.9), Vec2(1.0, 5.0), Vec2(-2.0, 5.0)}});
-    const Polygon wedge({{Vec2(0.0, 0.0), Vec2(0.95, 0.045), Vec2(0.7, 0.8)}});
-    const Outline outline_a(hull, make_collision_shape(hull));
-    const Outline outline_b(wedge, make_collision_shape(wedge));
-    for (const double angle : {0.0, 0.7, 2.0}) {
-        const Rotation turn = Rotation::of(angle);
-        const Pose pose_a{Vec2(0.3, -0.2), turn};
-        for (const double depth : {1e-9, 3e-6, 1e-3}) {
-            for (const double height : {0.0, 1e-13, -1e-13}) {
-                CAPTURE(angle);
-                CAPTURE(depth);
-                CAPTURE(height);
-                const Pose pose_b{pose_a.position + turn * Vec2(-depth, height), turn};
-                const Manifold manifold = outline_points({outline_a, 0, pose_a}, {outline_b, 0, pose_b}, 0.01, 1e-12);
-                for (int k = 0; k < manifold.count; ++k) CHECK(manifold.contacts[k].separation > -1.01 * depth);
-            }
-        }
     }
 }
