@@ -24,7 +24,7 @@ constexpr double k_crack = 0x1p-26;
 /// stands on it stands along its normal.
 constexpr double k_parallel = 0x1p-16;
 /// [near] What has sunk deeper into a polygon than that share of what counts as near may lie anyhow in a notch, and leaves
-/// it by the shortest way.
+/// it by the shortest way. What lies so much deeper below a joint surface than in the polygon is beside both neighbours.
 constexpr double k_sunk = 0x1p-5;
 
 
@@ -215,7 +215,7 @@ void mend_at_seams(const Polygon& part, const Pose& world_from_part, std::span<c
             if (seam.is_loose && std::holds_alternative<Polygon>(other) &&
                 (nearest.point - there).squaredNorm() > near * near)
                 continue;
-            // What lies well below the surface, and not in the polygon, is beside both, not on them
+            // What lies below the surface, and not in the polygon, is beside both, not on them
             const double height = instead.dot(from_corner);
             if (height < std::min(contact.separation, 0.0) - k_sunk * near) continue;
             const double over = from_corner.dot(seam.onwards);

@@ -88,9 +88,9 @@ void HeapSweeps::sweep_on(RestData& data, const Island& island, std::span<Mover>
     };
     SweepPlan plan;
     plan.sweeps = rest_tolerance::k_more_sweeps;
+    plan.tolerance = 0.0;
     for (int round = 0; round < rest_tolerance::k_few_rounds; ++round, plan.sweeps *= 2) {
         if (worst_missed(data, movers, points) <= most) return;
-        plan.tolerance = 0.0;
         take_back();
         sweeps_.sweep(movers, island.members, points, plan, data.solver.counts());
     }

@@ -44,8 +44,8 @@ double end_of_load(const RestData& data, const Island& island)
     return first < data.motion.span ? first : 0.0;
 }
 
-/// The step may end as it was found: with little overlap or no more than there was, and nobody beyond the room in which
-/// it was looked for.
+/// The step may end as it was found: with little overlap or no more than there was, and no body beyond the room of its
+/// box.
 bool is_fair(const RestData& data, const Island& island, double overlap)
 {
     const double fair = is_heap(island) ? rest_tolerance::k_most_overlap : rest_tolerance::k_fair_overlap;

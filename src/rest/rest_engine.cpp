@@ -194,8 +194,8 @@ std::vector<int> RestEngine::find_clear(double within)
     return clear;
 }
 
-/// The pair doesn't lean, but bounces, and nothing is lost by that: impacts, a few in a step, bring about what the last
-/// step took for a load.
+/// The pair doesn't lean, but bounces, and nothing is lost by that: impacts bring about what the last step took for a
+/// load.
 ///
 /// load  impulse of that step [N s]
 bool RestEngine::bounces(const RestPair& pair, double load) const

@@ -95,7 +95,8 @@ inline constexpr double k_interior_short = 0.1;
 inline constexpr double k_one_face = 0.75;
 
 // ---- Pairs (pair_list)
-/// [reaches] Room that the box of a body gets: more room, fewer searches and more pairs.
+/// [reaches] Room that the box of a body gets: more room, fewer searches and more pairs. A step that leads further is
+/// made in halves.
 inline constexpr double k_room_reaches = 3.0;
 
 // ---- Contacts ahead (find_contacts)

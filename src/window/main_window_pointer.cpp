@@ -20,8 +20,8 @@ namespace {
 
 constexpr double k_zoom = 1.15; ///< of one notch
 
-/// The time of an event; none where it has none, as when the pointer comes in since something has moved away from under it.
-/// milliseconds  as GTK has it, 0 for none.                                     [s]
+/// The time of an event [s]; none where it has none, as when the pointer comes in since something has moved away over it.
+/// milliseconds  as GTK has it; 0 for none
 std::optional<double> event_time(guint32 milliseconds)
 {
     if (milliseconds == 0) return std::nullopt;

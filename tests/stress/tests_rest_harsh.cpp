@@ -156,9 +156,9 @@ TEST_CASE("random scenes that broke a promise once: no body gets into another in
     // 103, 214: of two blows in a step each was hidden by the cut that showed the other.
     // 2487: a blow to and fro between light and heavy bodies went on for minutes.
     // 1193: a pebble under a heavy body was pressed into the floor. 2169: a tip slid between a box and the floor.
-    // 192, 1149: who had met unforeseen went back to before the blow that threw one at the other. 1069, 1414: a corner
+    // 192, 1149: bodies that had met unforeseen went back to before the blow that threw one at the other. 1069, 1414: a corner
     // of a body with notches came lower than the points that were known of it. 3925: of two tips that met on the floor,
-    // rounding put one deep into the other. 76: who lay under a corner that two others shared lay on their common side.
+    // rounding put one deep into the other. 76: what lay beside two others was pushed out over both.
     //
     // A change of one bit makes other runs of them. One that fails then has shown a fault of the method each time that it
     // was looked into

@@ -16,6 +16,19 @@ Polygon rectangle(const Vec2& least, const Vec2& greatest)
     return Polygon({{least, {greatest.x(), least.y()}, greatest, {least.x(), greatest.y()}}});
 }
 
+/// What a body touches near the seam is what it would touch of the polygon alone.
+void keeps_its_contact(const Polygon& part, const Seam& seam, const Polygon& body, const Pose& place, double separation)
+{
+    const Manifold plain = make_manifold(part, Pose{}, body, place, 0.05);
+    REQUIRE(plain.count == 1);
+    REQUIRE(plain.contacts[0].separation == doctest::Approx(separation));
+    Manifold mended = plain;
+    mend_at_seams(part, Pose{}, std::vector{seam}, Owner::a, body, place, 0.03, 0.05, mended);
+    REQUIRE(mended.count == 1);
+    CHECK(mended.contacts[0].separation == plain.contacts[0].separation);
+    CHECK(mended.contacts[0].normal == plain.contacts[0].normal);
+}
+
 } // namespace
 
 TEST_CASE("an edge that lies on a corner at a loose hollow is touched there, and not where its end is")
@@ -31,14 +44,7 @@ TEST_CASE("an edge that lies on a corner at a loose hollow is touched there, and
         for (const double low : {-1.4, -0.5}) {
             CAPTURE(low);
             const Polygon bar = rectangle(Vec2(0.0, low), Vec2(0.3, low + 2.0));
-            const Manifold plain = make_manifold(part, Pose{}, bar, place, 0.05);
-            REQUIRE(plain.count == 1);
-            REQUIRE(plain.contacts[0].separation == doctest::Approx(0.01));
-            Manifold mended = plain;
-            mend_at_seams(part, Pose{}, std::vector{seam}, Owner::a, bar, place, 0.03, 0.05, mended);
-            REQUIRE(mended.count == 1);
-            CHECK(mended.contacts[0].separation == plain.contacts[0].separation);
-            CHECK(mended.contacts[0].normal == plain.contacts[0].normal);
+            keeps_its_contact(part, seam, bar, place, 0.01);
         }
     }
 }
@@ -69,14 +75,7 @@ TEST_CASE("what lies beside two neighbours, deeper below their joint surface tha
             CAPTURE(depth);
             // One that stands on its tip, a thousandth away from that side, all within the size of a contact
             const Pose place{Vec2(1.001 + std::numbers::sqrt2 / 2.0, 1.0 - depth), Rotation::of(std::numbers::pi / 4.0)};
-            const Manifold plain = make_manifold(part, Pose{}, square, place, 0.05);
-            REQUIRE(plain.count == 1);
-            REQUIRE(plain.contacts[0].separation == doctest::Approx(0.001));
-            Manifold mended = plain;
-            mend_at_seams(part, Pose{}, std::vector{seam}, Owner::a, square, place, 0.03, 0.05, mended);
-            REQUIRE(mended.count == 1);
-            CHECK(mended.contacts[0].separation == plain.contacts[0].separation);
-            CHECK(mended.contacts[0].normal == plain.contacts[0].normal);
+            keeps_its_contact(part, seam, square, place, 0.001);
         }
         // As deep as an overlap, it lies on the surface
         const Pose place{Vec2(1.001 + std::numbers::sqrt2 / 2.0, 0.9995), Rotation::of(std::numbers::pi / 4.0)};
