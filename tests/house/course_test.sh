@@ -21,6 +21,13 @@ expect 0 '^./course run' help
 expect 0 '^./course run' --help
 expect 0 '^./course test --matrix'
 expect 2 "no command 'fly'" fly
+expect 2 "no command 'fly'" fly --help
+expect 2 "no command 'fly'" help fly
+for name in run play test build chapter start check progress book; do
+    expect 0 "^./course $name" "$name" --help
+    expect 0 "^./course $name" "$name" -h
+    expect 0 "^./course $name" help "$name"
+done
 expect 2 'no such scene: .*/none.toml' run none.toml
 expect 2 'one scene at most' run a.toml b.toml
 expect 2 'no such scene: .*/none.toml' play none.toml
