@@ -9,15 +9,6 @@
 namespace flying {
 namespace {
 
-/// Time until a gap closes that changes at speed u and acceleration a; more than `within` where it doesn't by then. [s]
-[[nodiscard]] double time_to_close(double gap, double u, double a, double within)
-{
-    if (gap + within * (u + 0.5 * a * within) > 0.0) return 2.0 * within;
-    const double square = u * u - 2.0 * a * gap;
-    const double root = std::sqrt(std::max(square, 0.0));
-    return root > u ? 2.0 * gap / (root - u) : 2.0 * within;
-}
-
 /// The point of the last look that a point continues: the nearest at the same place, whatever the names of the
 /// features, which change with rounding where corners lie on corners; or else that of the same features. -1 where there
 /// is none.
@@ -197,6 +188,14 @@ void add_points(RestData& data, int index, const Manifold& manifold, double clos
 }
 
 } // namespace
+
+double time_to_close(double gap, double u, double a, double within)
+{
+    if (gap + within * (u + 0.5 * a * within) > 0.0) return 2.0 * within;
+    const double square = u * u - 2.0 * a * gap;
+    const double root = std::sqrt(std::max(square, 0.0));
+    return root > u ? 2.0 * gap / (root - u) : 2.0 * within;
+}
 
 bool may_touch(const RestData& data, const RestPair& pair, std::span<const double> farthest)
 {

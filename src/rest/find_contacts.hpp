@@ -13,6 +13,10 @@ namespace flying {
 /// found  where to add them
 void find_contacts(RestData& data, int pair, std::vector<ContactPoint>& found);
 
+/// Time until a gap closes that changes at speed u [m/s] and acceleration a [m/s^2]; more than `within` where it
+/// doesn't by then.  [s]
+[[nodiscard]] double time_to_close(double gap, double u, double a, double within);
+
 /// The two parts of a pair may touch before the step ends, where the bodies get no further than so.
 /// farthest  of each body [m]
 [[nodiscard]] bool may_touch(const RestData& data, const RestPair& pair, std::span<const double> farthest);

@@ -81,12 +81,12 @@ bool strike(const PairOfBodies& pair, std::span<Mover> velocities, std::span<con
     return first;
 }
 
-} // namespace
-
-bool any_elastic(std::span<const ContactPoint> points)
+[[nodiscard]] bool any_elastic(std::span<const ContactPoint> points)
 {
     return std::any_of(points.begin(), points.end(), [](const ContactPoint& c) { return c.restitution == 1.0; });
 }
+
+} // namespace
 
 int throw_back(std::span<Mover> velocities, std::span<const ContactPoint> points, std::span<const double> slowest)
 {
@@ -94,8 +94,8 @@ int throw_back(std::span<Mover> velocities, std::span<const ContactPoint> points
     // nothing is lost, a blow that runs to and fro in a packed pit comes to its end after more than a few rounds;
     // elsewhere what is left then is no rebound any more
     const std::vector<PairOfBodies> pairs = pairs_of(points);
-    const int rounds = any_elastic(points) ? rest_tolerance::k_patience * rest_tolerance::k_patience
-                                           : rest_tolerance::k_patience;
+    const int rounds =
+        any_elastic(points) ? rest_tolerance::k_patience * rest_tolerance::k_patience : rest_tolerance::k_patience;
     const int most = rounds * static_cast<int>(pairs.size());
     int impacts = 0;
     for (std::size_t k = 0; k < pairs.size() && impacts < most;) {

@@ -6,9 +6,6 @@
 
 namespace flying {
 
-/// Some of the points lose nothing when they are struck.
-[[nodiscard]] bool any_elastic(std::span<const ContactPoint> points);
-
 /// Throw back what arrives at contacts that are closed, by the law of two bodies that the event engine has, too
 /// (response/impact.hpp): one after the other, always the first pair in the order of the points that arrives, until
 /// no point approaches faster than it may: the order in which events come at one moment, so that a row of balls answers

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "rest/energy_limit.hpp"
+#include "rest/find_contacts.hpp"
 #include "rest/heap_sweeps.hpp"
 #include "rest/impact.hpp"
 #include "rest/rest_tolerance.hpp"
@@ -13,13 +14,10 @@
 namespace flying {
 namespace {
 
-/// An approach that the field alone would bring about in a small part of the step is left to the load, but where
-/// nothing may be lost.  [m/s]
-[[nodiscard]] double slowest_blow(const RestData& data, const Island& island)
+/// Of the smaller one of two bodies.  [m]
+[[nodiscard]] double size_of(const RestData& data, const ContactPoint& c)
 {
-    const double by_field = any_elastic(island.points) ? 0.0 : rest_tolerance::k_blow * field_speed(data, island);
-    return by_field + solve_rounding(island) +
-           rest_tolerance::k_stagnant * rest_tolerance::k_residual * top_speed(data, island);
+    return std::min(data.bodies.radius[c.a], data.bodies.radius[c.b]);
 }
 
 /// A rebound that would come back within the rest of the step doesn't happen, but for one that loses nothing: the
@@ -34,28 +32,53 @@ namespace {
     return std::max({by_load, by_fall, 0.0}) / (2.0 * c.restitution);
 }
 
+/// What approaches of an island are measured by.
+struct ApproachSpeeds
+{
+    double rounding = 0.0; ///< no approach: what rounding explains [m/s]
+    double by_field = 0.0; ///< what the field alone brings about in a small part of a whole step [m/s]
+
+    ApproachSpeeds(const RestData& data, const Island& island)
+        : rounding(solve_rounding(island) +
+                   rest_tolerance::k_stagnant * rest_tolerance::k_residual * top_speed(data, island)),
+          by_field(rest_tolerance::k_blow * field_speed(data, island) * (data.options.step / data.motion.span))
+    {
+    }
+
+    /// The slowest approach that is a blow. What brings no rebound, and came by the field, is left to the load.  [m/s]
+    /// rebound  the slowest approach that brings one [m/s]
+    [[nodiscard]] double slowest_blow(double rebound) const { return rounding + std::min(rebound, by_field); }
+
+    /// What approaches so fast, or opens, is about to lie on the other: it won't be thrown back.
+    [[nodiscard]] bool lands(double approach, double rebound) const
+    {
+        return rounding + std::max(approach, 0.0) < rebound;
+    }
+};
+
 } // namespace
 
 /// A gap this small isn't worth a moment of its own, unless it closes fast.  [m]
 double hardly_open(const RestData& data, const ContactPoint& c)
 {
-    return rest_tolerance::k_closed * std::min(data.bodies.radius[c.a], data.bodies.radius[c.b]);
+    return rest_tolerance::k_closed * size_of(data, c);
 }
 
 /// The moment of the first impact after the beginning; 0 where there is none.  [s]
 double first_impact(const RestData& data, const Island& island)
 {
-    const double slowest = slowest_blow(data, island);
+    const ApproachSpeeds speeds(data, island);
     double first = data.motion.span;
     for (const ContactPoint& c : island.points) {
-        if (c.closes_at > rest_tolerance::k_at_once * data.motion.span && c.closing_speed > slowest)
+        if (c.closes_at > rest_tolerance::k_at_once * data.motion.span &&
+            c.closing_speed > speeds.slowest_blow(slowest_rebound(data, c)))
             first = std::min(first, c.closes_at);
     }
     return first < data.motion.span ? first : 0.0;
 }
 
 /// When an impact comes that was not foreseen, since bodies sped up otherwise than they did before: the first moment at
-/// which a gap closes on the ways that were found; 0 where none does.  [s]
+/// which a gap closes on the ways that were found, evenly sped up; 0 where none does.  [s]
 double missed_impact(const RestData& data, const Island& island)
 {
     double first = data.motion.span;
@@ -64,7 +87,10 @@ double missed_impact(const RestData& data, const Island& island)
         const double way = c.n_x * (data.motion.shift[c.b].x() - data.motion.shift[c.a].x()) +
                            c.n_y * (data.motion.shift[c.b].y() - data.motion.shift[c.a].y()) +
                            (data.motion.turn[c.b] * c.normal_arm_b - data.motion.turn[c.a] * c.normal_arm_a);
-        if (c.gap + way < -hardly_open(data, c)) first = std::min(first, data.motion.span * (c.gap / -way));
+        if (!(c.gap + way < -hardly_open(data, c))) continue;
+        const double u = normal_speed(c, data.motion.before[c.a], data.motion.before[c.b]);
+        const double a = 2.0 * (way - data.motion.span * u) / (data.motion.span * data.motion.span);
+        first = std::min(first, time_to_close(c.gap, u, a, data.motion.span));
     }
     return first < data.motion.span ? std::max(first, rest_tolerance::k_at_once * data.motion.span) : 0.0;
 }
@@ -75,28 +101,34 @@ double missed_impact(const RestData& data, const Island& island)
 bool Impacts::strike(RestData& data, Island& island, HeapSweeps& sweeps)
 {
     // [rest.impacts.closed]
-    // Find what is closed, or closes
-    const double slowest = slowest_blow(data, island);
+    // Find what is closed, or closes; what lands is closed a little early
+    const ApproachSpeeds speeds(data, island);
     struck_.clear();
-    slowest_.clear();
+    rebounds_.clear();
+    blows_.clear();
     bool any = false;
     const double within = island.in_turn ? rest_tolerance::k_at_once * data.motion.span : data.motion.span;
     for (const ContactPoint& c : island.points) {
         const double u = normal_speed(c, data.motion.before[c.a], data.motion.before[c.b]);
-        if (c.gap > data.bodies.touch_gap(c.a, c.b) && c.gap + within * u > 0.0) continue;
-        any = any || u < -slowest;
+        const double rebound = slowest_rebound(data, c);
+        const double landed = speeds.lands(-u, rebound) ? rest_tolerance::k_landed * size_of(data, c) : 0.0;
+        if (c.gap > std::max(data.bodies.touch_gap(c.a, c.b), landed) && c.gap + within * u > 0.0) continue;
         struck_.push_back(c);
-        slowest_.push_back(std::max(slowest, slowest_rebound(data, c)));
         struck_.back().bound = struck_.back().normal = struck_.back().tangent = 0.0;
+        blows_.push_back(speeds.slowest_blow(rebound));
+        rebounds_.push_back(std::max(blows_.back(), rebound));
+        any = any || u < -blows_.back();
     }
     if (!any) return false;
     // [rest.impacts.closed]
 
-    data.counts.impacts += throw_back(data.motion.before, struck_, slowest_);
-    const auto approaches = [&](const ContactPoint& c) {
-        return normal_speed(c, data.motion.before[c.a], data.motion.before[c.b]) < -slowest;
-    };
-    if (std::any_of(struck_.begin(), struck_.end(), approaches)) {
+    data.counts.impacts += throw_back(data.motion.before, struck_, rebounds_);
+    bool any_left = false;
+    for (std::size_t k = 0; k < struck_.size(); ++k) {
+        const ContactPoint& c = struck_[k];
+        any_left = any_left || normal_speed(c, data.motion.before[c.a], data.motion.before[c.b]) < -blows_[k];
+    }
+    if (any_left) {
         if (is_lossless(island)) return false; // the forces of the contacts turn round what still approaches
         end_approaches(data, island, sweeps);
     }

@@ -29,7 +29,8 @@ private:
     void end_approaches(RestData& data, Island& island, HeapSweeps& sweeps);
 
     std::vector<ContactPoint> struck_; // what is closed, or closes
-    std::vector<double> slowest_;      // of each of them: the slowest approach that brings a rebound [m/s]
+    std::vector<double> blows_;        // of each of them: the slowest approach that is a blow [m/s]
+    std::vector<double> rebounds_;     // the same for one that brings a rebound
 };
 
 } // namespace flying

@@ -21,8 +21,8 @@ inline constexpr double k_stiffness = 0x1p32;
 /// room; and a hundredth of what a slope gives that is 1e-9 too steep. Slip below this has ended.
 inline constexpr double k_still = 0x1p-36;
 
-/// [speeds that the field gives in a step] A slower approach is left to the load, of which it is a thousandth; a faster
-/// slip is a slide; what bears, and comes nearer no faster, goes on to bear.
+/// [speeds that the field gives in a step] A slower approach that brings no rebound is left to the load, of which it is
+/// a thousandth; a faster slip is a slide; what bears, and comes nearer no faster, goes on to bear.
 inline constexpr double k_blow = 0x1p-10;
 
 /// [steps] What closes so soon closes now: less than it takes to pass a gap of 1e-9 m, so that each ball of a row is
@@ -38,6 +38,11 @@ inline constexpr double k_touch = 0x1p-40;
 /// [sizes] A gap this small at the moment that was foreseen for its closing is closed. The kink between two facets of a
 /// bowl opens less than a hundred times that over the length of a facet, where there are some thousands of them.
 inline constexpr double k_closed = 0x1p-20;
+
+/// [sizes] What is this near, and won't be thrown back, has landed: otherwise each blow to a heap would be followed by
+/// hundreds at gaps that a microscope doesn't show. A block that rocks strikes so much too early, and with sixteen
+/// times as much its spin is off by 6e-7.
+inline constexpr double k_landed = 0x1p-28;
 
 /// [sizes] Points of two looks this near to each other are one, whatever the names of their features.
 inline constexpr double k_same_place = 0x1p-5;
