@@ -40,12 +40,12 @@ void RestEngine::step()
         data_.counts.pairs += count;
         for (int k = 0; k < count; ++k) find_contacts(data_, k, found_);
     } while (wake_touched() || list_what_impacts_reach());
-    for (const ContactPoint& point : found_) data_.max_overlap = std::max(data_.max_overlap, -point.gap);
     watch.stop(seconds_.collide);
     // [rest.step.find]
 
     for (const Island& island : islands_.all()) {
         for (const int member : island.members) before_[member].island = island.members.front();
+        for (const ContactPoint& point : island.points) data_.max_overlap = std::max(data_.max_overlap, -point.gap);
     }
     parts_.made = 0;
     solve_islands(0);
