@@ -88,10 +88,8 @@ double next_closing(const RestData& data, const RestPair& pair, const Manifold& 
                     Closing& closing)
 {
     const double left = data.motion.span - moment;
-    // What bore a load goes on to bear, whatever gap turning or rounding or, in a crowd, a push out of an overlap has
-    // left; but what would be thrown back is thrown back
+    // In a crowd, what bore a load goes on to bear, whatever gap turning or a push out of an overlap has left
     const bool in_large_island = data.bodies.in_large_island[pair.a] || data.bodies.in_large_island[pair.b];
-    const double near = rest_tolerance::k_straight * std::min(data.bodies.radius[pair.a], data.bodies.radius[pair.b]);
     double wait = std::numeric_limits<double>::infinity();
     for (int k = 0; k < manifold.count; ++k) {
         const Contact& contact = manifold.contacts[k];
@@ -111,9 +109,7 @@ double next_closing(const RestData& data, const RestPair& pair, const Manifold& 
             closing.speed = std::max(closing.speed, -u);
             return 0.0;
         }
-        const double slow = in_large_island ? field : 2.0 * contact.separation / left + rest_tolerance::k_blow * field;
-        const bool is_near = contact.separation <= near && -2.0 * pair.restitution * u <= field;
-        if ((in_large_island || is_near) && -u <= slow && bore(pair, contact.feature)) continue;
+        if (in_large_island && -u <= field && bore(pair, contact.feature)) continue;
         if (moment == 0.0) closing.open[closing.count++] = contact.feature;
         const double fall = fall_at(data, pair, contact, moment);
         const double time = time_to_close(contact.separation, u, fall, left);
