@@ -7,10 +7,10 @@
 using namespace flying;
 using namespace flying::testing;
 
-// A dozen boxes or polygons that landed on each other took up to 0.11 s for a simulated second, more than two dozens do.
-// A blow to a body that lies on two corners opens one of them by some millionths of a millimetre, and each such gap got a
-// moment of its own, with two looks and a solve; where it would close was reckoned along a straight line, so that it took
-// several moments to get there; and in a short part of a step, slower and slower approaches counted as blows.
+// A dozen boxes or polygons that landed on each other took up to 0.11 s for a simulated second, more than two dozens
+// do. A blow to a body that lies on two corners opens one of them by some millionths of a millimetre, and each such gap
+// got a moment of its own, with two looks and a solve; where it would close was reckoned along a straight line, so that
+// it took several moments to get there; and in a short part of a step, slower and slower approaches counted as blows.
 
 namespace {
 

@@ -5,8 +5,8 @@
 using namespace flying;
 using namespace flying::testing;
 
-// The deepest overlap that a report tells was that with which some part of a step had begun, in the middle of it, and not
-// any with which a step begins: 0.0058 m of a heap that began no step with half as much.
+// The deepest overlap that a report tells was that with which some part of a step had begun, in the middle of it, and
+// not any with which a step begins: 0.0058 m of a heap that began no step with half as much.
 
 TEST_CASE("the overlap that is reported is the deepest with which any step begins")
 {
