@@ -111,6 +111,20 @@ void look_at_corners(const NearSide& side, const NearSide& other, std::uint32_t 
     return manifold;
 }
 
+/// The points over the edge of an axis, or, where the corner that is nearest to that edge stands beyond its ends, and
+/// so is none of them, what is nearest of the two.
+[[nodiscard]] Manifold points_by_axis(const NearSide& a, const NearSide& b, const Pose& a_from_b, const Axis& axis,
+                                      double margin)
+{
+    const Manifold manifold = make_manifold(a.polygon, a.pose, b.polygon, b.pose, a_from_b, axis, margin);
+    const double reach = std::max(a.pose.position.cwiseAbs().maxCoeff(), b.pose.position.cwiseAbs().maxCoeff());
+    const double lowest = axis.separation + tolerance::coordinate_rounding(reach);
+    for (int k = 0; k < manifold.count; ++k) {
+        if (lowest < 0.0 || manifold.contacts[k].separation <= lowest) return manifold;
+    }
+    return nearest_of(a, b, margin);
+}
+
 /// The axis of greatest separation, by the edges that are known to have it.
 [[nodiscard]] Axis find_axis(const Polygon& a, const Polygon& b, const Pose& a_from_b, NearMemory& memory)
 {
@@ -125,11 +139,8 @@ void look_at_corners(const NearSide& side, const NearSide& other, std::uint32_t 
 
 Manifold near_points(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b, double margin)
 {
-    const Manifold manifold = make_manifold(a, pose_a, b, pose_b, margin);
-    const auto* polygon_a = std::get_if<Polygon>(&a);
-    const auto* polygon_b = std::get_if<Polygon>(&b);
-    if (manifold.count > 0 || !polygon_a || !polygon_b) return manifold;
-    return nearest_of({*polygon_a, pose_a}, {*polygon_b, pose_b}, margin);
+    NearMemory nothing;
+    return near_points(a, pose_a, b, pose_b, margin, nothing);
 }
 
 double find_separation(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b, NearMemory& memory)
@@ -149,8 +160,7 @@ Manifold near_points(const Shape& a, const Pose& pose_a, const Shape& b, const P
     const Pose a_from_b = relative_pose(pose_a, pose_b);
     const Axis axis = find_axis(*polygon_a, *polygon_b, a_from_b, memory);
     if (axis.separation > margin) return {}; // and no two points are nearer than that
-    const Manifold manifold = make_manifold(*polygon_a, pose_a, *polygon_b, pose_b, a_from_b, axis, margin);
-    return manifold.count > 0 ? manifold : nearest_of({*polygon_a, pose_a}, {*polygon_b, pose_b}, margin);
+    return points_by_axis({*polygon_a, pose_a}, {*polygon_b, pose_b}, a_from_b, axis, margin);
 }
 
 } // namespace flying
