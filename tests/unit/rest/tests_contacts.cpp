@@ -141,3 +141,28 @@ TEST_CASE("the points of two polygons that are apart have the nearest one among 
     }
     CHECK(apart > 1000);
 }
+
+TEST_CASE("the same of bodies that are cut into parts")
+{
+    Random random(1);
+    int apart = 0;
+    for (int k = 0; k < 40000; ++k) {
+        RestBody a{random_star(random, false), {}, {1.0, 6.0}, {0.0, 0.5}};
+        RestBody b = a;
+        if (random.below(2) == 0) b.shape = random_star(random, false);
+        else b.shape = random_convex(random);
+        const double direction = random.uniform(0.0, 6.3);
+        const double distance = random.uniform(0.3, 2.5);
+        a.state.angle = random.uniform(0.0, 6.3);
+        b.state.angle = random.uniform(0.0, 6.3);
+        b.state.position = {distance * std::cos(direction), distance * std::sin(direction)};
+        const double between = separation(a.shape, pose_of(a.state), b.shape, pose_of(b.state));
+        if (!(between > 1e-9 && between < 0.01)) continue;
+        ++apart;
+        RestData data = data_of({a, b});
+        double lowest = std::numeric_limits<double>::infinity();
+        for (const ContactPoint& c : contacts_of(data)) lowest = std::min(lowest, c.gap);
+        CHECK(std::abs(lowest - between) <= 1e-12);
+    }
+    CHECK(apart > 100);
+}
