@@ -70,7 +70,7 @@ void find_impulses(RestData& data, Island& island, std::span<const Mover> start,
 void calm(RestData& data, const Island& island)
 {
     const double rounding = solve_rounding(island);
-    const double still = still_speed(data, island);
+    const double still = std::min(still_speed(data, island), rest_tolerance::k_blow * top_speed(data, island));
     bool all_still = true;
     for (const int member : island.members) {
         const Mover& mover = data.motion.now[member];

@@ -127,7 +127,7 @@ void IslandStep::find_lossless(RestData& data, Island& island, bool sweeps)
     set_lossless_bias(data, island);
     for (int k = 0; k < rest_tolerance::k_quick_rounds; ++k) {
         if (!sweeps) find_impulses(data, island, data.motion.before, data.motion.span);
-        if (is_heap(island) && (sweeps || !island.is_solved)) {
+        if (sweeps || !island.is_solved) {
             set_free(data, island, data.motion.before, data.motion.span);
             sweeps_.sweep_velocities(data, island, data.motion.now, island.points);
         }

@@ -82,7 +82,7 @@ inline constexpr int k_few_rounds = 4;
 inline constexpr int k_most_in_detail = 12;
 
 // ---- Direct solver (piece_system, island_solver)
-/// [greatest speeds] What parts so fast bears nothing.
+/// [greatest speeds] What parts so fast bears nothing; impulses whose rounding is so fast are no answer.
 inline constexpr double k_never_bears = 0x1p20;
 
 // ---- Interior point (interior_point, island_solver)
