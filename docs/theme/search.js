@@ -4,7 +4,12 @@
 
 (function (home) {
     const plain = (text) => text.toLowerCase().normalize('NFD').replace(/[\u0300-\u036f]/g, '');
-    const wordsOf = (text) => plain(text).split(/[^\p{L}\p{N}.]+/u).filter(Boolean);
+    // A word that others write in another way, as this book writes it
+    const SPELLED = [[/^center/, 'centre'], [/^color/, 'colour'], [/^disk/, 'disc'], [/^licens/, 'licenc'], [/^meter/, 'metre'], [/(?<=\p{L}{3})iz(e|es|ed|ing|ation)$/u, 'is$1']];
+    const spell = (word) => SPELLED.reduce((own, [from, to]) => own.replace(from, to), word);
+    const wordsOf = (text) => plain(text).split(/[^\p{L}\p{N}.]+/u).filter(Boolean).map(spell);
+    // What stands in the book may be asked for in one word, too: sub-step
+    const joined = (text) => (plain(text).match(/\p{L}+-\p{L}+/gu) || []).map((word) => spell(word.replace('-', '')));
 
     // Forms of one word: axes and axis, polygons and polygon
     function stem(word) {
@@ -21,7 +26,7 @@
     function prepare(index) {
         if (index.prepared) return index.prepared;
         index.prepared = index.map(([title, where, address, weight, words]) =>
-            ({ title, where, address, weight, inTitle: wordsOf(title), text: counted([...wordsOf(words), ...wordsOf(where)]) }));
+            ({ title, where, address, weight, inTitle: [...wordsOf(title), ...joined(title)], text: counted([words, where].flatMap((text) => [...wordsOf(text), ...joined(text)])) }));
         return index.prepared;
     }
 
