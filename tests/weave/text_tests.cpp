@@ -28,6 +28,9 @@ TEST_CASE("values are set with powers of ten, and no format reaches further than
 {
     CHECK(format_value(0.25, "%.2f") == "0.25");
     CHECK(format_value(6.6e-16, "%.1e") == "6.6\u2009\u00b7\u200910<sup>\u221216</sup>");
+    CHECK(format_value(9999.0, "%.0f") == "9999");
+    CHECK(format_value(31415926.0, "%.0f") == "31,415,926");
+    CHECK(format_value(-100000.25, "%.2f") == "\u2212100,000.25");
     CHECK(format_value(1000.0, "%.0e") == "10<sup>3</sup>");
     CHECK(format_value(0.0, "%.0e") == "0");
     CHECK(format_value(-0.269, "%.3f") == "\u22120.269");
