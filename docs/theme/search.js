@@ -41,8 +41,9 @@
             if (!best) return 0;
             sum += best;
         }
-        // A title that says nothing else is what was meant
-        return (sum * entry.weight) / (1 + 0.04 * entry.inTitle.length);
+        // A title that says nothing else is what was meant, the more so word for word
+        const same = entry.inTitle.length === asked.length && asked.every((word, k) => entry.inTitle[k] === word);
+        return (sum * entry.weight * (same ? 1.3 : 1)) / (1 + 0.04 * entry.inTitle.length);
     }
 
     home.FlyingSearch = {
@@ -55,7 +56,9 @@
                 const score = worth(entry, asked) * (entry.title === question.trim() && entry.weight < 0.5 ? 40 : 1);
                 if (score) found.push({ ...entry, score });
             }
-            return found.sort((a, b) => b.score - a.score).slice(0, most);
+            // Each place once
+            const seen = new Set();
+            return found.sort((a, b) => b.score - a.score).filter(({ address }) => !seen.has(address) && seen.add(address)).slice(0, most);
         },
     };
 })(typeof window === 'undefined' ? globalThis : window);
