@@ -24,6 +24,15 @@ TEST_CASE("a printed line `name = number` is a value")
     CHECK(ledger.values == std::map<std::string, double>{{"demo.period-error", 1.5e-12}, {"demo.total-energy", 4.0}});
 }
 
+TEST_CASE("an output may be shown table by table")
+{
+    CHECK(output_tables("a\nb\n\n \nc\n") == std::vector<std::string>{"a\nb\n", "c\n"});
+    CHECK(output_part("")->last == 0);
+    CHECK(output_part("3")->last == 3);
+    CHECK(output_part("2-10")->first == 2);
+    for (const char* bad : {"0", "x", "1-", "-2", "1 2"}) CHECK_FALSE(output_part(bad).has_value());
+}
+
 TEST_CASE("values are set with powers of ten, and no format reaches further than one number")
 {
     CHECK(format_value(0.25, "%.2f") == "0.25");
