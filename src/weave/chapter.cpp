@@ -1,5 +1,6 @@
 #include "weave/chapter.hpp"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <regex>
@@ -172,6 +173,16 @@ std::vector<std::string> output_tables(const std::string& printed)
         tables.back() += line + "\n";
     }
     return tables;
+}
+
+std::string part_of(const std::string& printed, const OutputPart& part)
+{
+    if (part.last == 0) return printed;
+    const std::vector<std::string> tables = output_tables(printed);
+    std::string shown;
+    for (int k = part.first; k <= std::min(part.last, static_cast<int>(tables.size())); ++k)
+        shown += (shown.empty() ? "" : "\n") + tables[k - 1];
+    return shown;
 }
 
 std::string figure_key(const Block& block)

@@ -77,6 +77,9 @@ struct OutputPart
 /// The tables of an output, each with its lines; no empty lines between.
 [[nodiscard]] std::vector<std::string> output_tables(const std::string& printed);
 
+/// What that part of an output has, its tables one empty line apart.
+[[nodiscard]] std::string part_of(const std::string& printed, const OutputPart& part);
+
 /// What a figure's anchor and number go by: a live one may have the name of a
 /// drawn one.
 [[nodiscard]] std::string figure_key(const Block& block);

@@ -484,13 +484,7 @@ std::string TextWriter::output(const Chapter& chapter, const Block& block)
     const auto found = material_.outputs.find(chapter.entry.name + "/" + block.name);
     if (found == material_.outputs.end()) return "";
     const OutputPart part = output_part(block.options).value_or(OutputPart{});
-    std::string shown = found->second;
-    if (part.last > 0) {
-        const std::vector<std::string> tables = output_tables(found->second);
-        shown.clear();
-        for (int k = part.first; k <= std::min(part.last, static_cast<int>(tables.size())); ++k)
-            shown += (shown.empty() ? "" : "\n") + tables[k - 1];
-    }
+    const std::string shown = part_of(found->second, part);
     const char* const wide = longest_line(shown) > k_output_column ? " wide" : "";
     return block_token(fragments_.add_html(
         fmt::format("<figure class=\"output{}\"><figcaption>What <code>{}.cpp</code> "

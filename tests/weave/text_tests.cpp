@@ -27,6 +27,8 @@ TEST_CASE("a printed line `name = number` is a value")
 TEST_CASE("an output may be shown table by table")
 {
     CHECK(output_tables("a\nb\n\n \nc\n") == std::vector<std::string>{"a\nb\n", "c\n"});
+    CHECK(part_of("a\n\n\nb\n\nc\n", {2, 3}) == "b\n\nc\n");
+    CHECK(part_of("a\n\n\nb\n", {}) == "a\n\n\nb\n");
     CHECK(output_part("")->last == 0);
     CHECK(output_part("3")->last == 3);
     CHECK(output_part("2-10")->first == 2);

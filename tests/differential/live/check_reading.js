@@ -257,6 +257,8 @@ async function checkSearch(browser) {
     await browser.until("document.readyState === 'complete'");
     const missing = await browser.ask(`${JSON.stringify(terms)}.filter(([, line]) => !document.getElementById(line.split('#')[1]))`);
     for (const [term] of missing) complain('glossary.html', `has no line for ${term}`);
+    const index = fs.readFileSync(path.join(html, 'terms.html'), 'utf8');
+    for (const [term, line] of terms) if (!index.includes(`href="${line}"`)) complain('terms.html', `has no place for ${term}`);
     await browser.go('file://' + path.join(html, 'chapter_02.html'));
     await browser.until("document.readyState === 'complete'");
     await key('/', 'Slash');
