@@ -165,7 +165,7 @@ progress() {
             [[ $state == passes || -n $next ]] || next=$label
             line+=$(printf '  %s %-7s' "$name" "$state")
         done
-        [[ -z $line ]] || printf '%s  %-26s%s\n' "$label" "$(title "${folder}chapter.md")" "${line%"${line##*[! ]}"}"
+        [[ -z $line ]] || printf '%-4s%-26s%s\n' "$label" "$(title "${folder}chapter.md")" "${line%"${line##*[! ]}"}"
     done < <(chapters)
     echo "$pass of $all exercises in code pass as they are. Those on paper only you can tick."
     [[ -z $next ]] || echo "Next: ./course start $next"

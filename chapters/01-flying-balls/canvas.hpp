@@ -23,8 +23,8 @@ inline constexpr Ink k_dark{0.20, 0.22, 0.25};
 inline constexpr Ink k_grey{0.42, 0.46, 0.51};
 inline constexpr Ink k_faint{0.83, 0.85, 0.87};
 inline constexpr Ink k_blue{0.12, 0.44, 0.71};
-inline constexpr Ink k_orange{0.80, 0.34, 0.10};
-inline constexpr Ink k_green{0.18, 0.53, 0.34};
+inline constexpr Ink k_orange{0.77, 0.32, 0.09};
+inline constexpr Ink k_green{0.17, 0.51, 0.32};
 inline constexpr Ink k_violet{0.50, 0.29, 0.60};
 inline constexpr Ink k_sun{0.93, 0.66, 0.14};
 

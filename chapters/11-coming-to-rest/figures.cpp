@@ -100,10 +100,10 @@ void draw_contact(const std::string& folder)
     s.disc(below, 4.0, k_teal, k_none);
     s.disc(centre, 4.0, k_blue, k_none);
     s.arrow(point, point + Vec2(0, -86), k_rust, 2.6);
-    s.arrow(point, point + Vec2(-70, 0), k_ochre, 2.6);
+    s.arrow(point, point + Vec2(-70, 0), k_amber, 2.6);
     s.disc(point, 5.0, k_ink, k_none);
     s.formula(point + Vec2(14, -70), "n", Anchor::left, k_rust);
-    s.words(point + Vec2(-40, -12), "tangent", Anchor::middle, k_ochre, 14.0);
+    s.words(point + Vec2(-40, -12), "tangent", Anchor::middle, k_amber, 14.0);
     s.formula(below + Vec2(8, -22), "r_a", Anchor::left, k_teal);
     s.formula(0.5 * (centre + point) + Vec2(16, 8), "r_b", Anchor::left, k_blue);
     s.words(below + Vec2(110, 46), "A", Anchor::middle, k_teal, 20.0);
@@ -137,9 +137,9 @@ void draw_step(const std::string& folder)
     s.arrow(Vec2(332, 176), Vec2(358, 176));
     card(Vec2(430, 286), 140, "as long as that?", "the verdict", k_ochre);
     s.arrow(Vec2(430, 203), Vec2(430, 257));
-    s.words(Vec2(252, 276), "no: cut, and go on from there", Anchor::middle, k_ochre, 13.5);
-    s.line(Vec2(360, 286), Vec2(94, 286), k_ochre, 1.8);
-    s.arrow(Vec2(94, 286), Vec2(94, 205), k_ochre, 1.8);
+    s.words(Vec2(252, 276), "no: cut, and go on from there", Anchor::middle, k_amber, 13.5);
+    s.line(Vec2(360, 286), Vec2(94, 286), k_amber, 1.8);
+    s.arrow(Vec2(94, 286), Vec2(94, 205), k_amber, 1.8);
     card(Vec2(162, 380), 150, "limit of energy", "what was gained goes", k_blue);
     card(Vec2(330, 380), 130, "move", "write it down", k_blue);
     card(Vec2(496, 380), 150, "sleep", "where no bit changed", k_blue);

@@ -41,6 +41,8 @@ void draw_saved(const std::string& folder)
         bar(y + 3, with, k_teal);
         y += 52.0;
     }
+    s.words(Vec2(x(2e4), y - 57), "nothing left out", Anchor::left, k_rust, 15.0);
+    s.words(Vec2(x(2e4), y - 37), "with the plan", Anchor::left, k_teal, 15.0);
 }
 
 /// Where the plan stands between scene and engine.

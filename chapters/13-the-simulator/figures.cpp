@@ -394,11 +394,11 @@ void draw_apart(const std::string& folder)
         }
     }
     if (farthest != 0.0) std::abort(); // the line of the snapshot would have to be drawn
-    s.path(lines[0], k_ochre, 2.2);
+    s.path(lines[0], k_amber, 2.2);
     s.path(lines[1], k_rust, 2.2);
     s.line(Vec2(84, 296), Vec2(574, 296), k_teal, 3.0);
     s.words(Vec2(76, 301), "0", Anchor::right, k_teal, 15.0);
-    s.words(Vec2(182, 86), "six digits", Anchor::left, k_ochre, 15.0);
+    s.words(Vec2(182, 86), "six digits", Anchor::left, k_amber, 15.0);
     s.words(Vec2(330, 180), "seventeen digits", Anchor::left, k_rust, 15.0);
     s.words(Vec2(330, 289), "snapshot", Anchor::left, k_teal, 15.0);
     for (int t = 0; t <= 30; t += 10)

@@ -63,13 +63,13 @@ void draw_late(const std::string& folder)
     const double step = 110.0;
     const double first = 120.0;
     for (int k = 0; k < 3; ++k) {
-        s.disc(Vec2(first + step * k, 70.0), 7.0, k_ochre, k_none);
-        s.arrow(Vec2(first + step * k + 10.0, 70.0), Vec2(first + step * (k + 1) - 10.0, 70.0), k_ochre);
+        s.disc(Vec2(first + step * k, 70.0), 7.0, k_amber, k_none);
+        s.arrow(Vec2(first + step * k + 10.0, 70.0), Vec2(first + step * (k + 1) - 10.0, 70.0), k_amber);
     }
     const double deep = first + 3.0 * step;
-    s.disc(Vec2(deep, 70.0), 7.0, k_ochre, k_none);
-    s.arrow(Vec2(deep - 2.0, 92.0), Vec2(deep - step + 10.0, 112.0), k_ochre);
-    s.disc(Vec2(deep - step, 114.0), 7.0, k_ochre, k_none);
+    s.disc(Vec2(deep, 70.0), 7.0, k_amber, k_none);
+    s.arrow(Vec2(deep - 2.0, 92.0), Vec2(deep - step + 10.0, 112.0), k_amber);
+    s.disc(Vec2(deep - step, 114.0), 7.0, k_amber, k_none);
     const double truth = 2.0 * wall - deep;
     s.disc(Vec2(truth, 160.0), 7.0, k_none, k_teal, 2.2);
     s.arrow(Vec2(wall - 2.0, 150.0), Vec2(truth + 9.0, 160.0), k_teal);
@@ -78,10 +78,10 @@ void draw_late(const std::string& folder)
     s.measure(Vec2(truth - step, 214.0), Vec2(deep - step, 214.0), k_ink);
     s.dashed(Vec2(deep - step, 122.0), Vec2(deep - step, 208.0));
     s.formula(Vec2(0.5 * (truth + deep) - step, 240.0), "2 v δ", Anchor::middle, k_ink);
-    s.formula(Vec2(first + 0.5 * step, 52.0), "v h", Anchor::middle, k_ochre);
+    s.formula(Vec2(first + 0.5 * step, 52.0), "v h", Anchor::middle, k_amber);
     s.measure(Vec2(wall, 44.0), Vec2(deep, 44.0), k_ink);
     s.formula(Vec2(0.5 * (wall + deep), 34.0), "v δ", Anchor::middle, k_ink, 17.0);
-    s.words(Vec2(14, 74), "by steps", Anchor::left, k_ochre);
+    s.words(Vec2(14, 74), "by steps", Anchor::left, k_amber);
     s.words(Vec2(14, 188), "in truth", Anchor::left, k_teal);
 }
 

@@ -124,7 +124,7 @@ void draw_colours(const std::string& folder)
 
     // The first colour that neither box has, as in colour_of; boxes of one row don't touch here
     std::vector<unsigned> used(centres.size(), 0u);
-    const Tone tones[] = {k_rust, k_blue, k_teal, k_ochre, k_ink, k_soft};
+    const Tone tones[] = {k_rust, k_blue, k_teal, k_amber, k_ink, k_soft};
     const auto add = [&](int a, int b) {
         const unsigned taken = (a < 0 ? 0u : used[a]) | used[b];
         int colour = 0;

@@ -25,6 +25,7 @@ inline constexpr Tone k_soft{0x69717a, 1.0};
 inline constexpr Tone k_rust{0xc8501e, 1.0};
 inline constexpr Tone k_teal{0x22737a, 1.0};
 inline constexpr Tone k_ochre{0xd9982a, 1.0};
+inline constexpr Tone k_amber{0x966510, 1.0}; ///< the same for letters and thin lines, which would be too pale
 inline constexpr Tone k_blue{0x3f62a3, 1.0};
 inline constexpr Tone k_none{0x000000, 0.0};
 

@@ -4,7 +4,12 @@
 
 (function (home) {
     const plain = (text) => text.toLowerCase().normalize('NFD').replace(/[\u0300-\u036f]/g, '');
-    const wordsOf = (text) => plain(text).split(/[^\p{L}\p{N}.]+/u).filter(Boolean);
+    // A word that others write in another way, as this book writes it
+    const SPELLED = [[/^center/, 'centre'], [/^color/, 'colour'], [/^disk/, 'disc'], [/^licens/, 'licenc'], [/^meter/, 'metre'], [/(?<=\p{L}{3})iz(e|es|ed|ing|ation)$/u, 'is$1']];
+    const spell = (word) => SPELLED.reduce((own, [from, to]) => own.replace(from, to), word);
+    const wordsOf = (text) => plain(text).split(/[^\p{L}\p{N}.]+/u).filter(Boolean).map(spell);
+    // What stands in the book may be asked for in one word, too: sub-step
+    const joined = (text) => (plain(text).match(/\p{L}+-\p{L}+/gu) || []).map((word) => spell(word.replace('-', '')));
 
     // Forms of one word: axes and axis, polygons and polygon
     function stem(word) {
@@ -21,7 +26,7 @@
     function prepare(index) {
         if (index.prepared) return index.prepared;
         index.prepared = index.map(([title, where, address, weight, words]) =>
-            ({ title, where, address, weight, inTitle: wordsOf(title), text: counted([...wordsOf(words), ...wordsOf(where)]) }));
+            ({ title, where, address, weight, inTitle: [...wordsOf(title), ...joined(title)], text: counted([words, where].flatMap((text) => [...wordsOf(text), ...joined(text)])) }));
         return index.prepared;
     }
 
@@ -36,8 +41,9 @@
             if (!best) return 0;
             sum += best;
         }
-        // A title that says nothing else is what was meant
-        return (sum * entry.weight) / (1 + 0.04 * entry.inTitle.length);
+        // A title that says nothing else is what was meant, the more so word for word
+        const same = entry.inTitle.length === asked.length && asked.every((word, k) => entry.inTitle[k] === word);
+        return (sum * entry.weight * (same ? 1.3 : 1)) / (1 + 0.04 * entry.inTitle.length);
     }
 
     home.FlyingSearch = {
@@ -50,7 +56,9 @@
                 const score = worth(entry, asked) * (entry.title === question.trim() && entry.weight < 0.5 ? 40 : 1);
                 if (score) found.push({ ...entry, score });
             }
-            return found.sort((a, b) => b.score - a.score).slice(0, most);
+            // Each place once
+            const seen = new Set();
+            return found.sort((a, b) => b.score - a.score).filter(({ address }) => !seen.has(address) && seen.add(address)).slice(0, most);
         },
     };
 })(typeof window === 'undefined' ? globalThis : window);

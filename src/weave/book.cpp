@@ -69,6 +69,24 @@ std::vector<Module> read_modules(const toml::table& book)
     return list;
 }
 
+std::vector<OtherWords> read_other_words(const toml::table& book)
+{
+    std::vector<OtherWords> list;
+    const toml::array* const also = book["also"].as_array();
+    if (also == nullptr) return list;
+    for (const toml::node& node : *also) {
+        const toml::table* const table = node.as_table();
+        if (table == nullptr) continue;
+        OtherWords& other = list.emplace_back();
+        other.page = (*table)["page"].value_or(std::string());
+        other.section = (*table)["section"].value_or(std::string());
+        other.line = line_of(*table);
+        if (const toml::array* words = (*table)["words"].as_array())
+            for (const toml::node& word : *words) other.words.push_back(word.value_or(std::string()));
+    }
+    return list;
+}
+
 } // namespace
 
 std::string ChapterEntry::called() const
@@ -143,6 +161,7 @@ Book read_book(const std::filesystem::path& source, Problems& problems)
         book.least_exercises = {(*least)["least"].value_or(0), (*least)["in_code"].value_or(0),
                                 (*least)["hard"].value_or(0), (*least)["changes"].value_or(0)};
     book.modules = read_modules(table);
+    book.other_words = read_other_words(table);
     const auto manual = table["manual"];
     book.manual = {manual["says"].value_or(std::string()), manual["example"].value_or(std::string()),
                    manual["fence"].value_or(std::string()), manual["next"].value_or(std::string())};

@@ -69,6 +69,15 @@ struct Module
     std::string says; ///< what it does, in a line
 };
 
+/// What other books call something that is explained here under another name: for the search.
+struct OtherWords
+{
+    std::vector<std::string> words;
+    std::string page;    ///< a chapter, by the name of its folder without number, or a page such as `about`
+    std::string section; ///< its heading; empty for the page itself
+    int line = 0;        ///< in book.toml
+};
+
 /// The first page of the manual of the code.
 struct ManualFront
 {
@@ -90,6 +99,7 @@ struct Book
     ExerciseCount least_exercises; ///< that each chapter has; nothing is asked for where book.toml has no `[exercises]`
     std::vector<Module> modules;   ///< of src, in the order of the file
     ManualFront manual;
+    std::vector<OtherWords> other_words;
 
     /// The chapter of that number, or null.
     [[nodiscard]] const ChapterEntry* chapter(int number) const;

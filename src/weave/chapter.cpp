@@ -1,7 +1,9 @@
 #include "weave/chapter.hpp"
 
+#include <algorithm>
 #include <array>
 #include <optional>
+#include <regex>
 #include <set>
 
 #include <fmt/format.h>
@@ -145,6 +147,42 @@ Listing listing_of(const Block& block)
         else if (!trim(word).empty()) listing.names.push_back(word);
     }
     return listing;
+}
+
+std::optional<OutputPart> output_part(const std::string& options)
+{
+    static const std::regex k_part(R"(([1-9][0-9]?)(?:-([1-9][0-9]?))?)");
+    if (options.empty()) return OutputPart{};
+    std::smatch found;
+    if (!std::regex_match(options, found, k_part)) return std::nullopt;
+    const int first = std::stoi(found[1].str());
+    return OutputPart{first, found[2].matched ? std::stoi(found[2].str()) : first};
+}
+
+std::vector<std::string> output_tables(const std::string& printed)
+{
+    std::vector<std::string> tables;
+    bool is_open = false;
+    for (const std::string& line : split_lines(printed)) {
+        if (trim(line).empty()) {
+            is_open = false;
+            continue;
+        }
+        if (!is_open) tables.emplace_back();
+        is_open = true;
+        tables.back() += line + "\n";
+    }
+    return tables;
+}
+
+std::string part_of(const std::string& printed, const OutputPart& part)
+{
+    if (part.last == 0) return printed;
+    const std::vector<std::string> tables = output_tables(printed);
+    std::string shown;
+    for (int k = part.first; k <= std::min(part.last, static_cast<int>(tables.size())); ++k)
+        shown += (shown.empty() ? "" : "\n") + tables[k - 1];
+    return shown;
 }
 
 std::string figure_key(const Block& block)

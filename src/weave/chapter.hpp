@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,7 +20,7 @@ enum class BlockKind
     definition, ///< definition id, then a ```tex block
     derivation, ///< derivation id [for m in 1..2, ...], then a ```tex block, one formula a line, its reason after %
     figure,     ///< figure name "what to see" ["what there is"]
-    output,     ///< output program
+    output,     ///< output program [N[-M]]: all that it printed, or from the N-th table to the M-th
     live,       ///< live name "what to see" ["what there is"]
     exercise,   ///< exercise eK
 };
@@ -63,6 +64,21 @@ struct Listing
     bool is_again = false;
 };
 [[nodiscard]] Listing listing_of(const Block& block);
+
+/// Which of the tables that a program printed are shown, counted from 1: what stands between empty lines.
+struct OutputPart
+{
+    int first = 1;
+    int last = 0; ///< 0: to the end
+};
+/// Of the options of an output; nothing where they are neither empty, nor `N`, nor `N-M`.
+[[nodiscard]] std::optional<OutputPart> output_part(const std::string& options);
+
+/// The tables of an output, each with its lines; no empty lines between.
+[[nodiscard]] std::vector<std::string> output_tables(const std::string& printed);
+
+/// What that part of an output has, its tables one empty line apart.
+[[nodiscard]] std::string part_of(const std::string& printed, const OutputPart& part);
 
 /// What a figure's anchor and number go by: a live one may have the name of a
 /// drawn one.

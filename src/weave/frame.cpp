@@ -96,8 +96,10 @@ std::string framed(const Material& material, const Page& page, const std::string
                        "light\">\u25d0</button></header>\n"
                        "<nav class=\"contents\" id=\"contents\" aria-label=\"Contents of the book\">{2}</nav>\n",
                        root, book, book_list(material, page, root));
+    // The path of a source may go on below at its signs
+    const std::string title = replace_all(replace_all(escape_html(page.title), "/", "/<wbr>"), "_", "_<wbr>");
     out += fmt::format("<main id=\"text\"><article>\n<header class=\"chapter\">{}<h1>{}</h1>{}</header>\n", page.over,
-                       escape_html(page.title), page.under);
+                       title, page.under);
     if (page.sections.size() > 2)
         out += fmt::format("<details class=\"onpage\"><summary>On this page</summary>{}</details>\n",
                            section_list(page.sections));

@@ -252,7 +252,7 @@ std::string told(const Material& material, const Counts& counts)
     for (const Share& share : counts.coverage.shares) {
         const ChapterEntry* entry = material.book.chapter(share.chapter);
         if (share.lines == 0 || entry == nullptr) continue;
-        out += fmt::format("| [{}]({}.html) | {} | {} | {:.0f} % | {:.0f} % |\n", page_title(*entry), entry->page(),
+        out += fmt::format("| [{}]({}.html) | {} | {} | {:.0f}\u00a0% | {:.0f}\u00a0% |\n", page_title(*entry), entry->page(),
                            share.lines, share.told, 100.0 * share.part(), 100.0 * entry->told);
     }
     const std::string later = planned == 0 ? "" : fmt::format(" {} chapters are planned and not written yet.", planned);

@@ -118,6 +118,11 @@ std::optional<std::string> format_value(double value, const std::string& format)
     if (has_power && value == 0.0) return "0";
     const int exponent = has_power ? std::stoi(shown.substr(e + 1)) : 0;
     if (has_power) shown.resize(e);
+    // Digits in groups of three, from five on
+    const std::size_t first = shown.front() == '-' || shown.front() == '+' ? 1 : 0;
+    const std::size_t point = std::min(shown.find('.'), shown.size());
+    const bool is_long = !has_power && std::isfinite(value) && point - first >= 5;
+    for (std::size_t at = point; is_long && at > first + 3;) shown.insert(at -= 3, ",");
     if (shown.front() == '-') shown.replace(0, 1, "\u2212");
     if (!has_power) return shown;
     const std::string power = fmt::format("10<sup>{}{}</sup>", exponent < 0 ? "\u2212" : "", std::abs(exponent));

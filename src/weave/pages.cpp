@@ -52,6 +52,19 @@ std::string shown_error(double value)
     return "<span class=\"value\">" + shown + "</span>";
 }
 
+/// Where a test stands, as its program has written it: `test "name" (path:line)`. A compiler that was called beside the
+/// project may have known the file by a path from there.
+std::string shown_place(const std::string& where)
+{
+    std::string out = where;
+    while (out.find("(../") != std::string::npos) out.replace(out.find("(../"), 4, "(");
+    const std::size_t opens = out.find('"');
+    const std::size_t closes = out.rfind('"');
+    if (opens == closes) return escape_html(out);
+    return escape_html(out.substr(0, opens)) + "\u201c" + escape_html(out.substr(opens + 1, closes - opens - 1)) +
+           "\u201d" + escape_html(out.substr(closes + 1));
+}
+
 } // namespace
 
 std::string receipt_sentence(const Material& material, const Numbered& numbered)
@@ -64,14 +77,14 @@ std::string receipt_sentence(const Material& material, const Numbered& numbered)
         return fmt::format("{} lines agree at {} points, worst relative difference {}; {}.", receipt.lines,
                            receipt.points, shown_error(receipt.worst),
                            receipt.where.empty() ? "the printed lines were evaluated as they stand"
-                                                 : "tested in \u201c" + escape_html(receipt.where) + "\u201d");
+                                                 : "tested in " + shown_place(receipt.where));
     }
     const auto found = material.ledger.equations.find(id);
     if (numbered.kind != BlockKind::equation || found == material.ledger.equations.end()) return "";
     const EquationReceipt& receipt = found->second;
     const char* const printed = receipt.printed_cases > 0 ? "; evaluated as printed" : "";
     const std::string cases = fmt::format("{} case{}", receipt.cases, receipt.cases == 1 ? "" : "s");
-    const std::string where = fmt::format("in \u201c{}\u201d", escape_html(receipt.where));
+    const std::string where = "in " + shown_place(receipt.where);
     switch (receipt_kind(*numbered.block).value_or(ReceiptKind::oracle)) {
     case ReceiptKind::same:
         return fmt::format("Same expression: the test repeats the code's own line, {}, {}. That is no check of the "

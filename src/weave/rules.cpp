@@ -169,6 +169,30 @@ bool has_tests(const fs::path& folder)
     return false;
 }
 
+/// An output that is shown in parts is shown whole: each table once, in order.
+void check_output_parts(const Material& material, const Chapter& chapter, Problems& problems)
+{
+    std::map<std::string, int> shown; // by program: how many of its tables so far
+    for (const Block& block : chapter.text.blocks) {
+        if (block.kind != BlockKind::output) continue;
+        const auto printed = material.outputs.find(chapter.entry.name + "/" + block.name);
+        if (printed == material.outputs.end() || block.options.empty()) continue;
+        const int count = static_cast<int>(output_tables(printed->second).size());
+        const std::optional<OutputPart> part = output_part(block.options);
+        int& before = shown[block.name];
+        if (!part || part->first != before + 1 || part->last < part->first || part->last > count)
+            problems.add(block.place, fmt::format("the part `{}` of what `{}` printed", block.options, block.name),
+                         fmt::format("one that begins with table {}, of {}", before + 1, count));
+        else before = part->last;
+    }
+    for (const auto& [program, count] : shown) {
+        const int all = static_cast<int>(output_tables(material.outputs.at(chapter.entry.name + "/" + program)).size());
+        if (count != all)
+            problems.add({chapter.text.path, 0}, fmt::format("{} tables of `{}` shown", count, program),
+                         fmt::format("all {}", all));
+    }
+}
+
 } // namespace
 
 std::vector<const ChapterText*> texts_of(const Chapter& chapter)
@@ -315,6 +339,7 @@ void check_completeness(const Material& material, Problems& problems)
                 problems.add(block.place, fmt::format("output of `{}`, which never ran", block.name),
                              "the name of a program of this chapter, such as `demo`");
         }
+        check_output_parts(material, chapter, problems);
     }
 }
 

@@ -209,6 +209,7 @@ Woven weave_pages(const Folders& folders, const Tools& tools, Problems& problems
     woven.counts.given = check_prose(woven.material, problems);
     check_completeness(woven.material, problems);
     check_exercises(woven.material, problems);
+    check_other_words(woven.material, problems);
     check_needs(woven.material, problems);
     woven.pages = make_pages(woven.material, woven.counts, problems);
     woven.formulas = render_formulas(woven.pages.fragments, folders, tools, problems);

@@ -49,6 +49,7 @@ std::string index_of_terms(const Material& material, std::vector<Term> terms)
         std::string title = chapter.entry.title;
         std::string anchor;
         std::set<std::string> here; // terms that this section has been listed for
+        std::string before;         // the line above: a term may go on in the next
         for (const Block& block : chapter.text.blocks) {
             if (block.kind != BlockKind::text) continue;
             for (const auto& [number, line] : block.lines) {
@@ -56,9 +57,11 @@ std::string index_of_terms(const Material& material, std::vector<Term> terms)
                     title = std::string(trim(line.substr(line.find_first_not_of('#'))));
                     anchor = slug(title);
                     here.clear();
+                    before.clear();
                 }
                 if (anchor == "further-reading" || anchor == "symbols" || anchor == "summary") continue;
-                const std::string words = lower(line);
+                const std::string words = lower(before + " " + line);
+                before = line;
                 for (const auto& [term, meaning, in_glossary] : terms) {
                     if (!mentions(words, lower(term)) || !here.insert(term).second) continue;
                     places[term].push_back(fmt::format("<a href=\"{0}.html{1}\">{2}&nbsp;{3}</a>", chapter.entry.page(),

@@ -100,7 +100,7 @@ std::string rounded(double value)
 std::string told_percent(const Tally& tally)
 {
     if (tally.chapter == nullptr || tally.chapter->entry.files.empty()) return "";
-    return fmt::format("{:.0f} %", 100.0 * tally.told);
+    return fmt::format("{:.0f}\u00a0%", 100.0 * tally.told);
 }
 
 std::string counts_row(const std::string& title, const Tally& t)

@@ -39,11 +39,13 @@ std::string escape_prose(const std::string& prose)
             out += c;
         }
     }
-    return out;
+    // A number stays with its unit, which may follow a formula or a value, too
+    static const std::regex k_unit(R"((^|[0-9]) ((?:%|m/s²|m/s|m²|kg m²|kg|N s|mm|cm|km|rad|[mNJs])(?![A-Za-z])))");
+    return std::regex_replace(out, k_unit, "$1\u00a0$2");
 }
 
 /// Characters of code that the column of the text holds in one line.
-constexpr std::size_t k_line_width = 78;
+constexpr std::size_t k_line_width = 75;
 
 /// Characters of a program's output that it holds.
 constexpr std::size_t k_output_column = 72;
@@ -118,8 +120,8 @@ std::string TextWriter::block(const Chapter& chapter, const Block& b)
         return text(chapter, b);
     case BlockKind::fence: {
         std::string quoted;
-        for (const auto& line : b.lines) quoted += line.second + "\n";
-        return block_token(fragments_.add_html("<pre class=\"quoted\">" + escape_html(quoted) + "</pre>"));
+        for (const auto& line : b.lines) quoted += "<span class=\"typed\">" + escape_html(line.second) + "</span>";
+        return block_token(fragments_.add_html("<pre class=\"quoted\">" + quoted + "</pre>"));
     }
     case BlockKind::listing:
         return listing(b);
@@ -245,7 +247,7 @@ std::string TextWriter::insert(const std::string& text, Site site, const Place& 
         }
         if (site != Site::formula) return fragments_.add_html("<span class=\"value\">" + *shown + "</span>");
         std::string tex = replace_all(*shown, "\u2009\u00b7\u2009", "\\cdot ");
-        tex = replace_all(tex, "\u2212", "-");
+        tex = replace_all(replace_all(tex, "\u2212", "-"), ",", "{,}");
         return replace_all(replace_all(tex, "<sup>", "^{"), "</sup>", "}");
     }
     if (insert.kind == "eq") {
@@ -481,12 +483,15 @@ std::string TextWriter::output(const Chapter& chapter, const Block& block)
 {
     const auto found = material_.outputs.find(chapter.entry.name + "/" + block.name);
     if (found == material_.outputs.end()) return "";
-    const char* const wide = longest_line(found->second) > k_output_column ? " wide" : "";
+    const OutputPart part = output_part(block.options).value_or(OutputPart{});
+    const std::string shown = part_of(found->second, part);
+    const char* const wide = longest_line(shown) > k_output_column ? " wide" : "";
     return block_token(fragments_.add_html(
         fmt::format("<figure class=\"output{}\"><figcaption>What <code>{}.cpp</code> "
-                    "printed in this build</figcaption><pre>{}</pre>{}"
+                    "printed in this build{}</figcaption><pre>{}</pre>{}"
                     "</figure>",
-                    wide, escape_html(block.name), escape_html(found->second), run_box(chapter.entry, block.name))));
+                    wide, escape_html(block.name), part.first == 1 ? "" : ", further down", escape_html(shown),
+                    part.first == 1 ? run_box(chapter.entry, block.name) : "")));
 }
 
 } // namespace flying::weave

@@ -60,7 +60,7 @@ saved() {
 
 run_as_typed() { # place command
     ran=$((ran + 1))
-    (cd "$work" && PATH=$work/bin:$PATH timeout 120 bash -c "$2" >out.txt 2>&1) || fault "$1" "$2" "$(tail -n 3 "$work/out.txt")"
+    (cd "$work" && PATH=$work/bin:$PATH timeout 600 bash -c "$2" >out.txt 2>&1) || fault "$1" "$2" "$(tail -n 3 "$work/out.txt")"
 }
 
 # Each option of a command of the driver is written somewhere in what reads it

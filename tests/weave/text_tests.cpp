@@ -24,10 +24,24 @@ TEST_CASE("a printed line `name = number` is a value")
     CHECK(ledger.values == std::map<std::string, double>{{"demo.period-error", 1.5e-12}, {"demo.total-energy", 4.0}});
 }
 
+TEST_CASE("an output may be shown table by table")
+{
+    CHECK(output_tables("a\nb\n\n \nc\n") == std::vector<std::string>{"a\nb\n", "c\n"});
+    CHECK(part_of("a\n\n\nb\n\nc\n", {2, 3}) == "b\n\nc\n");
+    CHECK(part_of("a\n\n\nb\n", {}) == "a\n\n\nb\n");
+    CHECK(output_part("")->last == 0);
+    CHECK(output_part("3")->last == 3);
+    CHECK(output_part("2-10")->first == 2);
+    for (const char* bad : {"0", "x", "1-", "-2", "1 2"}) CHECK_FALSE(output_part(bad).has_value());
+}
+
 TEST_CASE("values are set with powers of ten, and no format reaches further than one number")
 {
     CHECK(format_value(0.25, "%.2f") == "0.25");
     CHECK(format_value(6.6e-16, "%.1e") == "6.6\u2009\u00b7\u200910<sup>\u221216</sup>");
+    CHECK(format_value(9999.0, "%.0f") == "9999");
+    CHECK(format_value(31415926.0, "%.0f") == "31,415,926");
+    CHECK(format_value(-100000.25, "%.2f") == "\u2212100,000.25");
     CHECK(format_value(1000.0, "%.0e") == "10<sup>3</sup>");
     CHECK(format_value(0.0, "%.0e") == "0");
     CHECK(format_value(-0.269, "%.3f") == "\u22120.269");

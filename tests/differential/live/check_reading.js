@@ -166,6 +166,32 @@ async function weigh(browser) {
 const LONG_FORMULAS = `document.fonts.ready.then(() => [...document.querySelectorAll('.formula .sheet')]
     .filter((sheet) => sheet.scrollWidth > sheet.clientWidth + 1).map((sheet) => sheet.closest('[id]')?.id || sheet.textContent.slice(0, 60)))`;
 
+// Letters in pictures, which are drawn as shapes: their contrast with the page by day, and by night, when the page turns the light
+// of a picture over (figure.picture img in book.css). White ones lie on discs.
+function checkPictures() {
+    const light = (c) => c.map((v) => (v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4)).reduce((sum, v, k) => sum + v * [0.2126, 0.7152, 0.0722][k], 0);
+    const ratio = (a, b) => (Math.max(light(a), light(b)) + 0.05) / (Math.min(light(a), light(b)) + 0.05);
+    const turned = ([r, g, b]) => {
+        const [x, y, z] = [r, g, b].map((v) => 0.88 - 0.76 * v);
+        const grey = 2 * (0.213 * x + 0.715 * y + 0.072 * z);
+        return [grey - x, grey - y, grey - z].map((v) => Math.min(1, Math.max(0, v)));
+    };
+    let count = 0;
+    for (const folder of fs.readdirSync(path.join(html, 'figures')))
+        for (const file of fs.readdirSync(path.join(html, 'figures', folder)).filter((name) => name.endsWith('.svg'))) {
+            ++count;
+            const pale = new Set();
+            const svg = fs.readFileSync(path.join(html, 'figures', folder, file), 'utf8');
+            for (const [, r, g, b, cover] of svg.matchAll(/<g style="fill:rgb\(([\d.]+)%,([\d.]+)%,([\d.]+)%\);fill-opacity:([\d.]+);">\s*<use /g)) {
+                const ink = [r, g, b].map((v) => (v / 100) * cover + 1 - cover);
+                const [day, night] = [ratio(ink, [1, 1, 1]), ratio(turned(ink), [0x16 / 255, 0x19 / 255, 0x1d / 255])];
+                if (light(ink) < 0.99 && Math.min(day, night) < 4.5) pale.add(`letters of contrast ${day.toFixed(2)} by day, ${night.toFixed(2)} by night`);
+            }
+            for (const fault of pale) complain(`figures/${folder}/${file}`, fault);
+        }
+    return count;
+}
+
 // What students type, and where it must lead: one of the first three places that aren't the glossary's
 const WORDS = [
     ['restitution', /chapter_18|Material/], ['inertia', /chapter_0[234]/], ['moment of inertia', /chapter_0[234]/], ['parallel axes', /chapter_02/],
@@ -182,6 +208,18 @@ const WORDS = [
     ['coefficient of friction', /chapter_07/], ['coefficient of restitution', /chapter_18/], ['conservation of momentum', /chapter_(07|18)/], ["Newton's cradle", /chapter_07/],
     ['cancellation', /chapter_(18|02|03)/], ['shoelace formula', /chapter_04/], ['centroid', /chapter_04/], ['ear clipping', /chapter_06/], ['leapfrog', /chapter_01/],
     ['Runge-Kutta', /chapter_01/], ['deterministic', /chapter_01/], ['orbit', /chapter_(01|16)/], ['snapshot', /chapter_13/], ['warm start', /chapter_1[17]/],
+];
+
+// What must lead to its place at once: it is first or second of all that is found
+const FIRST = [
+    ['torque', /chapter_02/], ['friction', /chapter_07.html#friction/], ['bounce', /chapter_18/], ['spin', /chapter_02/], ['pile', /chapter_17/], ['sleep', /chapter_17/],
+    ['restitution', /chapter_18/], ['quadtree', /chapter_09/], ['coefficient', /chapter_18/], ['moment of inertia', /chapter_02/], ['collision', /chapter_18/],
+    ['gravity', /chapter_01/], ['SAT', /chapter_05/], ['TOI', /chapter_08/], ['stack', /chapter_11/], ['jitter', /chapter_11.html#where-it-breaks/],
+    ['tunneling', /chapter_08/], ['python', /manual.index/], ['install', /manual.index/], ['exercise', /#exercises/], ['contact', /chapter_(05|06|11)/],
+    ['impulse', /chapter_07/], ['Zeno', /chapter_11/], ['integrator', /chapter_13/], ['convex', /chapter_06/], ['centroid', /chapter_04/],
+    ['energy', /chapter_(17|18)/], ['broad phase', /chapter_09/], ['snapshot', /chapter_13/], ['units', /chapter_01/], ['center of mass', /chapter_04/],
+    ['substep', /chapter_11/], ['license', /about.html#licence/], ['cite', /about.html#how-to-cite/], ['projectile', /chapter_01/], ['determinism', /chapter_01/],
+    ['inclined plane', /chapter_11/], ['answers', /answers/], ['video', /chapter_13/], ['mass', /chapter_02/],
 ];
 
 async function checkSearch(browser) {
@@ -201,6 +239,12 @@ async function checkSearch(browser) {
         else complain('search', `"${word}" leads to ${places.join(', ') || 'nothing'}; expected ${where}`);
     }
 
+    for (const [word, where] of FIRST) {
+        const places = await browser.ask(`FlyingSearch.find(flyingIndex, ${JSON.stringify(word)}, 2).map((one) => one.address)`);
+        if (places.some((place) => where.test(place))) ++good;
+        else complain('search', `"${word}" leads to ${places.join(', ') || 'nothing'} at once; expected ${where}`);
+    }
+
     // A word of the glossary leads to its line, and to where it is taught
     const terms = await browser.ask(`flyingIndex.filter((one) => one[2].startsWith('glossary.html#')).map((one) => [one[0], one[2]])`);
     if (terms.length < 60) complain('search', `knows ${terms.length} words of the glossary`);
@@ -213,6 +257,8 @@ async function checkSearch(browser) {
     await browser.until("document.readyState === 'complete'");
     const missing = await browser.ask(`${JSON.stringify(terms)}.filter(([, line]) => !document.getElementById(line.split('#')[1]))`);
     for (const [term] of missing) complain('glossary.html', `has no line for ${term}`);
+    const index = fs.readFileSync(path.join(html, 'terms.html'), 'utf8');
+    for (const [term, line] of terms) if (!index.includes(`href="${line}"`)) complain('terms.html', `has no place for ${term}`);
     await browser.go('file://' + path.join(html, 'chapter_02.html'));
     await browser.until("document.readyState === 'complete'");
     await key('/', 'Slash');
@@ -278,13 +324,15 @@ async function main() {
         if (weight > HEAVIEST) complain(page, `${weight} kB to load, expected ${HEAVIEST} at most`);
     }
     await browser.media({});
+    const pictures = checkPictures();
     await checkKeyboard(browser, 'chapter_02.html', ['A', 'BUTTON', 'SUMMARY']);
     await checkKeyboard(browser, 'playground.html', ['A', 'BUTTON', 'SELECT', 'TEXTAREA']);
     await checkKeyboard(browser, 'module_rest.html', ['A', 'BUTTON']);
     const words = await checkSearch(browser);
     await browser.close();
     for (const fault of faults) console.log(fault);
-    console.log(`${words} of ${WORDS.length} words found`);
+    console.log(`${words} of ${WORDS.length + FIRST.length} words found`);
+    console.log(`${pictures} pictures, their letters by day and by night`);
     console.log(`the heaviest page is ${heaviest[1]}: ${heaviest[0]} kB to load, packed`);
     console.log(`${pages.length} pages read, ${faults.length} faults`);
     process.exitCode = faults.length ? 1 : 0;
