@@ -103,9 +103,11 @@ struct OpenPart
 
 /// A point in front of one of a polygon's edges is so for so long before and after. No root is asked for: what bends
 /// down and is above zero at both ends of a stretch is so between them.
-[[nodiscard]] bool stays_in_front(const Seen& seen, const Polygon& polygon, const MarchBounds& bounds, double half)
+/// radius  of a disc about the point, or 0  [m]
+[[nodiscard]] bool stays_in_front(const Seen& seen, const Polygon& polygon, const MarchBounds& bounds, double half,
+                                  double radius)
 {
-    const double least = 0.5 * bounds.bend * half * half + bounds.tolerance.touch;
+    const double least = 0.5 * bounds.bend * half * half + bounds.tolerance.touch + radius;
     for (const Edge& edge : polygon.edges()) {
         const double gap = edge.normal.dot(seen.point - polygon.vertices()[edge.from]);
         if (gap - half * std::abs(edge.normal.dot(seen.rate)) > least) return true;
@@ -304,7 +306,8 @@ void scan_edges(const Facing<Relative>& facing, int vertex, MarchBounds& bounds,
                                 facing.rate_at_middle + cross(p.turning.spin(), r));
 
     // Leave a vertex alone that stays in front of an edge of a convex Q, which lies behind them all
-    if (window.skips_far_vertices && q.shape.is_convex() && stays_in_front(seen, q.shape, bounds, facing.half)) return;
+    if (window.skips_far_vertices && q.shape.is_convex() && stays_in_front(seen, q.shape, bounds, facing.half, 0.0))
+        return;
 
     // Keep the edges that this look doesn't rule out
     std::optional<Seen> at_start;
@@ -341,19 +344,14 @@ void scan_vertices(const Facing<Relative>& facing, const Facing<Relative>& of_a,
     }
 }
 
-/// March of the distance between a point and a centre, less a radius. Distance bends
-/// upwards by itself, so that the acceleration alone bounds how fast it can fall.
+/// March of the distance between a point and a centre, less a radius.
 template <typename Offset, typename Counts>
-[[nodiscard]] MarchEnd march_distance(const Offset& offset_and_rate, double radius, double acceleration,
+[[nodiscard]] MarchEnd march_distance(const Offset& offset_and_rate, double radius, const MarchBounds& bounds,
                                       const Window& window, double stop, const Counts& counts)
 {
-    const double bend = acceleration * (1.0 + tolerance::k_bend_margin);
-    const MarchBounds bounds{bend, k_never, k_never, window.tolerance};
     const auto read = [&](double time) {
         const Seen seen = offset_and_rate(time);
-        const double distance = seen.point.norm();
-        const double rate = seen.point.dot(seen.rate) / distance;
-        return EdgeReading{distance - radius, rate, 0.0, 0.0};
+        return read_distance(seen.point, seen.rate, radius);
     };
     return march(read(window.from), read, bounds, window.from, window.until, stop, counts);
 }
@@ -365,7 +363,7 @@ Strike first_strike(const Polygon& a, const Turning& turning_a, const Polygon& b
                     const Relative& relative, const Window& window)
 {
     // A bound on what bends is four times as close when it is taken from the middle of a stretch as from its beginning
-    const double half = 0.5 * std::max(0.0, std::min(window.until, window.horizon) - window.from);
+    const double half = window.half();
     const double middle = window.from + half;
     StartRotations start(turning_a, turning_b, window.from);
     const auto [a_at_middle, b_at_middle] = both_at(turning_a, turning_b, middle);
@@ -400,21 +398,28 @@ Strike first_strike(const Disc& a, const Polygon& b, const Turning& turning_b, c
     bounds.tolerance = window.tolerance;
     bounds.ends = tolerance::coordinate_rounding(b.radius() + a.radius);
 
-    const Seen seen = seen_from(turning_b.at(window.from), spin, relative.offset_at(window.from),
-                                relative.rate_at(window.from));
+    const auto see = [&](double time) {
+        return seen_from(turning_b.at(time), spin, relative.offset_at(time), relative.rate_at(time));
+    };
+
+    // Leave a disc alone that stays in front of an edge of a convex polygon
+    const double half = window.half();
+    const Seen at_middle = see(window.from + half);
+    const bool leaves = window.skips_far_vertices && b.is_convex() && window.seams_b.empty();
+    if (leaves && stays_in_front(at_middle, b, bounds, half, a.radius)) return strike;
+    const Seen at_start = see(window.from);
     for (const Edge& edge : b.edges()) {
 
         // The disc's centre against the edge, moved out by the radius
         const OpenPart part = open_part(edge, window.seams_b);
         bounds.length = part.length;
         const Vec2 moved_start = b.vertices()[edge.from] + a.radius * edge.normal + part.from * edge.tangent;
-        const auto read = [&](double time) {
-            return read_edge(seen_from(turning_b.at(time), spin, relative.offset_at(time), relative.rate_at(time)), edge,
-                             moved_start);
-        };
-        const EdgeReading first = read_edge(seen, edge, moved_start);
-        keep_earlier(strike, march(first, read, bounds, window.from, window.until, horizon(strike, window)),
-                     {FeatureKind::vertex_of_a, -1, edge.from});
+        const auto read = [&](double time) { return read_edge(see(time), edge, moved_start); };
+        if (!window.skips_far_vertices || !is_clear_within(read_edge(at_middle, edge, moved_start), bounds, half)) {
+            const EdgeReading first = read_edge(at_start, edge, moved_start);
+            const MarchEnd end = march(first, read, bounds, window.from, window.until, horizon(strike, window));
+            keep_earlier(strike, end, {FeatureKind::vertex_of_a, -1, edge.from});
+        }
 
         // And against the corner at its start
         if (b.is_reflex(edge.from) || is_no_corner(edge.from, window.seams_b)) continue;
@@ -426,13 +431,15 @@ Strike first_strike(const Disc& a, const Polygon& b, const Turning& turning_b, c
             return Seen{offset, rate};
         };
         const double corner_acceleration = acceleration + spin * spin * corner.norm();
+        const MarchBounds of_corner = distance_bounds(corner_acceleration, window.tolerance);
+        const EdgeReading corner_at_middle = read_distance(at_middle.point - corner, at_middle.rate, a.radius);
+        if (window.skips_far_vertices && is_clear_within(corner_at_middle, of_corner, half)) continue;
         const auto counts = [&](double time) {
             const Vec2 normal = inverse(turning_b.at(time)) * from_corner(time).point.normalized();
             return is_open(b, edge.from, window.seams_b, normal);
         };
-        keep_earlier(strike,
-                     march_distance(from_corner, a.radius, corner_acceleration, window, horizon(strike, window), counts),
-                     {FeatureKind::vertex_of_b, edge.from, -1});
+        const MarchEnd end = march_distance(from_corner, a.radius, of_corner, window, horizon(strike, window), counts);
+        keep_earlier(strike, end, {FeatureKind::vertex_of_b, edge.from, -1});
 
     }
     return strike;
@@ -444,10 +451,8 @@ Strike first_strike(const Disc& a, const Disc& b, const Relative& relative, cons
     Strike strike;
     const auto between_centres = [&](double time) { return Seen{relative.offset_at(time), relative.rate_at(time)}; };
     const auto counts = [](double) { return true; };
-    keep_earlier(strike,
-                 march_distance(between_centres, a.radius + b.radius, acceleration_bound(relative), window, window.until,
-                                counts),
-                 {});
+    const MarchBounds bounds = distance_bounds(acceleration_bound(relative), window.tolerance);
+    keep_earlier(strike, march_distance(between_centres, a.radius + b.radius, bounds, window, window.until, counts), {});
     return strike;
 }
 
