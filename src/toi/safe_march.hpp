@@ -28,20 +28,6 @@ struct MarchBounds
     double ends = 0.0; ///< rounding of `along` [m]
 };
 
-/// The distance of a point from a centre, less a radius, read as a gap.
-/// point, rate  from the centre, and how that changes  [m], [m/s]
-[[nodiscard]] inline EdgeReading read_distance(const Vec2& point, const Vec2& rate, double radius)
-{
-    const double distance = point.norm();
-    return {distance - radius, point.dot(rate) / distance, 0.0, 0.0};
-}
-
-/// A distance bends upwards by itself, so that the acceleration alone bounds how fast it can fall.
-[[nodiscard]] inline MarchBounds distance_bounds(double acceleration, const GapTolerance& tolerance)
-{
-    return {acceleration * (1.0 + tolerance::k_bend_margin), k_never, k_never, tolerance};
-}
-
 /// The vertex is between the edge's ends, or past one by no more than the slack.  [m]
 [[nodiscard]] inline bool is_over(const EdgeReading& now, const MarchBounds& bounds, double slack)
 {

@@ -105,7 +105,7 @@ struct OpenPart
 /// down and is above zero at both ends of a stretch is so between them.
 /// radius  of a disc about the point, or 0  [m]
 [[nodiscard]] bool stays_in_front(const Seen& seen, const Polygon& polygon, const MarchBounds& bounds, double half,
-                                  double radius)
+                                  double radius = 0.0)
 {
     const double least = 0.5 * bounds.bend * half * half + bounds.tolerance.touch + radius;
     for (const Edge& edge : polygon.edges()) {
@@ -306,8 +306,7 @@ void scan_edges(const Facing<Relative>& facing, int vertex, MarchBounds& bounds,
                                 facing.rate_at_middle + cross(p.turning.spin(), r));
 
     // Leave a vertex alone that stays in front of an edge of a convex Q, which lies behind them all
-    if (window.skips_far_vertices && q.shape.is_convex() && stays_in_front(seen, q.shape, bounds, facing.half, 0.0))
-        return;
+    if (window.skips_far_vertices && q.shape.is_convex() && stays_in_front(seen, q.shape, bounds, facing.half)) return;
 
     // Keep the edges that this look doesn't rule out
     std::optional<Seen> at_start;
@@ -344,14 +343,19 @@ void scan_vertices(const Facing<Relative>& facing, const Facing<Relative>& of_a,
     }
 }
 
-/// March of the distance between a point and a centre, less a radius.
+/// March of the distance between a point and a centre, less a radius. Distance bends
+/// upwards by itself, so that the acceleration alone bounds how fast it can fall.
 template <typename Offset, typename Counts>
-[[nodiscard]] MarchEnd march_distance(const Offset& offset_and_rate, double radius, const MarchBounds& bounds,
+[[nodiscard]] MarchEnd march_distance(const Offset& offset_and_rate, double radius, double acceleration,
                                       const Window& window, double stop, const Counts& counts)
 {
+    const double bend = acceleration * (1.0 + tolerance::k_bend_margin);
+    const MarchBounds bounds{bend, k_never, k_never, window.tolerance};
     const auto read = [&](double time) {
         const Seen seen = offset_and_rate(time);
-        return read_distance(seen.point, seen.rate, radius);
+        const double distance = seen.point.norm();
+        const double rate = seen.point.dot(seen.rate) / distance;
+        return EdgeReading{distance - radius, rate, 0.0, 0.0};
     };
     return march(read(window.from), read, bounds, window.from, window.until, stop, counts);
 }
@@ -401,15 +405,15 @@ Strike first_strike(const Disc& a, const Polygon& b, const Turning& turning_b, c
     const auto see = [&](double time) {
         return seen_from(turning_b.at(time), spin, relative.offset_at(time), relative.rate_at(time));
     };
-
     // Leave a disc alone that stays in front of an edge of a convex polygon
     const double half = window.half();
     const Seen at_middle = see(window.from + half);
     const bool leaves = window.skips_far_vertices && b.is_convex() && window.seams_b.empty();
     if (leaves && stays_in_front(at_middle, b, bounds, half, a.radius)) return strike;
     const Seen at_start = see(window.from);
+    const double way = half * (at_middle.rate.norm() + 0.5 * bounds.bend * half); // that it goes, at most
+    const double near = window.skips_far_vertices ? a.radius + window.tolerance.touch + way : k_never;
     for (const Edge& edge : b.edges()) {
-
         // The disc's centre against the edge, moved out by the radius
         const OpenPart part = open_part(edge, window.seams_b);
         bounds.length = part.length;
@@ -424,6 +428,7 @@ Strike first_strike(const Disc& a, const Polygon& b, const Turning& turning_b, c
         // And against the corner at its start
         if (b.is_reflex(edge.from) || is_no_corner(edge.from, window.seams_b)) continue;
         const Vec2& corner = b.vertices()[edge.from];
+        if ((at_middle.point - corner).squaredNorm() > near * near) continue;
         const auto from_corner = [&](double time) {
             const Vec2 r = turning_b.at(time) * corner;
             const Vec2 offset = relative.offset_at(time) - r;
@@ -431,16 +436,13 @@ Strike first_strike(const Disc& a, const Polygon& b, const Turning& turning_b, c
             return Seen{offset, rate};
         };
         const double corner_acceleration = acceleration + spin * spin * corner.norm();
-        const MarchBounds of_corner = distance_bounds(corner_acceleration, window.tolerance);
-        const EdgeReading corner_at_middle = read_distance(at_middle.point - corner, at_middle.rate, a.radius);
-        if (window.skips_far_vertices && is_clear_within(corner_at_middle, of_corner, half)) continue;
         const auto counts = [&](double time) {
             const Vec2 normal = inverse(turning_b.at(time)) * from_corner(time).point.normalized();
             return is_open(b, edge.from, window.seams_b, normal);
         };
-        const MarchEnd end = march_distance(from_corner, a.radius, of_corner, window, horizon(strike, window), counts);
-        keep_earlier(strike, end, {FeatureKind::vertex_of_b, edge.from, -1});
-
+        keep_earlier(strike,
+                     march_distance(from_corner, a.radius, corner_acceleration, window, horizon(strike, window), counts),
+                     {FeatureKind::vertex_of_b, edge.from, -1});
     }
     return strike;
 }
@@ -451,8 +453,10 @@ Strike first_strike(const Disc& a, const Disc& b, const Relative& relative, cons
     Strike strike;
     const auto between_centres = [&](double time) { return Seen{relative.offset_at(time), relative.rate_at(time)}; };
     const auto counts = [](double) { return true; };
-    const MarchBounds bounds = distance_bounds(acceleration_bound(relative), window.tolerance);
-    keep_earlier(strike, march_distance(between_centres, a.radius + b.radius, bounds, window, window.until, counts), {});
+    keep_earlier(strike,
+                 march_distance(between_centres, a.radius + b.radius, acceleration_bound(relative), window, window.until,
+                                counts),
+                 {});
     return strike;
 }
 
@@ -465,7 +469,6 @@ Strike first_strike(const Polygon& a, const Turning& turning_a, const HalfPlane&
     const double fall = acceleration_bound(relative, wall.normal);
     for (int k = 0; k < static_cast<int>(a.vertices().size()); ++k) {
         if (a.is_reflex(k)) continue;
-
         const Vec2& vertex = a.vertices()[k];
         const double bend = (fall + spin * spin * vertex.norm()) * (1.0 + tolerance::k_bend_margin);
         const MarchBounds bounds{bend, k_never, k_never, window.tolerance};
@@ -476,7 +479,6 @@ Strike first_strike(const Polygon& a, const Turning& turning_a, const HalfPlane&
             const Vec2 rate = relative.rate_at(time) + cross(spin, r);
             return EdgeReading{height, wall.normal.dot(rate), 0.0, 0.0};
         };
-
         keep_earlier(strike, march(read(window.from), read, bounds, window.from, window.until, horizon(strike, window)),
                      {FeatureKind::vertex_of_a, k, -1});
     }
