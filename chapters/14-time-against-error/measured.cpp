@@ -99,6 +99,7 @@ int main()
     std::printf("ratio rocking worst = %.2g\n", row_named(records, "rocking-block").worst);
     std::printf("ratio rocking best = %.2g\n", row_named(records, "rocking-block").at_their_best.value_or(0.0));
     std::printf("ratio rolling worst = %.2g\n", row_named(records, "rolling").worst);
+    std::printf("ratio sliding worst = %.2g\n", row_named(records, "slide-to-roll").worst);
     std::printf("ratio pile worst = %.2g\n", row_named(records, "pile").worst);
     std::printf("ratio galperin worst = %.2g\n", row_named(records, "galperin").worst);
     return 0;

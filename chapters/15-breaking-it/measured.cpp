@@ -64,7 +64,7 @@ int main()
     };
     value("heaviest ratio", "a heavy box on a light one");
     value("tallest stack", "a stack of boxes");
-    value("energy change", "energy over a thousand million collisions");
+    value("energy change", "energy over a billion collisions");
     value("lowest step", "a low step on the way");
     value("off on tiles", "over flush tiles");
     value("heap overlap", "a heap of masses 1 : 1e4, sizes 1 : 20");

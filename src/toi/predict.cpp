@@ -140,7 +140,8 @@ template <typename Look>
     const Passage passage = passage_through_circle(search.relative.offset, search.relative.rate, radius);
     const double start = search.relative.start;
     const double enter = std::max(start, start + passage.enter);
-    int windows = options.windows;
+    // What overlaps already is looked at now: a look that is due at once needn't be queued
+    int windows = enter <= from ? std::max(options.windows, 1) : options.windows;
 
     // With the skip off, see for ourselves that nothing happens before the circles meet
     if (!options.skips_far_features && from < enter) {
@@ -221,6 +222,7 @@ template <typename Look>
                                 const PredictOptions& options)
 {
     Search pair = make_search(flyer_a, a.radius, flyer_b, b.radius(), tip_speed(b, flyer_b));
+    pair.skips_far_vertices = options.skips_far_features; // of the polygon's edges and corners, those that stay clear
     pair.seams_b = options.seams_b;
     const Turning turning_b(flyer_b.state);
     const auto look = [&](const Window& window) { return first_strike(a, b, turning_b, pair.relative, window); };
@@ -293,6 +295,7 @@ template <typename Look>
             time = later > time ? later : next_after(time);
         }
 
+        if (height <= 0.0 && time == from) windows = std::max(windows, 1); // a look that is due at once
         if (windows-- <= 0) return not_before(time);
 
         // Within reach, or leaving: windows as short as the body's own motion asks

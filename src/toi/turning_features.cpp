@@ -103,9 +103,11 @@ struct OpenPart
 
 /// A point in front of one of a polygon's edges is so for so long before and after. No root is asked for: what bends
 /// down and is above zero at both ends of a stretch is so between them.
-[[nodiscard]] bool stays_in_front(const Seen& seen, const Polygon& polygon, const MarchBounds& bounds, double half)
+/// radius  of a disc about the point, or 0  [m]
+[[nodiscard]] bool stays_in_front(const Seen& seen, const Polygon& polygon, const MarchBounds& bounds, double half,
+                                  double radius = 0.0)
 {
-    const double least = 0.5 * bounds.bend * half * half + bounds.tolerance.touch;
+    const double least = 0.5 * bounds.bend * half * half + bounds.tolerance.touch + radius;
     for (const Edge& edge : polygon.edges()) {
         const double gap = edge.normal.dot(seen.point - polygon.vertices()[edge.from]);
         if (gap - half * std::abs(edge.normal.dot(seen.rate)) > least) return true;
@@ -365,7 +367,7 @@ Strike first_strike(const Polygon& a, const Turning& turning_a, const Polygon& b
                     const Relative& relative, const Window& window)
 {
     // A bound on what bends is four times as close when it is taken from the middle of a stretch as from its beginning
-    const double half = 0.5 * std::max(0.0, std::min(window.until, window.horizon) - window.from);
+    const double half = window.half();
     const double middle = window.from + half;
     StartRotations start(turning_a, turning_b, window.from);
     const auto [a_at_middle, b_at_middle] = both_at(turning_a, turning_b, middle);
@@ -400,25 +402,33 @@ Strike first_strike(const Disc& a, const Polygon& b, const Turning& turning_b, c
     bounds.tolerance = window.tolerance;
     bounds.ends = tolerance::coordinate_rounding(b.radius() + a.radius);
 
-    const Seen seen = seen_from(turning_b.at(window.from), spin, relative.offset_at(window.from),
-                                relative.rate_at(window.from));
+    const auto see = [&](double time) {
+        return seen_from(turning_b.at(time), spin, relative.offset_at(time), relative.rate_at(time));
+    };
+    // Leave a disc alone that stays in front of an edge of a convex polygon
+    const double half = window.half();
+    const Seen at_middle = see(window.from + half);
+    const bool leaves = window.skips_far_vertices && b.is_convex() && window.seams_b.empty();
+    if (leaves && stays_in_front(at_middle, b, bounds, half, a.radius)) return strike;
+    const Seen at_start = see(window.from);
+    const double way = half * (at_middle.rate.norm() + 0.5 * bounds.bend * half); // that it goes, at most
+    const double near = window.skips_far_vertices ? a.radius + window.tolerance.touch + way : k_never;
     for (const Edge& edge : b.edges()) {
-
         // The disc's centre against the edge, moved out by the radius
         const OpenPart part = open_part(edge, window.seams_b);
         bounds.length = part.length;
         const Vec2 moved_start = b.vertices()[edge.from] + a.radius * edge.normal + part.from * edge.tangent;
-        const auto read = [&](double time) {
-            return read_edge(seen_from(turning_b.at(time), spin, relative.offset_at(time), relative.rate_at(time)), edge,
-                             moved_start);
-        };
-        const EdgeReading first = read_edge(seen, edge, moved_start);
-        keep_earlier(strike, march(first, read, bounds, window.from, window.until, horizon(strike, window)),
-                     {FeatureKind::vertex_of_a, -1, edge.from});
+        const auto read = [&](double time) { return read_edge(see(time), edge, moved_start); };
+        if (!window.skips_far_vertices || !is_clear_within(read_edge(at_middle, edge, moved_start), bounds, half)) {
+            const EdgeReading first = read_edge(at_start, edge, moved_start);
+            const MarchEnd end = march(first, read, bounds, window.from, window.until, horizon(strike, window));
+            keep_earlier(strike, end, {FeatureKind::vertex_of_a, -1, edge.from});
+        }
 
         // And against the corner at its start
         if (b.is_reflex(edge.from) || is_no_corner(edge.from, window.seams_b)) continue;
         const Vec2& corner = b.vertices()[edge.from];
+        if ((at_middle.point - corner).squaredNorm() > near * near) continue;
         const auto from_corner = [&](double time) {
             const Vec2 r = turning_b.at(time) * corner;
             const Vec2 offset = relative.offset_at(time) - r;
@@ -433,7 +443,6 @@ Strike first_strike(const Disc& a, const Polygon& b, const Turning& turning_b, c
         keep_earlier(strike,
                      march_distance(from_corner, a.radius, corner_acceleration, window, horizon(strike, window), counts),
                      {FeatureKind::vertex_of_b, edge.from, -1});
-
     }
     return strike;
 }
@@ -460,7 +469,6 @@ Strike first_strike(const Polygon& a, const Turning& turning_a, const HalfPlane&
     const double fall = acceleration_bound(relative, wall.normal);
     for (int k = 0; k < static_cast<int>(a.vertices().size()); ++k) {
         if (a.is_reflex(k)) continue;
-
         const Vec2& vertex = a.vertices()[k];
         const double bend = (fall + spin * spin * vertex.norm()) * (1.0 + tolerance::k_bend_margin);
         const MarchBounds bounds{bend, k_never, k_never, window.tolerance};
@@ -471,7 +479,6 @@ Strike first_strike(const Polygon& a, const Turning& turning_a, const HalfPlane&
             const Vec2 rate = relative.rate_at(time) + cross(spin, r);
             return EdgeReading{height, wall.normal.dot(rate), 0.0, 0.0};
         };
-
         keep_earlier(strike, march(read(window.from), read, bounds, window.from, window.until, horizon(strike, window)),
                      {FeatureKind::vertex_of_a, k, -1});
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <span>
 
 #include "collide/seams.hpp"
@@ -24,6 +25,9 @@ struct Window
     GapTolerance tolerance;
     std::span<const Seam> seams_a = {}; ///< of A's surface with what lies beside it
     std::span<const Seam> seams_b = {}; ///< the same of B
+
+    /// Half of the time that is looked at.  [s]
+    [[nodiscard]] double half() const { return 0.5 * std::max(0.0, std::min(until, horizon) - from); }
 };
 
 

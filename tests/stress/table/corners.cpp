@@ -173,6 +173,14 @@ Pushes pushes_in(const Groove& groove)
     return {-b.x() / all, a.x() / all};
 }
 
+/// Pressed together, its two contacts alone could hold the disc, however it spins: the line between them lies in both
+/// cones of friction. Coulomb's law then allows two answers.
+bool may_wedge(const Groove& groove)
+{
+    const double off_normal = 0.5 * (std::numbers::pi - groove.left - groove.right); // angle to that line [rad]
+    return std::tan(off_normal) <= groove.mu;
+}
+
 double off_in(const Groove& groove, const Pushes& pushes)
 {
     Scene scene;
@@ -219,6 +227,7 @@ Reached cones(const Share&)
     Random random(25);
     int tried = 0;
     int off_by_more = 0;
+    int ambiguous = 0;
     while (tried < 200) {
         Groove groove;
         groove.left = random.uniform(0.05, 1.5);
@@ -229,6 +238,7 @@ Reached cones(const Share&)
         const Pushes pushes = pushes_in(groove);
         if (std::min(pushes.left, pushes.right) < 0.01) continue; // it climbs out
         ++tried;
+        ambiguous += may_wedge(groove) ? 1 : 0;
         const double off = off_in(groove, pushes);
         off_by_more += off > 1e-9 ? 1 : 0;
         if (off > std::max(reached.value, 1e-9))
@@ -237,7 +247,8 @@ Reached cones(const Share&)
         reached.value = std::max(reached.value, off);
     }
     reached.remark +=
-        fmt::format("{}{} grooves off by more than asked", reached.remark.empty() ? "" : "; ", off_by_more);
+        fmt::format("{}{} grooves off by more than asked; in {} the disc could also be wedged",
+                    reached.remark.empty() ? "" : "; ", off_by_more, ambiguous);
     reached.amount =
         fmt::format("a disc that spins in a corner, mu from 0.3 to 10, and in {} grooves, mu from 0.03 to 10", tried);
     return reached;

@@ -114,7 +114,7 @@ Reached long_gas(const Share& share)
 
 constexpr std::array k_trials = {
     Trial{9, "first impacts, against a dense search", "impacts missed or wrong", 0.0, false, "", missed_roots},
-    Trial{12, "energy over a thousand million collisions", "relative change", 4e-12, false, "", long_gas},
+    Trial{12, "energy over a billion collisions", "relative change", 4e-12, false, "", long_gas},
 };
 
 } // namespace
