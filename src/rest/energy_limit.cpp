@@ -224,7 +224,8 @@ void limit_energy(RestData& data, const Island& island)
     ++data.counts.limited;
     data.counts.energy_limited += gain.gained;
     const RigidMotion rigid = free_motion(data, island, data.motion.now);
-    const bool is_held = static_hold(data, island.points).directions > 0;
+    // A centre takes up momentum, as all does that is static
+    const bool is_held = data.options.centre || static_hold(data, island.points).directions > 0;
     // Round a centre the field's work isn't in proportion to the way, so that it takes more than one round
     for (int round = 0; round < rest_tolerance::k_quick_rounds && gain.gained > rounding; ++round) {
         double left = slow_down(data, island, rigid, gain.gained);

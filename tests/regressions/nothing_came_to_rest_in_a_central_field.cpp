@@ -72,7 +72,8 @@ Scene scattered(std::uint64_t seed, int count, double restitution, double fricti
         const int sides = 2 + random.below(5);
         if (sides > 2) body.shape = RegularDef{sides, radius};
         if (random.uniform() < 0.5) {
-            body.velocity = random.uniform(0.5, 1.0) * std::sqrt(k_mu / distance) * Vec2(-std::sin(angle), std::cos(angle));
+            body.velocity =
+                random.uniform(0.5, 1.0) * std::sqrt(k_mu / distance) * Vec2(-std::sin(angle), std::cos(angle));
         }
         body.spin = random.uniform(-2.0, 2.0);
         scene.bodies.push_back(body);
@@ -89,8 +90,9 @@ TEST_CASE("a disc on the core bears its weight there, stays to the bit, and fall
         const double r = 0.05 + 0.02 * k;
         const Vec2 place = (1.0 + r) * Vec2(std::cos(angle), std::sin(angle));
         const double friction = k % 2 == 0 ? 0.0 : 0.6;
-        RestEngine engine({fixed_disc(1.0, Vec2::Zero(), friction), body_at(Disc{r}, place, 3.0, 1.5 * r * r, friction)},
-                          round_centre());
+        RestEngine engine(
+            {fixed_disc(1.0, Vec2::Zero(), friction), body_at(Disc{r}, place, 3.0, 1.5 * r * r, friction)},
+            round_centre());
         engine.advance(1.0);
         const Vec2 settled = engine.state(1).position;
         INFO("angle " << angle << ", radius " << r);
@@ -105,7 +107,8 @@ TEST_CASE("a disc on the core bears its weight there, stays to the bit, and fall
     }
 }
 
-TEST_CASE("of two discs on each other above the core, each contact bears the weights of all above, as the field is there")
+TEST_CASE(
+    "of two discs on each other above the core, each contact bears the weights of all above, as the field is there")
 {
     const double r = 0.25;
     const double low = 1.0 + r;
@@ -221,4 +224,38 @@ TEST_CASE("steps alone move bodies round a centre, too")
     const double start = world.report().energy.total();
     CHECK_FALSE(world.advance(scene.until).has_value());
     CHECK(world.report().energy.total() <= start + 1e-10 * std::abs(start));
+}
+
+TEST_CASE("bodies that lean on each other gain nothing where they pass a centre that has no core")
+{
+    // The limit on energy spared the motion that they have in common, though a centre takes up momentum: 3e5 J from
+    // -2e3
+    for (int k = 0; k < 24; ++k) {
+        Scene scene;
+        scene.world.restitution = 0.0;
+        scene.world.friction = 0.5;
+        scene.world.field = CentralField{{0.02 * (k % 5) - 0.04, 0.01 * (k % 3)}, 96.0, 0.0};
+        BodyDef large;
+        large.shape = TriangleDef{{3.0, 4.8}, 1.4};
+        large.position = {-0.58, -2.76};
+        large.angle = -1.83;
+        BodyDef small;
+        small.shape = RegularDef{3, 0.0625};
+        small.position = {-0.82, 1.27};
+        small.angle = 3.68 + 0.1 * k;
+        small.velocity = {-0.44, 0.0};
+        scene.bodies = {large, small};
+        World world = with_step(scene, 1.0 / 60.0);
+        const double start = world.report().energy.total();
+        double highest = start;
+        for (int i = 1; i <= 60; ++i) {
+            // What ends on an orbit of a millimetre goes round a hundred thousand times in a second: that isn't asked
+            // here
+            REQUIRE_FALSE(world.advance(i / 60.0, 2000).has_value());
+            if (world.time() < i / 60.0) break;
+            highest = std::max(highest, world.report().energy.total());
+        }
+        CAPTURE(k);
+        CHECK(highest - start <= 1e-9 * std::abs(start));
+    }
 }
