@@ -70,6 +70,8 @@ void find_impulses(RestData& data, Island& island, std::span<const Mover> start,
 void calm(RestData& data, const Island& island)
 {
     const double rounding = solve_rounding(island);
+    // Where impulses have grown beyond all bounds, as in a row that fits between two walls to the last digit, what
+    // their rounding explains may be faster than anything is
     const double still = std::min(still_speed(data, island), rest_tolerance::k_blow * top_speed(data, island));
     bool all_still = true;
     for (const int member : island.members) {

@@ -17,18 +17,6 @@ namespace {
     return greatest;
 }
 
-/// The greatest speed at any point, as it is or as it is asked for.  [m/s]
-[[nodiscard]] double fastest_of(std::span<const ContactPoint> points, std::span<const Mover> movers)
-{
-    double fastest = 0.0;
-    for (const ContactPoint& c : points) {
-        const double u = normal_speed(c, movers[c.a], movers[c.b]);
-        const double slip = tangent_speed(c, movers[c.a], movers[c.b]);
-        fastest = std::max({fastest, std::abs(u), std::abs(slip), std::isfinite(c.bound) ? std::abs(c.bound) : 0.0});
-    }
-    return fastest;
-}
-
 /// Pieces of a path that begins near its end.
 [[nodiscard]] int few_pieces(std::size_t points)
 {
@@ -50,12 +38,11 @@ bool IslandSolver::solve(std::span<Mover> movers, std::span<const int> members, 
     problem_.bodies.clear();
     for (const int member : members) problem_.bodies.push_back(movers[member]);
 
-    fastest_ = fastest_of(points, movers);
-
     // What was right in the step before most often is right still
     if (!is_warm_) forget_impulses(points);
     warm_start(points, movers);
-    if (worst_residual(points, movers) <= rest_tolerance::k_stagnant * rounding_left(island)) {
+    if (worst_residual(points, movers) <=
+        rest_tolerance::k_stagnant * std::max(tolerance, rounding_of(points, members.size()))) {
         ++counts_.accepted;
         return true;
     }
@@ -111,14 +98,6 @@ void IslandSolver::end_approaches(std::span<Mover> movers, std::span<const int> 
     if (!(worst_approach(points, movers) <= before)) go_back_to_best(island);
 }
 
-/// What rounding may leave of the content of a point. In a row that fits between two walls to the last digit, impulses
-/// may grow until their rounding is faster than anything is; they are no answer then, and no residual is small.  [m/s]
-double IslandSolver::rounding_left(const Island& island) const
-{
-    const double rounding = rounding_of(island.points, island.members.size());
-    return rounding <= rest_tolerance::k_never_bears * fastest_ ? std::max(island.tolerance, rounding) : -1.0;
-}
-
 /// Impulses that suit this step worse than none go.
 void IslandSolver::forget_what_suits_worse(const Island& island)
 {
@@ -140,7 +119,7 @@ bool IslandSolver::improve(const Island& island, From from)
         if (!(k == 0 ? find_pieces(island, from) : find_from_here(island))) return false;
         take_impulses(island);
         const double now = worst_residual(island.points, island.movers);
-        const double rounding = rounding_left(island);
+        const double rounding = std::max(island.tolerance, rounding_of(island.points, island.members.size()));
         const bool content = now <= rounding || (now >= 0.5 * before && now <= rest_tolerance::k_stagnant * rounding);
         if (now < best_ || content) {
             best_ = now;

@@ -71,7 +71,6 @@ private:
         std::span<ContactPoint> points;
         double tolerance;
     };
-    [[nodiscard]] double rounding_left(const Island& island) const;
     [[nodiscard]] bool improve(const Island& island, From from);
     [[nodiscard]] bool find_pieces(const Island& island, From from);
     [[nodiscard]] bool find_from_here(const Island& island);
@@ -92,7 +91,6 @@ private:
     InteriorPoint interior_;
     std::vector<double> limits_; // of friction, by the normal impulses of the last round [N s]
     std::vector<SweepPoint> sweep_points_;
-    double fastest_ = 0.0; // at any point, before the solve [m/s]
     double best_ = 0.0;
     std::vector<ContactPoint> kept_; // the best that was met
 };

@@ -22,7 +22,7 @@ inline constexpr double k_stiffness = 0x1p32;
 inline constexpr double k_still = 0x1p-36;
 
 /// [speeds that the field gives in a step] A slower approach that brings no rebound is left to the load, of which it is
-/// a thousandth; a faster slip is a slide; what bears, and comes nearer no faster, goes on to bear.
+/// a thousandth; a faster slip is a slide. [greatest speeds] Rounding brings nothing faster to rest.
 inline constexpr double k_blow = 0x1p-10;
 
 /// [steps] What closes so soon closes now: less than it takes to pass a gap of 1e-9 m, so that each ball of a row is
@@ -40,7 +40,7 @@ inline constexpr double k_touch = 0x1p-40;
 inline constexpr double k_closed = 0x1p-20;
 
 /// [sizes] What is this near, and won't be thrown back, has landed: otherwise each blow to a heap would be followed by
-/// hundreds at gaps that a microscope doesn't show. A block that rocks strikes so much too early, and with sixteen
+/// dozens at gaps that a microscope doesn't show. A block that rocks strikes so much too early, and with sixteen
 /// times as much its spin is off by 6e-7.
 inline constexpr double k_landed = 0x1p-28;
 
@@ -82,7 +82,7 @@ inline constexpr int k_few_rounds = 4;
 inline constexpr int k_most_in_detail = 12;
 
 // ---- Direct solver (piece_system, island_solver)
-/// [greatest speeds] What parts so fast bears nothing; impulses whose rounding is so fast are no answer.
+/// [greatest speeds] What parts so fast bears nothing.
 inline constexpr double k_never_bears = 0x1p20;
 
 // ---- Interior point (interior_point, island_solver)

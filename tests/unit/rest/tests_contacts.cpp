@@ -126,11 +126,8 @@ TEST_CASE("the points of two polygons that are apart have the nearest one among 
     for (int k = 0; k < 20000; ++k) {
         const Shape a = random_convex(random);
         const Shape b = random_convex(random);
-        const double direction = random.uniform(0.0, 6.3);
-        const double distance = random.uniform(0.5, 3.0);
-        const Pose pose_a = at(0.0, 0.0, random.uniform(0.0, 6.3));
-        const Pose pose_b =
-            at(distance * std::cos(direction), distance * std::sin(direction), random.uniform(0.0, 6.3));
+        const Pose pose_a = random_pose(random, 1.5);
+        const Pose pose_b = random_pose(random, 1.5);
         const double between = separation(a, pose_a, b, pose_b);
         if (!(between > 1e-9 && between < 0.2)) continue;
         ++apart;
@@ -142,7 +139,7 @@ TEST_CASE("the points of two polygons that are apart have the nearest one among 
     CHECK(apart > 1000);
 }
 
-TEST_CASE("the same of bodies that are cut into parts")
+TEST_CASE("bodies that are cut into parts have their nearest point among the points of their parts, too")
 {
     Random random(1);
     int apart = 0;
