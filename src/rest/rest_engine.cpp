@@ -221,6 +221,7 @@ bool RestEngine::bounces(const RestPair& pair, double load) const
     const Manifold manifold = look(data_, pair, pose_a, pose_b, rest_tolerance::k_closed * near);
     for (int k = 0; k < manifold.count; ++k) {
         const Contact& contact = manifold.contacts[k];
+        if (contact.separation < -data_.bodies.touch_gap(pair.a, pair.b)) return false; // steps take that off first
         const Vec2 velocity_a = velocity_at(a.state, contact.point - pose_a.position);
         const Vec2 velocity_b = velocity_at(b.state, contact.point - pose_b.position);
         const double u = (velocity_b - velocity_a).dot(contact.normal);
