@@ -104,7 +104,7 @@ void forget_ways(RestData& data, const Island& island)
     if (own == pair.feature + pair.count) return nullptr;
     const Vec2 place = pair.place[own - pair.feature];
     const int body = data.bodies.list[c.a].is_static ? c.b : c.a;
-    const double near = rest_tolerance::k_same_place * std::min(data.bodies.radius[c.a], data.bodies.radius[c.b]);
+    const double near = rest_tolerance::k_watch * std::min(data.bodies.radius[c.a], data.bodies.radius[c.b]);
     const Contact* best = nullptr;
     double least = near * near;
     for (int i = 0; i < manifold.count; ++i) {

@@ -162,7 +162,7 @@ void add_points(RestData& data, int index, const Manifold& manifold, double clos
         const Vec2 r_a = contact.point - data.bodies.poses[pair.a].position;
         const Vec2 r_b = contact.point - data.bodies.poses[pair.b].position;
         const Vec2 place = own_from_world * (own == pair.a ? r_a : r_b);
-        const int known = known_point(pair, contact.feature, place, rest_tolerance::k_same_place * size);
+        const int known = known_point(pair, contact.feature, place, rest_tolerance::k_watch * size);
         now.feature[k] = contact.feature;
         now.place[k] = place;
         now.normal[k] = known >= 0 ? pair.normal[known] : 0.0;

@@ -87,7 +87,7 @@ void find_moving_seams(const RestBodies& bodies, const PairList& list, const Res
     const int toucher = owner == Owner::a ? pair.b : pair.a;
     const auto& polygon = std::get<Polygon>(bodies.shapes[body].parts[part].shape);
     const double sign = owner == Owner::a ? 0.5 : -0.5;
-    const double near = rest_tolerance::k_same_place * std::min(bodies.radius[pair.a], bodies.radius[pair.b]);
+    const double near = rest_tolerance::k_watch * std::min(bodies.radius[pair.a], bodies.radius[pair.b]);
     for (int k = 0; k < manifold.count; ++k) {
         const Contact& contact = manifold.contacts[k];
         const Vec2 point = contact.point - (sign * contact.separation) * contact.normal;
@@ -160,7 +160,7 @@ NarrowPhase::NarrowPhase(const RestBodies& bodies)
 void NarrowPhase::mend(const RestBodies& bodies, const PairList& pairs, const RestPair& pair, const Pose& pose_a,
                        const Pose& pose_b, double margin, Manifold& manifold) const
 {
-    const double near = rest_tolerance::k_same_place * std::min(bodies.radius[pair.a], bodies.radius[pair.b]);
+    const double near = rest_tolerance::k_watch * std::min(bodies.radius[pair.a], bodies.radius[pair.b]);
     std::vector<Seam> moving;
     for (const Owner owner : {Owner::a, Owner::b}) {
         const bool of_a = owner == Owner::a;

@@ -173,7 +173,7 @@ Manifold outline_points(const OutlineSide& a, const OutlineSide& b, double margi
     });
     add_corners_over_corners(a, b, a_from_b, margin, touch, points);
     const double size = std::min(a.outline.longest_side(a.part), b.outline.longest_side(b.part));
-    return seen_in_world(points.fetch(rest_tolerance::k_same_place * size, margin), a.pose);
+    return seen_in_world(points.fetch(rest_tolerance::k_watch * size, margin), a.pose);
 }
 
 Manifold outline_points(const HalfPlane& wall, const OutlineSide& b, double margin)
@@ -187,7 +187,7 @@ Manifold outline_points(const HalfPlane& wall, const OutlineSide& b, double marg
         points.add({b.pose.position + (place - (corner.radius + 0.5 * separation) * wall.normal), wall.normal,
                     separation, static_cast<std::uint32_t>(corner.vertex) << 1 | 1u});
     }
-    return points.fetch(rest_tolerance::k_same_place * b.outline.longest_side(b.part), margin);
+    return points.fetch(rest_tolerance::k_watch * b.outline.longest_side(b.part), margin);
 }
 
 } // namespace flying

@@ -44,10 +44,8 @@ inline constexpr double k_closed = 0x1p-20;
 /// times as much its spin is off by 6e-7.
 inline constexpr double k_landed = 0x1p-28;
 
-/// [sizes] Points of two looks this near to each other are one, whatever the names of their features.
-inline constexpr double k_same_place = 0x1p-5;
-
-/// [sizes] Reach beyond what motion explains, within which points are watched.
+/// [sizes] Reach beyond what motion explains, within which points are watched. Points of two looks this near to each other
+/// are one, whatever the names of their features.
 inline constexpr double k_watch = 0x1p-6;
 
 /// [sizes] Overlap at the end of a step that is taken off; where it is more, the step is made in halves, and where
