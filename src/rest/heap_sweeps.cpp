@@ -40,8 +40,9 @@ void HeapSweeps::sweep_large(RestData& data, Island& island)
     const std::span<ContactPoint> points = island.points;
     const std::span<const int> members = island.members;
     const double field = field_speed(data, island);
+    const double rest = rest_tolerance::k_rest_speed * field;
     const double before = greatest_speed(data.motion.before, data.bodies.radius, members);
-    set_velocity_bias_swept(data, island, before <= rest_tolerance::k_rest_speed * field);
+    set_velocity_bias_swept(data, island, before <= rest);
     set_free(data, island, data.motion.before, data.motion.span);
     SweepPlan plan;
     plan.is_warm = data.options.warm_starts;
@@ -51,12 +52,12 @@ void HeapSweeps::sweep_large(RestData& data, Island& island)
     plan.tolerance = rest_tolerance::k_blow * field;
     sweeps_.sweep(data.motion.now, members, points, plan, data.solver.counts());
     const bool is_slow = before <= rest_tolerance::k_standing * field;
-    const double most = is_slow ? rest_tolerance::k_slow_approach : rest_tolerance::k_deep;
-    sweep_on(data, island, data.motion.now, points, most / data.motion.span);
+    sweep_on(data, island, data.motion.now, points,
+             {rest_tolerance::k_deep / data.motion.span, is_slow ? rest : std::numeric_limits<double>::infinity()});
 
     // What hardly moves comes to rest
     const double after = greatest_speed(data.motion.now, data.bodies.radius, members);
-    if (before <= rest_tolerance::k_rest_speed * field && after <= rest_tolerance::k_rest_speed * field) {
+    if (before <= rest && after <= rest) {
         for (const int member : members) {
             Mover& mover = data.motion.now[member];
             mover.v_x = mover.v_y = mover.spin = 0.0;
@@ -76,12 +77,10 @@ void HeapSweeps::sweep_large(RestData& data, Island& island)
     }
 }
 
-/// Sweeps take the longer the more masses differ: ever more of them, as long as any point misses its bound by more than
-/// `most`; and where the most of them leave that, the direct solve, if it can.
-///
-/// most  [sizes/s], or [sizes] where places are swept
+/// Sweeps take the longer the more masses differ: ever more of them, as long as any point misses its bound by too much;
+/// and where the most of them leave that, the direct solve, if it can.
 void HeapSweeps::sweep_on(RestData& data, const Island& island, std::span<Mover> movers, std::span<ContactPoint> points,
-                          double most)
+                          const MostMissed& most)
 {
     const auto take_back = [&] {
         for (const ContactPoint& c : points) push(c, -c.normal, -c.tangent, movers[c.a], movers[c.b]);
@@ -90,11 +89,11 @@ void HeapSweeps::sweep_on(RestData& data, const Island& island, std::span<Mover>
     plan.sweeps = rest_tolerance::k_more_sweeps;
     plan.tolerance = 0.0;
     for (int round = 0; round < rest_tolerance::k_few_rounds; ++round, plan.sweeps *= 2) {
-        if (worst_missed(data, movers, points) <= most) return;
+        if (!misses(data, movers, points, most)) return;
         take_back();
         sweeps_.sweep(movers, island.members, points, plan, data.solver.counts());
     }
-    if (island.member_count() > rest_tolerance::k_most_whole || worst_missed(data, movers, points) <= most) return;
+    if (island.member_count() > rest_tolerance::k_most_whole || !misses(data, movers, points, most)) return;
     take_back();
     if (!data.solver.solve(movers, island.members, points, rest_tolerance::k_residual * top_speed(data, island))) {
         take_back();
@@ -102,16 +101,14 @@ void HeapSweeps::sweep_on(RestData& data, const Island& island, std::span<Mover>
     }
 }
 
-/// By how much the worst point misses the least normal velocity that it may end with.  [sizes/s]
-double HeapSweeps::worst_missed(const RestData& data, std::span<const Mover> movers,
-                                std::span<const ContactPoint> points) const
+/// A point misses the least normal velocity that it may end with by more than so much.
+bool HeapSweeps::misses(const RestData& data, std::span<const Mover> movers, std::span<const ContactPoint> points,
+                        const MostMissed& most) const
 {
-    double worst = 0.0;
-    for (const ContactPoint& c : points) {
-        const double missed = c.bound - normal_speed(c, movers[c.a], movers[c.b]);
-        worst = std::max(worst, missed / std::min(data.bodies.radius[c.a], data.bodies.radius[c.b]));
-    }
-    return worst;
+    return std::any_of(points.begin(), points.end(), [&](const ContactPoint& c) {
+        const double size = std::min(data.bodies.radius[c.a], data.bodies.radius[c.b]);
+        return c.bound - normal_speed(c, movers[c.a], movers[c.b]) > std::min(most.of_size * size, most.speed);
+    });
 }
 
 void HeapSweeps::set_velocity_bias_swept(const RestData& data, const Island& island, bool is_calm) const
@@ -128,18 +125,18 @@ void HeapSweeps::set_velocity_bias_swept(const RestData& data, const Island& isl
 void HeapSweeps::sweep_velocities(RestData& data, const Island& island, std::span<Mover> velocities,
                                   std::span<ContactPoint> points)
 {
-    sweep(data, island, velocities, points, rest_tolerance::k_deep / data.motion.span, -1.0);
+    sweep(data, island, velocities, points, {rest_tolerance::k_deep / data.motion.span}, -1.0);
 }
 
 void HeapSweeps::sweep_places(RestData& data, const Island& island, std::span<Mover> pushes,
                               std::span<ContactPoint> points, double tolerance)
 {
-    sweep(data, island, pushes, points, rest_tolerance::k_deep, tolerance);
+    sweep(data, island, pushes, points, {rest_tolerance::k_deep}, tolerance);
 }
 
 /// tolerance  where no point asks for a greater change, impulses stay as they are; below 0 they never do
 void HeapSweeps::sweep(RestData& data, const Island& island, std::span<Mover> movers, std::span<ContactPoint> points,
-                       double most, double tolerance)
+                       const MostMissed& most, double tolerance)
 {
     SweepPlan plan;
     plan.is_warm = data.options.warm_starts;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <span>
 
 #include "rest/island.hpp"
@@ -26,13 +27,19 @@ public:
                       double tolerance);
 
 private:
+    /// By how much a point may miss the least normal velocity that it may end with.
+    struct MostMissed
+    {
+        double of_size;                                         ///< [sizes/s], or [sizes] where places are swept
+        double speed = std::numeric_limits<double>::infinity(); ///< [m/s]
+    };
     void set_velocity_bias_swept(const RestData& data, const Island& island, bool is_calm) const;
     void sweep(RestData& data, const Island& island, std::span<Mover> movers, std::span<ContactPoint> points,
-               double most, double tolerance);
+               const MostMissed& most, double tolerance);
     void sweep_on(RestData& data, const Island& island, std::span<Mover> movers, std::span<ContactPoint> points,
-                  double most);
-    [[nodiscard]] double worst_missed(const RestData& data, std::span<const Mover> movers,
-                                      std::span<const ContactPoint> points) const;
+                  const MostMissed& most);
+    [[nodiscard]] bool misses(const RestData& data, std::span<const Mover> movers, std::span<const ContactPoint> points,
+                              const MostMissed& most) const;
 
     IslandSweeps sweeps_;
 };

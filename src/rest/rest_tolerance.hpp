@@ -139,15 +139,12 @@ inline constexpr int k_most_parts = 256;
 inline constexpr double k_nearly_right = 0.125;
 
 /// [speeds that the field gives in a step] An island that was slower and stays so is at rest: what it was about to do
-/// is the price of its sleep. From rest, what accelerates by no more than this share of the field doesn't start.
+/// is the price of its sleep. From rest, what accelerates by no more than this share of the field doesn't start. Sweeps
+/// of a heap that is slow go on while anything approaches faster: what they leave would be taken for motion.
 inline constexpr double k_rest_speed = 0x1p-8;
 
 /// [energies of fall] What a sweep's changes are worth when there are enough of them.
 inline constexpr double k_enough = 0x1p-10;
-
-/// [sizes] Overlap that sweeps may add in one step of a heap that is slow. With the eightfold, what is heaviest sinks
-/// into what is lightest.
-inline constexpr double k_slow_approach = 0x1p-13;
 
 /// Sweeps that go on where more is left, twice as many in each round.
 inline constexpr int k_more_sweeps = 128;
