@@ -48,6 +48,25 @@ for name in chapter start check; do
     expect 2 'no appendix Z' "$name" z
 done
 
+# Whoever is not root but may do all by sudo without a password gets the packages. `sudo -v` asks for one all the same where another
+# rule does, as on Debian's images for the cloud; so does this sudo.
+bare=$(mktemp -d)
+trap 'rm -rf "$work" "$bare"' EXIT
+mkdir "$bare/bin" "$bare/clone"
+cp "$course" "$bare/clone"
+printf '#!/bin/sh\n[ "$1" != -v ] && exec "$@"\n' >"$bare/bin/sudo"
+printf '#!/bin/sh\n[ -e %s/installed ] && echo installed\n' "$bare" >"$bare/bin/dpkg-query"
+printf '#!/bin/sh\ncase "$*" in *" install "*) touch %s/installed ;; esac\n' "$bare" >"$bare/bin/apt-get"
+printf '#!/bin/sh\nexit 1\n' >"$bare/bin/cmake"
+chmod -R a+rwX,a+x "$bare"
+plain=()
+((EUID != 0)) || plain=(setpriv --reuid 65534 --clear-groups)
+said=$(env -u FLYING_SETUP PATH="$bare/bin:$PATH" "${plain[@]}" "$bare/clone/course" build 2>&1 </dev/null) || true
+grep -q '^Installing [0-9]* packages: done' <<<"$said" || {
+    echo "course build, by one who is not root: expected packages to be installed, found: $said"
+    failures=$((failures + 1))
+}
+
 [[ -z $(ls -A "$work") ]] || {
     echo "files were left behind: $(ls -A "$work")"
     failures=$((failures + 1))
