@@ -117,7 +117,7 @@ private:
             blank_anchors_.clear();
         }
         to += fmt::format("<div class=\"line\" id=\"l{:05}\" data-n=\"{}\">{}</div>\n", line, line,
-                          with_whole_words(own != html_.end() ? own->second : escape_html(words)));
+                          indents_.mark(with_whole_words(own != html_.end() ? own->second : escape_html(words))));
         has_code_ = true;
     }
 
@@ -147,6 +147,7 @@ private:
     const SourceFile& file_;
     const std::map<int, std::string>& html_;
     const std::vector<ToldPiece>& told_;
+    Indents indents_;
     std::string out_;
     std::string code_;
     std::string blank_;         // lines that are shown if code follows

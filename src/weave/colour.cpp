@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 
+#include "weave/finish.hpp"
 #include "weave/pages.hpp"
 #include "weave/text.hpp"
 
@@ -62,6 +63,40 @@ std::string colour_code(const std::string& code)
     std::string out;
     for (const std::string& line : split_lines(code)) out += "<div class=\"line\">" + colour_line(line) + "</div>";
     return out;
+}
+
+std::string with_whole_words(const std::string& html)
+{
+    std::string out;
+    std::size_t at = 0;
+    while (at < html.size()) {
+        if (html[at] == '<') {
+            const std::size_t end = std::min(html.find('>', at), html.size() - 1) + 1;
+            out += html.substr(at, end - at);
+            at = end;
+            continue;
+        }
+        const std::size_t end = std::min(html.find_first_of(" <", at), html.size());
+        const std::string word = html.substr(at, end - at);
+        const bool may_break = word.find_first_of("-/?|+%!") != std::string::npos;
+        out += may_break ? "<span class=\"w\">" + word + "</span>" : word;
+        if (end < html.size() && html[end] == ' ') out += ' ';
+        at = end < html.size() && html[end] == ' ' ? end + 1 : end;
+    }
+    return out;
+}
+
+std::string Indents::mark(std::string line)
+{
+    const std::size_t indent = line.find_first_not_of(' ');
+    if (indent == std::string::npos) return line;
+    if (indent <= statement_ + 4) {
+        statement_ = indent;
+        return line;
+    }
+    const std::size_t enough = statement_ + 8;
+    if (indent <= enough) return line;
+    return line.substr(0, enough) + "<span class=\"deep\">" + line.substr(enough, indent - enough) + "</span>" + line.substr(indent);
 }
 
 } // namespace flying::weave

@@ -212,6 +212,7 @@ private:
             if (!trim(line).empty()) indent = std::min(indent, line.find_first_not_of(' '));
         }
         std::string out;
+        Indents indents;
         auto instead = fragment.instead.begin();
         for (const int number : fragment.lines) {
             for (; instead != fragment.instead.end() && instead->first <= number; ++instead)
@@ -219,7 +220,7 @@ private:
             const auto line = html.find(number);
             // Doxygen puts a blank between the number and the line
             const std::string body = line != html.end() ? line->second : escape_html(file.lines[number - 1]);
-            out += "<div class=\"line\">" + with_whole_words(dedent(body, static_cast<int>(indent))) + "</div>\n";
+            out += "<div class=\"line\">" + indents.mark(with_whole_words(dedent(body, static_cast<int>(indent)))) + "</div>\n";
         }
         for (; instead != fragment.instead.end(); ++instead) out += replace(instead->second);
         return out;
@@ -340,27 +341,6 @@ std::string with_note(std::string page, const std::string& note)
 }
 
 } // namespace
-
-std::string with_whole_words(const std::string& html)
-{
-    std::string out;
-    std::size_t at = 0;
-    while (at < html.size()) {
-        if (html[at] == '<') {
-            const std::size_t end = std::min(html.find('>', at), html.size() - 1) + 1;
-            out += html.substr(at, end - at);
-            at = end;
-            continue;
-        }
-        const std::size_t end = std::min(html.find_first_of(" <", at), html.size());
-        const std::string word = html.substr(at, end - at);
-        const bool may_break = word.find_first_of("-/?|+%!") != std::string::npos;
-        out += may_break ? "<span class=\"w\">" + word + "</span>" : word;
-        if (end < html.size() && html[end] == ' ') out += ' ';
-        at = end < html.size() && html[end] == ' ' ? end + 1 : end;
-    }
-    return out;
-}
 
 std::map<int, std::string> linked_lines(const fs::path& page)
 {

@@ -33,6 +33,17 @@ void finish_pages(const Material& material, const Pages& pages, const std::vecto
 /// Keeps words of code in one line: a browser would go on in the next one behind the hyphen of `1e-12`.
 [[nodiscard]] std::string with_whole_words(const std::string& html);
 
+/// Takes the lines of a listing in order. Where a line goes on with a statement, marks what it is indented by beyond two levels:
+/// a narrow screen leaves that out.
+class Indents
+{
+public:
+    [[nodiscard]] std::string mark(std::string line);
+
+private:
+    std::size_t statement_ = 0; ///< indent of the last line that began a statement
+};
+
 /// Every link of every page leads somewhere: to a file that is there and to an anchor in it.
 void check_links(const std::filesystem::path& html, Problems& problems);
 

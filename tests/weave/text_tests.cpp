@@ -24,6 +24,19 @@ TEST_CASE("a printed line `name = number` is a value")
     CHECK(ledger.values == std::map<std::string, double>{{"demo.period-error", 1.5e-12}, {"demo.total-energy", 4.0}});
 }
 
+TEST_CASE("a line that goes on with a statement gives up its deep indent where there is no room")
+{
+    Indents indents;
+    const auto marked = [&indents](std::size_t indent) { return indents.mark(std::string(indent, ' ') + "x"); };
+    CHECK(marked(0) == "x");
+    CHECK(marked(4) == "    x");
+    CHECK(marked(12) == std::string(12, ' ') + "x"); // two levels
+    CHECK(marked(30) == std::string(12, ' ') + "<span class=\"deep\">" + std::string(18, ' ') + "</span>x");
+    CHECK(indents.mark("").empty());
+    CHECK(marked(8) == std::string(8, ' ') + "x"); // one level in: a statement
+    CHECK(marked(17) == std::string(16, ' ') + "<span class=\"deep\"> </span>x");
+}
+
 TEST_CASE("an output may be shown table by table")
 {
     CHECK(output_tables("a\nb\n\n \nc\n") == std::vector<std::string>{"a\nb\n", "c\n"});
