@@ -61,7 +61,7 @@
 
     // What is wider than its place is moved by the keyboard, too
     function reachWideOnes() {
-        for (const element of document.querySelectorAll('main pre, main table, .formula .sheet, div.fragment, .katex-display, ol.equations .entry')) {
+        for (const element of document.querySelectorAll('main pre, main table, figure.map, .formula .sheet, div.fragment, .katex-display, ol.equations .entry')) {
             const isWide = element.scrollWidth > element.clientWidth + 1;
             if (isWide) element.tabIndex = 0;
             else element.removeAttribute('tabindex');

@@ -96,7 +96,8 @@ std::string Indents::mark(std::string line)
     }
     const std::size_t enough = statement_ + 8;
     if (indent <= enough) return line;
-    return line.substr(0, enough) + "<span class=\"deep\">" + line.substr(enough, indent - enough) + "</span>" + line.substr(indent);
+    return line.substr(0, enough) + "<span class=\"deep\">" + line.substr(enough, indent - enough) + "</span>" +
+           line.substr(indent);
 }
 
 } // namespace flying::weave

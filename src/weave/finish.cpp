@@ -220,7 +220,8 @@ private:
             const auto line = html.find(number);
             // Doxygen puts a blank between the number and the line
             const std::string body = line != html.end() ? line->second : escape_html(file.lines[number - 1]);
-            out += "<div class=\"line\">" + indents.mark(with_whole_words(dedent(body, static_cast<int>(indent)))) + "</div>\n";
+            out += "<div class=\"line\">" + indents.mark(with_whole_words(dedent(body, static_cast<int>(indent)))) +
+                   "</div>\n";
         }
         for (; instead != fragment.instead.end(); ++instead) out += replace(instead->second);
         return out;

@@ -33,8 +33,8 @@ void finish_pages(const Material& material, const Pages& pages, const std::vecto
 /// Keeps words of code in one line: a browser would go on in the next one behind the hyphen of `1e-12`.
 [[nodiscard]] std::string with_whole_words(const std::string& html);
 
-/// Takes the lines of a listing in order. Where a line goes on with a statement, marks what it is indented by beyond two levels:
-/// a narrow screen leaves that out.
+/// Takes the lines of a listing in order. Where a line goes on with a statement, marks what it is indented by beyond
+/// two levels: a narrow screen leaves that out.
 class Indents
 {
 public:

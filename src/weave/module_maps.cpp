@@ -57,7 +57,9 @@ std::string first_sentence(const Material& material, const SourceFile& file)
         else if (!comment.empty()) break;
     }
     std::string all = join(comment, " ");
-    const std::size_t stop = all.find(". ");
+    std::size_t stop = all.find(". ");
+    while (stop != std::string::npos && stop >= 2 && all.compare(stop - 2, 2, "eq") == 0)
+        stop = all.find(". ", stop + 1);
     if (stop != std::string::npos) all.resize(stop + 1);
     std::string html = comment_prose(material, {all}, "");
     return replace_all(replace_all(std::move(html), "<p>", ""), "</p>", "");
@@ -149,8 +151,10 @@ std::string table_of(const std::string& module, const std::map<std::string, Unit
                      (page == manual.sources.end() ? words
                                                    : fmt::format("<a href=\"manual/{}\">{}</a>", page->second, words));
         }
-        rows += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n", files, unit.says,
-                            unit.lines, neighbours(unit.calls, units, manual), neighbours(unit.called, units, manual));
+        rows += fmt::format("<tr><td>{}</td><td>{}</td><td data-what=\"Lines:\">{}</td><td data-what=\"Uses\">{}</td>"
+                            "<td data-what=\"Used by\">{}</td></tr>\n",
+                            files, unit.says, unit.lines, neighbours(unit.calls, units, manual),
+                            neighbours(unit.called, units, manual));
     }
     return "<table class=\"map\"><thead><tr><th>File</th><th>What it is</th><th>Lines</th><th>Uses</th><th>Used by</th>"
            "</tr></thead><tbody>\n" +
@@ -199,9 +203,10 @@ void write_module_maps(const Material& material, const Manual& manual, const fs:
         std::string below;
         for (const std::string& other : arrows[module])
             below += fmt::format("{}<a href=\"module_{}.html\">{}</a>", below.empty() ? "" : ", ", other, other);
-        rows += fmt::format("<tr><td><a href=\"module_{0}.html\">{0}</a></td><td>{1}</td><td>{2}</td><td>{3}</td>"
-                            "<td>{4}</td></tr>\n",
-                            module, words, size.first, size.second, below);
+        rows +=
+            fmt::format("<tr><td><a href=\"module_{0}.html\">{0}</a></td><td>{1}</td><td data-what=\"Files:\">{2}</td>"
+                        "<td data-what=\"Lines:\">{3}</td><td data-what=\"Uses\">{4}</td></tr>\n",
+                        module, words, size.first, size.second, below);
     }
     Page page;
     page.name = "sources";

@@ -296,7 +296,8 @@ std::string TextWriter::insert(const std::string& text, Site site, const Place& 
         link.place = place;
         const std::string target = fragments_.add(std::move(link));
         return fragments_.add_html(
-            fmt::format("<a class=\"reference\" href=\"{}\"><code>{}</code></a>", target, escape_html(insert.name)));
+            fmt::format("<a class=\"reference\" href=\"{}\"><code>{}</code></a>", target,
+                        replace_all(replace_all(escape_html(insert.name), "/", "/<wbr>"), "_", "_<wbr>")));
     }
     problems_.add(place, fmt::format("insert `{{{{{}}}}}`", text),
                   "{{value:..}}, {{given:..}}, {{eq:..}}, {{fig:..}}, {{ch:..}} or {{file:..}}");

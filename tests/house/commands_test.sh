@@ -124,6 +124,8 @@ builder_knows() { # place words...: presets, targets and components that CMake's
         esac
         before=$word
     done
+    # A bare machine has no make: the driver installs ninja
+    [[ "$typed" != cmake\ *-B\ * || "$typed" == *'-G Ninja'* ]] || fault "$place" "$typed" "no -G Ninja, and no make"
     case $2 in
     ninja) grep -q -r --include=CMakeLists.txt -e "add_custom_target($before\b" docs tests src || fault "$place" "$typed" "no target $before" ;;
     cp) [[ ! ${4:-} =~ ^(tests|docs|chapters)/ || -e $4 ]] || fault "$place" "$typed" "no $4" ;;
