@@ -7,7 +7,7 @@
 namespace flying {
 
 
-/// Any simple polygon with its holes taken away, about its area centroid (seed, eq. 14, with signed triangles).
+/// Any simple polygon with its holes taken away, about its area centroid, by signed triangles (eq. polygon.inertia).
 /// density  positive  [kg/m^2]
 [[nodiscard]] MassProperties polygon_mass(const Polygon& polygon, double density);
 

@@ -222,14 +222,14 @@ std::string symbol_table(const Material& material, TextWriter& writer)
             Row& row = rows.try_emplace({symbol.tex, symbol.meaning}, Row{&symbol, {}}).first->second;
             row.chapters.push_back(&chapter);
         }
-    std::string out = "| Symbol | Meaning | Unit | In the code | Chapters |\n|:--|:--|:--|:--|:--|\n";
+    std::string out = "| Symbol | Meaning | Unit | Chapters | In the code |\n|:--|:--|:--|:--|:--|\n";
     for (const auto& [key, row] : rows) {
         const Symbol& symbol = *row.symbol;
-        std::string line = fmt::format("| ${}$ | {} | {} | {} |", symbol.tex, symbol.meaning, symbol.unit,
-                                       symbol.code.empty() ? "" : "`" + symbol.code + "`");
+        std::string line = fmt::format("| ${}$ | {} | {} |", symbol.tex, symbol.meaning, symbol.unit);
         for (const Chapter* chapter : row.chapters)
             line += fmt::format(" {{{{ch:{}|{}}}}}", chapter->entry.name.substr(3), chapter->entry.label());
-        out += writer.inline_text({{symbol.place.line, line + " |"}}, symbol.place.file);
+        line += fmt::format(" | {} |", symbol.code.empty() ? "" : "`" + symbol.code + "`");
+        out += writer.inline_text({{symbol.place.line, line}}, symbol.place.file);
     }
     return out;
 }
