@@ -228,7 +228,9 @@ std::string symbol_table(const Material& material, TextWriter& writer)
         std::string line = fmt::format("| ${}$ | {} | {} |", symbol.tex, symbol.meaning, symbol.unit);
         for (const Chapter* chapter : row.chapters)
             line += fmt::format(" {{{{ch:{}|{}}}}}", chapter->entry.name.substr(3), chapter->entry.label());
-        line += fmt::format(" | {} |", symbol.code.empty() ? "" : "`" + symbol.code + "`");
+        // A name has lost its backquotes; words with a name among them have kept theirs
+        const bool is_name = !symbol.code.empty() && symbol.code.front() != '`' && symbol.code.back() != '`';
+        line += fmt::format(" | {} |", is_name ? "`" + symbol.code + "`" : symbol.code);
         out += writer.inline_text({{symbol.place.line, line}}, symbol.place.file);
     }
     return out;
