@@ -87,9 +87,12 @@ std::string with_mark(std::string formula, const std::string& text, std::size_t&
            mark + "</span>";
 }
 
-/// Code in the text: a long name may go on in the next line behind one of its dashes, an option may not.
+/// Code in the text: a long name may go on in the next line behind one of its dashes, an option or a short command may not.
 std::string breakable(const std::string& code)
 {
+    constexpr std::size_t k_short = 20;
+    if (code.size() <= k_short && code.find(' ') != std::string::npos)
+        return "<span class=\"option\">" + escape_html(code) + "</span>";
     std::string out;
     for (std::size_t at = 0; at < code.size();) {
         const std::size_t end = std::min(code.find(' ', at), code.size());
