@@ -28,7 +28,7 @@ std::string module_of(const std::string& unit)
 struct Unit
 {
     std::vector<std::string> files;
-    std::string says; ///< HTML: the first sentence of the first comment of the header
+    std::string says; ///< HTML: the first sentence of a comment of the header
     int lines = 0;
     std::set<std::string> includes;                      ///< units, those that come along as well
     std::map<std::string, std::set<std::string>> calls;  ///< names, by the unit that declares them
@@ -47,19 +47,68 @@ void collect_words(std::string_view line, std::set<std::string, std::less<>>& wo
     }
 }
 
-/// The first sentence of the file's first comment.
-std::string first_sentence(const Material& material, const SourceFile& file)
+/// Whether a line has `name` as a whole word.
+bool has_word(std::string_view line, std::string_view name)
 {
-    std::vector<std::string> comment;
-    for (const std::string& line : file.lines) {
-        const std::string_view text = trim(line);
-        if (text.substr(0, 4) == "/// ") comment.emplace_back(text.substr(4));
-        else if (!comment.empty()) break;
+    for (std::size_t at = line.find(name); at != std::string_view::npos; at = line.find(name, at + 1)) {
+        const std::size_t end = at + name.size();
+        if ((at == 0 || !is_word(line[at - 1])) && (end == line.size() || !is_word(line[end]))) return true;
     }
-    std::string all = join(comment, " ");
+    return false;
+}
+
+/// The name of a type after that of its file: `EventQueue` for `event_queue`.
+std::string type_of(std::string_view stem)
+{
+    std::string name;
+    bool starts = true;
+    for (const char c : stem) {
+        if (c != '_') name += starts && c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+        starts = c == '_';
+    }
+    return name;
+}
+
+/// The comment of what has the name of the file, as a type or a function; else the first, that of a constant last.
+std::string chosen_comment(const SourceFile& file, const std::string& stem)
+{
+    constexpr int k_named = 3, k_other = 2, k_constant = 1;
+    const std::string type = type_of(stem);
+    std::string best;
+    int best_rank = 0;
+    for (std::size_t at = 0; at < file.lines.size(); ++at) {
+        if (trim(file.lines[at]).substr(0, 4) != "/// ") continue;
+        const bool is_inner = file.lines[at].front() == ' ';
+        std::vector<std::string> comment;
+        for (; at < file.lines.size() && trim(file.lines[at]).substr(0, 4) == "/// "; ++at)
+            comment.emplace_back(trim(file.lines[at]).substr(4));
+        // What follows on the rest of the comment is declared
+        while (at < file.lines.size() && trim(file.lines[at]).substr(0, 3) == "///") ++at;
+        if (at < file.lines.size() && file.lines[at].rfind("template", 0) == 0) ++at;
+        const std::string_view declared = at < file.lines.size() ? std::string_view(file.lines[at]) : "";
+        const bool is_named =
+            !is_inner && (has_word(declared, type) || has_word(declared.substr(0, declared.find('(')), stem));
+        const bool is_constant =
+            declared.find("constexpr") != std::string_view::npos && declared.find('(') == std::string_view::npos;
+        const int rank = is_named ? k_named : is_constant || is_inner ? k_constant : k_other;
+        if (rank <= best_rank) continue;
+        best_rank = rank;
+        best = join(comment, " ");
+    }
+    return best;
+}
+
+/// The first sentence of the comment that says what a file is. A full stop ends it behind a word, not behind a blank or
+/// another stop, where it is a product or a range.
+std::string first_sentence(const Material& material, const SourceFile& file, const std::string& stem)
+{
+    std::string all = chosen_comment(file, stem);
+    const auto goes_on = [&](std::size_t stop) {
+        return stop > 0 &&
+               (all[stop - 1] == ' ' || all[stop - 1] == '.' || (stop >= 2 && all.compare(stop - 2, 2, "eq") == 0));
+    };
     std::size_t stop = all.find(". ");
-    while (stop != std::string::npos && stop >= 2 && all.compare(stop - 2, 2, "eq") == 0)
-        stop = all.find(". ", stop + 1);
+    while (stop != std::string::npos && goes_on(stop)) stop = all.find(". ", stop + 1);
     if (stop != std::string::npos) all.resize(stop + 1);
     std::string html = comment_prose(material, {all}, "");
     return replace_all(replace_all(std::move(html), "<p>", ""), "</p>", "");
@@ -76,7 +125,10 @@ std::map<std::string, Unit> read_units(const Material& material)
         unit.lines += static_cast<int>(file.lines.size());
         for (const std::string& line : file.lines)
             if (line.rfind("#include \"", 0) == 0) unit.includes.insert(line.substr(10, line.find('.', 10) - 10));
-        if (unit.says.empty() || path.ends_with(".hpp")) unit.says = first_sentence(material, file);
+        if (unit.says.empty() || path.ends_with(".hpp")) {
+            const std::size_t from = path.rfind('/') + 1;
+            unit.says = first_sentence(material, file, path.substr(from, path.rfind('.') - from));
+        }
     }
     // What is included comes along with what includes it
     for (bool grows = true; grows;) {
@@ -125,17 +177,24 @@ std::string link_to(const std::string& unit, const std::map<std::string, Unit>& 
     return escape_html(unit);
 }
 
-/// Other units with the names that go between: the title of each says which.
+/// Other units with the names that go between: the title of each says which. Those behind the first ones are folded.
 std::string neighbours(const std::map<std::string, std::set<std::string>>& others,
                        const std::map<std::string, Unit>& units, const Manual& manual)
 {
+    constexpr std::size_t k_shown = 8; // of more than k_most
+    constexpr std::size_t k_most = 12;
+    const bool is_folded = others.size() > k_most;
     std::string out;
+    std::size_t count = 0;
     for (const auto& [unit, names] : others) {
         const std::vector<std::string> list(names.begin(), names.end());
-        out += fmt::format("{}<span title=\"{}\">{}</span>", out.empty() ? "" : ", ", escape_html(join(list, ", ")),
-                           link_to(unit, units, manual));
+        if (is_folded && count == k_shown)
+            out += fmt::format(" <details><summary>and {} more</summary>", others.size() - k_shown);
+        else if (count > 0) out += ", ";
+        ++count;
+        out += fmt::format("<span title=\"{}\">{}</span>", escape_html(join(list, ", ")), link_to(unit, units, manual));
     }
-    return out;
+    return is_folded ? out + "</details>" : out;
 }
 
 std::string table_of(const std::string& module, const std::map<std::string, Unit>& units, const Manual& manual)
