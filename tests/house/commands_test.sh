@@ -29,7 +29,7 @@ commands() {
         /^```/ { fence = fence == "" ? (length($0) > 3 ? substr($0, 4) : "plain") : ""; next }
         function say(kind, text) { sub(/ +# .*$/, "", text); printf "%s:%d\t%s\t%s\n", FILENAME, FNR, kind, text }
         fence == "plain" || fence == "sh" || fence == "text" {
-            if ($0 ~ /^(\.\/course|flying|cmake|ninja|\.ci\/run|cp) /) say("quoted", $0)
+            if ($0 ~ /^(\.\/course|flying|cmake|ninja|\.ci\/run|cp|mkdir) /) say("quoted", $0)
             next
         }
         fence != "" { next }
@@ -151,6 +151,7 @@ while IFS=$'\t' read -r place kind typed; do
             run_as_typed "$place" "$typed"
         fi
         ;;
+    mkdir) run_as_typed "$place" "$typed" ;;
     .ci/run | docs/exercise.sh) [[ -x ${words[0]} ]] || fault "$place" "$typed" "no such program" ;;
     *) builder_knows "$place" "${words[@]}" ;;
     esac
