@@ -43,8 +43,8 @@ void count_sweeps()
 
 
 
-/// What a second leaves of a stack and of a pyramid, for sweeps shared out in three
-/// ways: from nothing, from the step before, and among four times as many steps.
+/// What a second leaves of a stack, for sweeps shared out in three ways: from nothing,
+/// from the step before, and among four times as many steps. And of a pyramid.
 void warm_up()
 {
     std::printf("\nsinks in 1 s     sweeps   from nothing   warm start   4 sub-steps\n");
@@ -54,11 +54,11 @@ void warm_up()
                     sinks_in_a_second(10, 60, sweeps, true),
                     sinks_in_a_second(10, 240, sweeps / 4, true));
     }
-    for (const int sweeps : {4, 8, 16, 32}) {
-        std::printf("pyramid of 55   %7d %12.0e m %10.0e m %11.0e m\n", sweeps,
-                    pyramid_sinks(10, 60, sweeps, false),
-                    pyramid_sinks(10, 60, sweeps, true),
-                    pyramid_sinks(10, 240, sweeps / 4, true));
+    std::printf("\npyramid of 55   sweeps in 1 s     sinks\n");
+    for (const bool is_warm : {false, true}) {
+        const SweptPyramid pyramid = sweep_pyramid(10, is_warm);
+        std::printf("%-13s %15lld %7.0e m\n", is_warm ? "warm start" : "from nothing",
+                    static_cast<long long>(pyramid.sweeps), pyramid.sunk);
     }
 }
 

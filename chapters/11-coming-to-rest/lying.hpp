@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "../support/lying_bodies.hpp"
 
@@ -178,9 +179,15 @@ inline SlideOff slide_off(double start, double step)
 
 
 
-/// How far the uppermost box of a pyramid sinks in a second, if the engine sweeps it as
-/// it does a heap.  [m]
-inline double pyramid_sinks(int base, int steps, int sweeps, bool is_warm)
+/// A pyramid after a second of sweeps.
+struct SweptPyramid
+{
+    double sunk = 0.0;       ///< its uppermost box [m]
+    std::int64_t sweeps = 0; ///< that it took
+};
+
+/// A pyramid stands for a second, and the engine sweeps it as it does a heap.
+inline SweptPyramid sweep_pyramid(int base, bool is_warm)
 {
     const Material material{0.0, 0.5};
     std::vector<RestBody> bodies = {wall(Vec2(0.0, 1.0), 0.0, material)};
@@ -191,11 +198,9 @@ inline double pyramid_sinks(int base, int steps, int sweeps, bool is_warm)
         }
     }
     RestOptions options;
-    options.step = 1.0 / steps;
     options.most_solved = 0;
-    options.sweeps = sweeps;
     RestEngine engine(bodies, options);
-    for (int k = 0; k < steps; ++k) {
+    for (int k = 0; k < 60; ++k) {
         engine.step();
         if (is_warm) continue;
         RestEngine::Memory memory = engine.memory();
@@ -206,7 +211,8 @@ inline double pyramid_sinks(int base, int steps, int sweeps, bool is_warm)
         engine.go_on_from(memory);
     }
     const int top = static_cast<int>(bodies.size()) - 1;
-    return bodies[top].state.position.y() - engine.state(top).position.y();
+    return {bodies[top].state.position.y() - engine.state(top).position.y(),
+            engine.solve_counts().sweeps};
 }
 
 
