@@ -74,11 +74,14 @@ std::string dedent(const std::string& html, int count)
     return out;
 }
 
-/// A formula in the text with the punctuation behind it, which must not begin a line; `at` moves behind that. Between
-/// its parts the formula may still go on in the next line.
+/// A formula in the text with the unit and the punctuation behind it, which must not begin a line; `at` moves behind
+/// that. Between its parts the formula may still go on in the next line.
 std::string with_mark(std::string formula, const std::string& text, std::size_t& at)
 {
-    const std::size_t end = std::min(text.find_first_not_of(".,;:?!)", at), text.size());
+    constexpr std::string_view k_fixed_blank = "\u00a0";
+    std::size_t end = at;
+    if (text.compare(at, k_fixed_blank.size(), k_fixed_blank) == 0) end = text.find_first_of(" \n<.,;:?!)", at);
+    end = std::min(text.find_first_not_of(".,;:?!)", end), text.size());
     if (end == at) return formula;
     constexpr std::string_view k_part = "</span><span class=\"base\">";
     const std::string mark = text.substr(at, end - at);
@@ -87,7 +90,8 @@ std::string with_mark(std::string formula, const std::string& text, std::size_t&
            mark + "</span>";
 }
 
-/// Code in the text: a long name may go on in the next line behind one of its dashes, an option or a short command may not.
+/// Code in the text: a long name may go on in the next line behind one of its dashes, an option or a short command may
+/// not.
 std::string breakable(const std::string& code)
 {
     constexpr std::size_t k_short = 20;

@@ -325,7 +325,7 @@ std::string TextWriter::listing(const Block& block)
         while (first < region.last && file.kinds[first - 1] == LineKind::marker) ++first;
         captions += fmt::format("<a href=\"{}#l{:05}\">{}, {} {}{}</a> ", fragments_.add(std::move(link)), first,
                                 escape_html(region.file), first == region.last ? "line" : "lines", first,
-                                first == region.last ? "" : fmt::format("\u2013{}", region.last));
+                                first == region.last ? "" : fmt::format("\u2060\u2013\u2060{}", region.last));
     }
     return block_token(fragments_.add_html(fmt::format(
         "<figure class=\"listing{}{}\"{}><figcaption>{}{}</figcaption><div class=\"fragment\">{}</div></figure>",
