@@ -224,13 +224,13 @@ inline void draw_growth(const std::string& path, const GrowthRecord& growth)
 /// Our time over the best peer's, at every error that a peer reaches: a row for each scene.
 inline void draw_ratios(const std::string& path, const Records& records)
 {
-    constexpr double k_row = 23.0;
-    constexpr double k_left = 170.0;
+    constexpr double k_row = 27.0;
+    constexpr double k_left = 214.0;
     constexpr double k_right = 546.0;
     constexpr double k_low = -5.0;
     constexpr double k_high = 2.0;
     const auto rows = std::count_if(records.diagrams.begin(), records.diagrams.end(), is_race);
-    const double height = 62.0 + k_row * static_cast<double>(rows);
+    const double height = 72.0 + k_row * static_cast<double>(rows);
     Sketch sketch(path, 560.0, height);
     const auto x = [&](double ratio) {
         const double log = std::clamp(std::log10(ratio), k_low, k_high);
@@ -238,19 +238,19 @@ inline void draw_ratios(const std::string& path, const Records& records)
     };
     for (int power = static_cast<int>(k_low); power <= static_cast<int>(k_high); ++power) {
         const double at = x(std::pow(10.0, power));
-        sketch.line(Vec2(at, 12.0), Vec2(at, height - 46.0), power == 0 ? k_ink : pale(k_soft, 0.3),
+        sketch.line(Vec2(at, 12.0), Vec2(at, height - 54.0), power == 0 ? k_ink : pale(k_soft, 0.3),
                     power == 0 ? 1.8 : 1.0);
         const std::string label =
             power == 0   ? "1"
             : power == 1 ? "10"
                          : "10^{" + std::string(power < 0 ? "\u2212" : "") + std::to_string(std::abs(power)) + "}";
-        sketch.formula(Vec2(at, height - 24.0), label, Anchor::middle, k_ink, 15.0);
+        sketch.formula(Vec2(at, height - 30.0), label, Anchor::middle, k_ink, 18.0);
     }
-    sketch.words(Vec2(k_right, height - 4.0), "our time over the best peer's", Anchor::right, k_soft, 14.0);
+    sketch.words(Vec2(k_right, height - 4.0), "our time over the best peer's", Anchor::right, k_soft, 18.0);
     double y = 24.0;
     for (const DiagramRecord& diagram : records.diagrams) {
         if (!is_race(diagram)) continue;
-        sketch.words(Vec2(k_left - 12.0, y + 5.0), diagram.name, Anchor::right, k_ink, 14.0);
+        sketch.words(Vec2(k_left - 12.0, y + 6.0), diagram.name, Anchor::right, k_ink, 18.0);
         sketch.line(Vec2(k_left, y), Vec2(k_right, y), pale(k_soft, 0.25), 1.0);
         const std::vector<Point> ours = our_points(diagram);
         for (const Ratio& ratio : ratios(ours, peers_points(diagram))) {

@@ -24,19 +24,19 @@ void draw_silence(const std::string& folder)
     s.line(Vec2(x(0.0), y(-9.6)), Vec2(x(9.0), y(-9.6)), k_soft, 1.4);
     s.line(Vec2(x(0.0), y(-9.6)), Vec2(x(0.0), y(0.2)), k_soft, 1.4);
     for (int k = 0; k <= 9; k += 3) {
-        s.words(Vec2(x(k), y(-9.6) + 20.0), k == 0 ? "1" : text_of("1e%.0f", k), Anchor::middle, k_soft, 13.0);
-        s.words(Vec2(x(0.0) - 8.0, y(-k) + 4.0), k == 0 ? "1" : text_of("1e-%.0f", k), Anchor::right, k_soft, 13.0);
+        s.words(Vec2(x(k), y(-9.6) + 20.0), k == 0 ? "1" : text_of("1e%.0f", k), Anchor::middle, k_soft, 16.0);
+        s.words(Vec2(x(0.0) - 8.0, y(-k) + 4.0), k == 0 ? "1" : text_of("1e-%.0f", k), Anchor::right, k_soft, 16.0);
     }
-    s.words(Vec2(x(9.0), y(-9.6) + 40.0), "tries without a failure", Anchor::right, k_soft, 14.0);
-    s.words(Vec2(x(0.0) + 10.0, y(0.2) + 4.0), "share of cases that may fail", Anchor::left, k_soft, 14.0);
+    s.words(Vec2(x(9.0), y(-9.6) + 40.0), "tries without a failure", Anchor::right, k_soft, 16.0);
+    s.words(Vec2(x(0.0) + 10.0, 18.0), "share of cases that may fail", Anchor::left, k_soft, 16.0);
     for (const double alpha : {0.05, 0.001}) {
         std::vector<Vec2> points;
         for (double log_n = 0.0; log_n <= 9.001; log_n += 0.1)
             points.push_back(Vec2(x(log_n), y(std::log10(share_that_may_fail(std::pow(10.0, log_n), alpha)))));
         s.path(points, alpha > 0.01 ? k_blue : k_rust, 2.2);
     }
-    s.words(Vec2(x(5.6), y(-4.2)), "luck of one in a thousand", Anchor::left, k_rust, 14.0);
-    s.words(Vec2(x(0.6), y(-5.2)), "luck of one in twenty", Anchor::left, k_blue, 14.0);
+    s.words(Vec2(x(9.0), y(-3.2)), "luck of one in a thousand", Anchor::right, k_rust, 16.0);
+    s.words(Vec2(x(0.6), y(-5.2)), "luck of one in twenty", Anchor::left, k_blue, 16.0);
 }
 
 std::vector<Vec2> way_of(const Throw& how)
@@ -51,7 +51,8 @@ std::vector<Vec2> way_of(const Throw& how)
 }
 
 /// The room with a way in it, seen from -margin to 1 + margin.
-void draw_room(Sketch& s, const Vec2& corner, double side, double low, double high, const std::vector<Vec2>& way, const char* title)
+void draw_room(Sketch& s, const Vec2& corner, double side, double low, double high, const std::vector<Vec2>& way,
+               const char* title)
 {
     const auto at = [&](const Vec2& p) {
         const Vec2 q = ((p - Vec2(low, low)) / (high - low)).cwiseMax(0.0).cwiseMin(1.0);
@@ -65,7 +66,7 @@ void draw_room(Sketch& s, const Vec2& corner, double side, double low, double hi
         for (const Vec2& p : shown) s.disc(p, 4.0, k_blue, k_none);
     }
     s.disc(shown.back(), 6.0, k_rust, k_none);
-    s.words(Vec2(corner.x() + 0.5 * side, corner.y() + side + 24.0), title, Anchor::middle, k_ink, 14.0);
+    s.words(Vec2(corner.x() + 0.5 * side, corner.y() + side + 24.0), title, Anchor::middle, k_ink, 16.0);
 }
 
 void draw_hunt(const std::string& folder)
@@ -76,25 +77,27 @@ void draw_hunt(const std::string& folder)
     const Throw found = random_throw(*seed);
     const Throw smallest = shrink(found, gets_out);
     draw_room(s, Vec2(20, 10), 240.0, -0.15, 1.15, way_of(found), text_of("found: %.0f steps", found.steps).c_str());
-    draw_room(s, Vec2(300, 10), 240.0, -1.0, 2.4, way_of(smallest), text_of("shrunk: %.0f steps", smallest.steps).c_str());
+    draw_room(s, Vec2(300, 10), 240.0, -1.0, 2.4, way_of(smallest),
+              text_of("shrunk: %.0f steps", smallest.steps).c_str());
 }
 
-/// By how many powers of ten each row is better than asked.
+/// By how many powers of ten each row is better than asked. Each name stands above its bar: beside it, the letters
+/// would have to be too small for a phone.
 void draw_margins(const std::string& folder, const Table& table)
 {
-    const double line = 24.0;
-    const double top = 40.0;
-    Sketch s(folder + "/margins.svg", 680.0, top + line * static_cast<double>(table.rows.size()) + 30.0);
-    const double zero = 470.0;
-    const double decade = 22.0;
-    s.words(Vec2(zero - 6.0, 20.0), "falls short", Anchor::right, k_rust, 13.0);
-    s.words(Vec2(zero + 6.0, 20.0), "better by powers of ten", Anchor::left, k_teal, 13.0);
+    const double line = 40.0;
+    const double top = 44.0;
+    Sketch s(folder + "/margins.svg", 560.0, top + line * static_cast<double>(table.rows.size()) + 34.0);
+    const double zero = 240.0;
+    const double decade = 38.0;
+    s.words(Vec2(zero - 6.0, 20.0), "falls short", Anchor::right, k_rust, 17.0);
+    s.words(Vec2(zero + 6.0, 20.0), "better by powers of ten", Anchor::left, k_teal, 17.0);
     const double bottom = top + line * static_cast<double>(table.rows.size());
-    s.line(Vec2(zero, 28.0), Vec2(zero, bottom), k_soft, 1.4);
     for (std::size_t k = 0; k < table.rows.size(); ++k) {
         const Row& row = table.rows[k];
-        const double y = top + line * static_cast<double>(k);
-        s.words(Vec2(322.0, y + 5.0), row.name, Anchor::right, k_ink, 13.0);
+        const double y = top + line * static_cast<double>(k) + 26.0;
+        s.words(Vec2(10.0, y - 12.0), row.name, Anchor::left, k_ink, 17.0);
+        s.line(Vec2(zero, y - 8.0), Vec2(zero, y + 8.0), k_soft, 1.4);
         const Tone tone = row.holds ? k_teal : k_rust;
         // What must be nought has no power of ten: a filled dot on the line where it is
         const bool has_ratio = row.reached > 0.0 && row.bound > 0.0;
@@ -104,7 +107,8 @@ void draw_margins(const std::string& folder, const Table& table)
         if (has_ratio) s.line(Vec2(zero, y), end, tone, 3.0);
         s.disc(end, row.is_whole ? 5.0 : 4.0, row.is_whole ? tone : k_none, tone, 2.0);
     }
-    for (const int k : {-6, -3, 3, 6}) s.words(Vec2(zero + decade * k, bottom + 18.0), text_of("%+.0f", k), Anchor::middle, k_soft, 12.0);
+    for (const int k : {-6, -3, 3, 6})
+        s.words(Vec2(zero + decade * k, bottom + 24.0), text_of("%+.0f", k), Anchor::middle, k_soft, 17.0);
 }
 
 } // namespace
@@ -115,7 +119,8 @@ int main(int argc, char** argv)
     const std::string folder = argv[1];
     const auto table = read_table_file(FLYING_MEASURED);
     if (!table) {
-        std::fprintf(stderr, "%s: found no table; expected the file of a run of ./course stress table\n", FLYING_MEASURED);
+        std::fprintf(stderr, "%s: found no table; expected the file of a run of ./course stress table\n",
+                     FLYING_MEASURED);
         return 1;
     }
     draw_silence(folder);
