@@ -4,33 +4,12 @@
 #include <cmath>
 
 #include "math/random.hpp"
+#include "support/heaps.hpp"
 #include "support/overlap.hpp"
 #include "support/worlds.hpp"
 
 using namespace flying;
 using namespace flying::testing;
-
-namespace {
-
-constexpr double k_disc = 0.42; // [m]
-
-Scene heap(int count, double heaviest, std::uint64_t seed)
-{
-    Random random(seed);
-    Scene scene;
-    scene.world.field = UniformField{{0.0, -9.81}};
-    scene.world.restitution = 0.0;
-    scene.world.friction = 0.5;
-    scene.world.box = BoxDef{{0.0, 0.0}, {9.0, 60.0}};
-    for (int k = 0; k < count; ++k) {
-        BodyDef body = disc(k_disc, {0.5 + (k % 9) + random.uniform(-0.05, 0.05), 0.5 + 0.95 * (k / 9)});
-        body.mass = std::pow(heaviest, random.uniform(0.0, 1.0));
-        scene.bodies.push_back(body);
-    }
-    return scene;
-}
-
-} // namespace
 
 TEST_CASE("heaps of unequal masses keep apart by a hundredth of their size")
 {
@@ -43,7 +22,7 @@ TEST_CASE("heaps of unequal masses keep apart by a hundredth of their size")
     for (const Case& each : {Case{140, 1e1, 3}, Case{81, 1e2, 8}, Case{140, 1e3, 5}, Case{81, 1e4, 3}}) {
         CAPTURE(each.count);
         CAPTURE(each.heaviest);
-        World world = world_of(heap(each.count, each.heaviest, each.seed));
+        World world = world_of(heap_of_unequal_masses(each.count, each.heaviest, each.seed));
         REQUIRE_FALSE(world.advance(8.0).has_value());
         CHECK(deepest_overlap(world) < 0.01);
     }
