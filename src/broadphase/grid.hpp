@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/aabb.hpp"
+#include "math/fetch.hpp"
 
 namespace flying {
 
@@ -115,11 +116,11 @@ public:
     [[gnu::always_inline]] void fetch_near(const Cell& cell) const
     {
         for (std::int64_t row = cell.row - 1; row <= cell.row + 1; ++row) {
-            __builtin_prefetch(&heads_[index({cell.column - 1, row})]);
-            __builtin_prefetch(&heads_[index({cell.column + 1, row})]);
+            fetch(&heads_[index({cell.column - 1, row})]);
+            fetch(&heads_[index({cell.column + 1, row})]);
         }
     }
-    void fetch_cell_of(int body) const { __builtin_prefetch(&cell_of_[body]); }
+    void fetch_cell_of(int body) const { fetch(&cell_of_[body]); }
 
 
 private:

@@ -10,6 +10,7 @@
 #include "collide/touching.hpp"
 #include "events/event_queue.hpp"
 #include "geometry/shape.hpp"
+#include "math/fetch.hpp"
 #include "motion/field.hpp"
 #include "motion/flight.hpp"
 #include "response/impact.hpp"
@@ -155,9 +156,9 @@ public:
     void line_up(std::span<const int> old_rows);
 
     /// Ask the memory for what will be read of a body: hints, which change nothing.
-    void fetch_place(int id) const { __builtin_prefetch(&places_[id]); }
-    void fetch_row(int row) const { __builtin_prefetch(&rows_[row]); }
-    void fetch_sheet(int row) const { __builtin_prefetch(&sheets_[row]); }
+    void fetch_place(int id) const { fetch(&places_[id]); }
+    void fetch_row(int row) const { fetch(&rows_[row]); }
+    void fetch_sheet(int row) const { fetch(&sheets_[row]); }
 
 private:
     static constexpr double k_largest_angle = 0x1p53; // beyond it, sine_cosine has no answer [rad]

@@ -17,7 +17,6 @@ struct EventCounts
     std::int64_t static_pairs_skipped = 0;
     std::int64_t far_pairs_skipped = 0;    ///< pairs that the grid left alone, compared with all pairs
     std::int64_t far_features_skipped = 0; ///< predictions of turning pairs whose bounding circles never meet
-    std::int64_t fetched = 0;              ///< bodies whose rows were asked for ahead
 };
 
 /// Seconds spent, where a clock was lent.

@@ -78,7 +78,7 @@ std::optional<EventFailure> EventEngine::advance(double time, std::int64_t most)
         if (!(event.time <= time)) break;
         if (handled == most) return std::nullopt;
         foreseen_.pop();
-        if (fetches_ahead) counts_.fetched += fetch_ahead(foreseen_, bodies_, neighbours_.cells());
+        if (fetches_ahead) fetch_ahead(foreseen_, bodies_, neighbours_.cells());
         // [events.advance.stale]
         if (!bodies_.is_current(event)) {
             ++counts_.stale;

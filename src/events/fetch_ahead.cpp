@@ -1,6 +1,7 @@
 #include "events/fetch_ahead.hpp"
 
 #include "events/cell_exit.hpp"
+#include "math/fetch.hpp"
 
 namespace flying {
 namespace {
@@ -15,14 +16,14 @@ void fetch_bodies(const Event& event, const ForeseenEvents& foreseen, const Body
 {
     if (!bodies.is_current(event)) {
         if (event.owner == Event::Owner::none) return;
-        __builtin_prefetch(&foreseen.waiting(ForeseenEvents::owner_of(bodies, event)));
+        fetch(&foreseen.waiting(ForeseenEvents::owner_of(bodies, event)));
         return;
     }
     for (const int id : {event.a, event.b}) {
         if (id < 0) continue;
         const int row = bodies.row_of(id);
         bodies.fetch_row(row);
-        __builtin_prefetch(&foreseen.waiting(row));
+        fetch(&foreseen.waiting(row));
         if (event.kind == Event::Kind::impact) bodies.fetch_sheet(row);
         cells.fetch_cell_of(row);
     }
@@ -48,29 +49,23 @@ void fetch_cells(const Event& event, const ForeseenEvents& foreseen, const BodyR
     }
 }
 
-int fetch_neighbours(const Event& event, const BodyRows& bodies, const Grid& cells)
+void fetch_neighbours(const Event& event, const BodyRows& bodies, const Grid& cells)
 {
-    // Without the count, g++ takes a loop of mere hints for one without effect, and drops it
-    int fetched = 0;
-    const auto fetch = [&](int other) {
-        bodies.fetch_row(other);
-        ++fetched;
-    };
+    const auto fetch_row = [&](int other) { bodies.fetch_row(other); };
     const Cell& cell = cells.cell_of(bodies.row_of(event.a));
     if (event.b < 0) {
-        for (const Cell& ahead : cells_ahead(cell, step_over(-1 - event.b))) cells.for_each_in(ahead, fetch);
-        return fetched;
+        for (const Cell& ahead : cells_ahead(cell, step_over(-1 - event.b))) cells.for_each_in(ahead, fetch_row);
+        return;
     }
-    cells.for_each_near(cell, fetch);
+    cells.for_each_near(cell, fetch_row);
     const int row_b = bodies.row_of(event.b);
     const Cell& other_cell = cells.cell_of(row_b);
-    if (other_cell != cell && !bodies.is_fixed(row_b)) cells.for_each_near(other_cell, fetch);
-    return fetched;
+    if (other_cell != cell && !bodies.is_fixed(row_b)) cells.for_each_near(other_cell, fetch_row);
 }
 
 } // namespace
 
-int fetch_ahead(const ForeseenEvents& foreseen, const BodyRows& bodies, const Grid& cells)
+void fetch_ahead(const ForeseenEvents& foreseen, const BodyRows& bodies, const Grid& cells)
 {
     if (const Event* event = foreseen.upcoming(k_places)) {
         bodies.fetch_place(event->a);
@@ -79,7 +74,7 @@ int fetch_ahead(const ForeseenEvents& foreseen, const BodyRows& bodies, const Gr
     if (const Event* event = foreseen.upcoming(k_bodies)) fetch_bodies(*event, foreseen, bodies, cells);
     if (const Event* event = foreseen.upcoming(k_cells)) fetch_cells(*event, foreseen, bodies, cells);
     const Event* const event = foreseen.upcoming(k_neighbours);
-    return event && bodies.is_current(*event) ? fetch_neighbours(*event, bodies, cells) : 0;
+    if (event && bodies.is_current(*event)) fetch_neighbours(*event, bodies, cells);
 }
 
 } // namespace flying

@@ -7,9 +7,8 @@
 namespace flying {
 
 /// Ask the memory for what the events to come will read, so that it is there when they do: first the bodies' places,
-/// then the rows of those that still count, then the cells about them, then the rows of the bodies in them.
-///
-/// Returns how many rows were asked for last. Pays for more bodies than the fast memory holds.
-[[nodiscard]] int fetch_ahead(const ForeseenEvents& foreseen, const BodyRows& bodies, const Grid& cells);
+/// then the rows of those that still count, then the cells about them, then the rows of the bodies in them. Pays for
+/// more bodies than the fast memory holds.
+void fetch_ahead(const ForeseenEvents& foreseen, const BodyRows& bodies, const Grid& cells);
 
 } // namespace flying
