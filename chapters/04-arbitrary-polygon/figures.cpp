@@ -146,7 +146,7 @@ void draw_ray(const std::string& folder)
     const double first = 9.0 / 0.30;
     for (const double x : {first, 40.0, 80.0}) s.disc(on(x), 6.0, x == 40.0 ? k_rust : k_teal, k_white);
     s.words(on(first) + Vec2(-2, -14), "+1", Anchor::middle, k_teal, 19.0);
-    s.words(on(40.0) + Vec2(20, -6), "−1", Anchor::middle, k_rust, 19.0);
+    s.words(on(40.0) + Vec2(20, 22), "−1", Anchor::middle, k_rust, 19.0);
     s.words(on(80.0) + Vec2(18, 24), "+1", Anchor::middle, k_teal, 19.0);
     s.arrow(at(Vec2(12, 12.2)), at(Vec2(3, 12.2)), k_teal, 1.8);
     s.arrow(at(Vec2(42.5, 29)), at(Vec2(42.5, 21)), k_rust, 1.8);
