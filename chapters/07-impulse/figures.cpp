@@ -147,7 +147,7 @@ void draw_cone(const std::string& folder)
         }
         s.disc(p, 6.0, k_rust, k_none);
     }
-    s.words(at(0.0, 1.2) + Vec2(0, 0), "stick", Anchor::middle, k_teal);
+    s.words(at(0.0, 1.4) + Vec2(10, 0), "stick", Anchor::left, k_teal);
     s.words(at(-1.5, 0.8), "slip", Anchor::middle, k_ink);
     s.words(at(1.5, 0.8), "slip", Anchor::middle, k_ink);
     s.formula(at(1.2, 2.3) + Vec2(6, 0), "q = μ j", Anchor::left, k_teal);
