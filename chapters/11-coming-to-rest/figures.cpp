@@ -186,10 +186,18 @@ void draw_slope(const std::string& folder)
     const auto at = [](double mu, double tangent) { return Vec2(70.0 + 400.0 * mu, 320.0 - 270.0 * tangent); };
     s.arrow(at(0, 0), at(1.12, 0), k_soft, 1.6);
     s.arrow(at(0, 0), at(0, 1.12), k_soft, 1.6);
+    const auto mu_of = [](double i) { return 0.04 + 0.075 * i; };
+    const auto tangent_of = [](double k) { return 0.06 + 0.075 * k; };
+    // Each word stands in place of two dots
+    const Vec2 lies = at(mu_of(10.5), tangent_of(3));
+    const Vec2 slides = at(mu_of(3.5), tangent_of(11));
+    const Vec2 tips = at(mu_of(11.5), tangent_of(11));
     for (int i = 0; i < 14; ++i) {
         for (int k = 0; k < 14; ++k) {
-            const double mu = 0.04 + 0.075 * i;
-            const double tangent = 0.06 + 0.075 * k;
+            const double mu = mu_of(i);
+            const double tangent = tangent_of(k);
+            const auto is_under = [&](const Vec2& word) { return (at(mu, tangent) - word).norm() < 16.0; };
+            if (is_under(lies) || is_under(slides) || is_under(tips)) continue;
             const Fate fate = left_on_slope(tangent, mu);
             const Tone tone = fate == Fate::lies ? k_teal : fate == Fate::slides ? k_blue : k_rust;
             s.disc(at(mu, tangent), 6.0, fate == Fate::lies ? pale(tone, 0.3) : tone, tone, 1.6);
@@ -202,11 +210,9 @@ void draw_slope(const std::string& folder)
     s.words(at(0, 1.1) + Vec2(-34, 4), "tan θ", Anchor::middle, k_ink, 17.0);
     s.words(at(0.7, 0) + Vec2(0, 28), "0.7", Anchor::middle, k_ink, 16.0);
     s.words(at(0, 0.7) + Vec2(-12, 6), "0.7", Anchor::right, k_ink, 16.0);
-    for (const Vec2& p : {at(0.74, 0.3), at(0.27, 0.88), at(0.9, 0.93)})
-        s.polygon(sketch::box(p + Vec2(0, -6), 64, 26), {0xffffff, 0.94}, k_none);
-    s.words(at(0.74, 0.3), "lies", Anchor::middle, k_teal);
-    s.words(at(0.27, 0.88), "slides", Anchor::middle, k_blue);
-    s.words(at(0.9, 0.93), "tips", Anchor::middle, k_rust);
+    s.words(lies + Vec2(0, 6), "lies", Anchor::middle, k_teal);
+    s.words(slides + Vec2(0, 6), "slides", Anchor::middle, k_blue);
+    s.words(tips + Vec2(0, 6), "tips", Anchor::middle, k_rust);
 }
 
 /// Planks over the edge of a table.
