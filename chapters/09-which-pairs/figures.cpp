@@ -270,7 +270,7 @@ void draw_wrong(const std::string& folder)
     for (int k = 0; k < 4; ++k) {
         s.disc(places[k], 24.0, pale(tones[k], 0.25), tones[k], 2.0);
         s.arrow(places[k], places[k] + 0.55 * speeds[k], tones[k], 2.0);
-        s.formula(places[k] + Vec2(-11, -5), names[k], Anchor::middle, k_ink, 17.0);
+        s.formula(places[k] - 11.0 * speeds[k].normalized() + Vec2(0, 6), names[k], Anchor::middle, k_ink, 17.0);
         s.disc(zero + speeds[k], 6.0, tones[k], k_none);
         s.formula(zero + speeds[k] + Vec2(14, 16), names[k], Anchor::left, k_ink, 17.0);
     }
