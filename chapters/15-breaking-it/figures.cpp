@@ -24,10 +24,12 @@ void draw_silence(const std::string& folder)
     s.line(Vec2(x(0.0), y(-9.6)), Vec2(x(9.0), y(-9.6)), k_soft, 1.4);
     s.line(Vec2(x(0.0), y(-9.6)), Vec2(x(0.0), y(0.2)), k_soft, 1.4);
     for (int k = 0; k <= 9; k += 3) {
-        s.words(Vec2(x(k), y(-9.6) + 20.0), k == 0 ? "1" : text_of("1e%.0f", k), Anchor::middle, k_soft, 16.0);
-        s.words(Vec2(x(0.0) - 8.0, y(-k) + 4.0), k == 0 ? "1" : text_of("1e-%.0f", k), Anchor::right, k_soft, 16.0);
+        const std::string up = k == 0 ? "1" : text_of("10^%.0f", k);
+        const std::string down = k == 0 ? "1" : text_of("10^{\u2212%.0f}", k);
+        s.formula(Vec2(x(k), y(-9.6) + 22.0), up, Anchor::middle, k_soft, 16.0);
+        s.formula(Vec2(x(0.0) - 8.0, y(-k) + 5.0), down, Anchor::right, k_soft, 16.0);
     }
-    s.words(Vec2(x(9.0), y(-9.6) + 40.0), "tries without a failure", Anchor::right, k_soft, 16.0);
+    s.words(Vec2(x(9.0), y(-9.6) + 42.0), "tries without a failure", Anchor::right, k_soft, 16.0);
     s.words(Vec2(x(0.0) + 10.0, 18.0), "share of cases that may fail", Anchor::left, k_soft, 16.0);
     for (const double alpha : {0.05, 0.001}) {
         std::vector<Vec2> points;
@@ -88,8 +90,8 @@ void draw_margins(const std::string& folder, const Table& table)
     const double line = 40.0;
     const double top = 44.0;
     Sketch s(folder + "/margins.svg", 560.0, top + line * static_cast<double>(table.rows.size()) + 34.0);
-    const double zero = 240.0;
-    const double decade = 38.0;
+    const double zero = 290.0;
+    const double decade = 30.0;
     s.words(Vec2(zero - 6.0, 20.0), "falls short", Anchor::right, k_rust, 17.0);
     s.words(Vec2(zero + 6.0, 20.0), "better by powers of ten", Anchor::left, k_teal, 17.0);
     const double bottom = top + line * static_cast<double>(table.rows.size());
@@ -102,13 +104,14 @@ void draw_margins(const std::string& folder, const Table& table)
         // What must be nought has no power of ten: a filled dot on the line where it is
         const bool has_ratio = row.reached > 0.0 && row.bound > 0.0;
         double decades = has_ratio ? std::log10(row.at_least ? row.reached / row.bound : row.bound / row.reached) : 0.0;
-        decades = std::clamp(decades, -6.0, 8.0);
+        decades = std::clamp(decades, -9.0, 8.0);
         const Vec2 end(zero + decade * decades, y);
         if (has_ratio) s.line(Vec2(zero, y), end, tone, 3.0);
         s.disc(end, row.is_whole ? 5.0 : 4.0, row.is_whole ? tone : k_none, tone, 2.0);
     }
-    for (const int k : {-6, -3, 3, 6})
-        s.words(Vec2(zero + decade * k, bottom + 24.0), text_of("%+.0f", k), Anchor::middle, k_soft, 17.0);
+    for (const int k : {-9, -6, -3, 3, 6})
+        s.words(Vec2(zero + decade * k, bottom + 24.0), text_of(k < 0 ? "\u2212%.0f" : "+%.0f", std::abs(k)),
+                Anchor::middle, k_soft, 17.0);
 }
 
 } // namespace
