@@ -202,7 +202,8 @@ std::string tally_tables(const std::vector<Tally>& tallies)
         "What each chapter has. *Told* is the share of the lines of its files that its story lists; a chapter "
         "without files of the engine has none. Words are those of the text, without formulas, code and "
         "exercises.\n\n{}\n\nHow its equations are checked. The worst error is the largest, as a share, that a "
-        "test found between the engine and an independent oracle; exact equations have none.\n\n{}\n",
+        "test found between the engine and an independent oracle; exact equations have none. The derivations in the "
+        "answers are not counted here; *Equations and receipts* counts them too.\n\n{}\n",
         counts, checks);
 }
 
