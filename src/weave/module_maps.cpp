@@ -30,19 +30,34 @@ struct Unit
     std::vector<std::string> files;
     std::string says; ///< HTML: the first sentence of a comment of the header
     int lines = 0;
+    std::set<std::string> named;                         ///< units whose headers it includes itself
     std::set<std::string> includes;                      ///< units, those that come along as well
     std::map<std::string, std::set<std::string>> calls;  ///< names, by the unit that declares them
     std::map<std::string, std::set<std::string>> called; ///< names, by the unit that calls them
 };
 
-/// The words of a line of code, without its comment.
+/// Whether the word at `at` belongs to an object, a type or the standard library, such as `is_over` in `times.is_over`
+/// and `Event` in `Gdk::Event`: it is no name of a header then.
+bool is_member(std::string_view line, std::size_t at)
+{
+    const std::string_view before = line.substr(0, at);
+    if (before.ends_with('.') || before.ends_with("->")) return true;
+    if (!before.ends_with("::")) return false;
+    std::size_t begin = at - 2;
+    while (begin > 0 && is_word(line[begin - 1])) --begin;
+    const std::string_view owner = line.substr(begin, at - 2 - begin);
+    return owner.empty() || owner == "std" || (owner.front() >= 'A' && owner.front() <= 'Z');
+}
+
+/// The words of a line of code that may be names of a header: none of a comment, and none of what is included.
 void collect_words(std::string_view line, std::set<std::string, std::less<>>& words)
 {
     line = line.substr(0, line.find("//"));
+    if (line.starts_with('#')) return;
     for (std::size_t at = 0; at < line.size();) {
         std::size_t end = at;
         while (end < line.size() && is_word(line[end])) ++end;
-        if (end > at) words.emplace(line.substr(at, end - at));
+        if (end > at && !is_member(line, at)) words.emplace(line.substr(at, end - at));
         at = end + 1;
     }
 }
@@ -110,6 +125,8 @@ std::string first_sentence(const Material& material, const SourceFile& file, con
     std::size_t stop = all.find(". ");
     while (stop != std::string::npos && goes_on(stop)) stop = all.find(". ", stop + 1);
     if (stop != std::string::npos) all.resize(stop + 1);
+    // What would follow a colon, a list, is not in the table
+    if (all.ends_with(':')) all.back() = '.';
     std::string html = comment_prose(material, {all}, "");
     return replace_all(replace_all(std::move(html), "<p>", ""), "</p>", "");
 }
@@ -124,7 +141,8 @@ std::map<std::string, Unit> read_units(const Material& material)
         unit.files.push_back(path);
         unit.lines += static_cast<int>(file.lines.size());
         for (const std::string& line : file.lines)
-            if (line.rfind("#include \"", 0) == 0) unit.includes.insert(line.substr(10, line.find('.', 10) - 10));
+            if (line.rfind("#include \"", 0) == 0) unit.named.insert(line.substr(10, line.find('.', 10) - 10));
+        unit.includes = unit.named;
         if (unit.says.empty() || path.ends_with(".hpp")) {
             const std::size_t from = path.rfind('/') + 1;
             unit.says = first_sentence(material, file, path.substr(from, path.rfind('.') - from));
@@ -144,12 +162,13 @@ std::map<std::string, Unit> read_units(const Material& material)
         }
     }
 
-    // Functions and types that a header declares for others, by name
+    // Functions and types that a header declares for others, by name. Scopes in small letters are namespaces
     std::map<std::string, std::set<std::string>, std::less<>> declared;
     for (const auto& [path, declarations] : material.sources.declarations) {
         if (path.rfind("src/", 0) != 0 || !path.ends_with(".hpp")) continue;
         for (const Declaration& one : declarations)
-            if (one.scope.empty()) declared[one.name].insert(unit_of(path));
+            if (one.scope.empty() || (one.scope.front() >= 'a' && one.scope.find("::") == std::string::npos))
+                declared[one.name.substr(one.scope.empty() ? 0 : one.scope.size() + 2)].insert(unit_of(path));
     }
     for (auto& [name, unit] : units) {
         std::set<std::string, std::less<>> words;
@@ -160,6 +179,11 @@ std::map<std::string, Unit> read_units(const Material& material)
             if (found == declared.end()) continue;
             for (const std::string& other : found->second) {
                 if (other == name || unit.includes.count(other) == 0) continue;
+                // A single small word, such as `add`, is also what a variable or a lambda is called, and files may
+                // have a constant of one name
+                const bool is_single = word.front() >= 'a' && word.find('_') == std::string::npos;
+                const bool is_common = is_single || word.starts_with("k_");
+                if (is_common && unit.named.count(other) == 0) continue;
                 unit.calls[other].insert(word);
                 units[other].called[name].insert(word);
             }
