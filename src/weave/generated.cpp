@@ -209,6 +209,14 @@ std::string equation_index(const Material& material, Fragments& fragments)
 
 // ---- Symbols --------------------------------------------------------------------------------------------------------
 
+/// Where a symbol stands in the alphabet: x with a bar beside x, and varphi as phi.
+std::string alphabetical(const std::string& tex)
+{
+    for (const std::string_view over : {"\\bar{", "\\mathbf{"})
+        if (tex.starts_with(over)) return tex.substr(over.size());
+    return tex.starts_with("\\var") ? "\\" + tex.substr(4) : tex;
+}
+
 std::string symbol_table(const Material& material, TextWriter& writer)
 {
     struct Row
@@ -216,10 +224,11 @@ std::string symbol_table(const Material& material, TextWriter& writer)
         const Symbol* symbol;
         std::vector<const Chapter*> chapters;
     };
-    std::map<std::pair<std::string, std::string>, Row> rows; // by symbol and meaning
+    std::map<std::tuple<std::string, std::string, std::string>, Row> rows; // by alphabet, symbol and meaning
     for (const Chapter& chapter : material.chapters)
         for (const Symbol& symbol : chapter.text.symbols) {
-            Row& row = rows.try_emplace({symbol.tex, symbol.meaning}, Row{&symbol, {}}).first->second;
+            const std::tuple key(alphabetical(symbol.tex), symbol.tex, symbol.meaning);
+            Row& row = rows.try_emplace(key, Row{&symbol, {}}).first->second;
             row.chapters.push_back(&chapter);
         }
     std::string out = "| Symbol | Meaning | Unit | Chapters | In the code |\n|:--|:--|:--|:--|:--|\n";
