@@ -113,11 +113,11 @@ void draw_contact(const std::string& folder)
 /// What a step is made of, and where it goes round again.
 void draw_step(const std::string& folder)
 {
-    Sketch s(folder + "/step.svg", 640, 412);
+    Sketch s(folder + "/step.svg", 588, 412);
     const auto card = [&](const Vec2& at, double width, const char* words, const char* more, Tone tone) {
         s.polygon(box(at, width, 54), pale(tone, 0.2), tone, 1.8);
         s.words(at + Vec2(0, -3), words, Anchor::middle, k_ink, 16.0);
-        s.words(at + Vec2(0, 17), more, Anchor::middle, k_soft, 12.5);
+        s.words(at + Vec2(0, 18), more, Anchor::middle, k_soft, 13.2);
     };
     card(Vec2(84, 44), 136, "pairs", "whose boxes meet", k_soft);
     card(Vec2(246, 44), 136, "contacts", "points, gaps, loads", k_soft);
