@@ -60,15 +60,15 @@ void draw_movers(const std::string& folder)
             s.polygon(ring, pale(tone, 0.45), tone, 1.3);
         }
         const double floor = at(box.min).y();
-        s.words(Vec2(10.0 + 232.0 * panel, floor + 22.0), text_of("%.2f s", world.time()), Anchor::left, k_soft, 15.0);
+        s.words(Vec2(10.0 + 232.0 * panel, floor + 22.0), text_of("%.2f s", world.time()), Anchor::left, k_soft, 18.0);
     }
     const double line = 10.0 + scale * size.y() + 48.0;
     const std::pair<const char*, Tone> kinds[] = {{"flies", k_blue}, {"moved by steps", k_rust}, {"asleep", k_soft}};
-    double x = 170.0;
+    double x = 150.0;
     for (const auto& [name, tone] : kinds) {
         s.polygon(sketch::box(Vec2(x, line - 5.0), 14, 14), pale(tone, 0.45), tone, 1.3);
-        s.words(Vec2(x + 14.0, line), name, Anchor::left, k_ink, 15.0);
-        x += 64.0 + 9.0 * static_cast<double>(std::string(name).size());
+        s.words(Vec2(x + 14.0, line), name, Anchor::left, k_ink, 18.0);
+        x += 64.0 + 10.5 * static_cast<double>(std::string(name).size());
     }
 }
 
@@ -180,8 +180,8 @@ void draw_clock(const std::string& folder)
         if (steps_of() > steps) s.disc(Vec2(at, 130), 5.0, k_rust, k_none);
         else if (world.collisions() > impacts) s.disc(Vec2(at, 50), 5.0, k_blue, k_none);
     }
-    s.words(Vec2(x(until), 172), text_of("%.1f s", until), Anchor::right, k_soft, 14.0);
-    s.words(Vec2(x(0), 172), "0", Anchor::left, k_soft, 14.0);
+    s.words(Vec2(x(until), 172), text_of("%.1f s", until), Anchor::right, k_soft, 16.0);
+    s.words(Vec2(x(0), 172), "0", Anchor::left, k_soft, 16.0);
 }
 
 // ---- Bounds
