@@ -61,7 +61,9 @@ std::string colour_line(std::string_view line)
 std::string colour_code(const std::string& code)
 {
     std::string out;
-    for (const std::string& line : split_lines(code)) out += "<div class=\"line\">" + colour_line(line) + "</div>";
+    Indents indents;
+    for (const std::string& line : split_lines(code))
+        out += "<div class=\"line\">" + indents.mark(with_whole_words(colour_line(line))) + "</div>";
     return out;
 }
 
