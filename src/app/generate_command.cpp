@@ -1,3 +1,5 @@
+// The command `generate`: writes a scene of the kind that is asked for.
+
 #include <fmt/format.h>
 
 #include <algorithm>

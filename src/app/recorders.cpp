@@ -6,7 +6,6 @@
 #include <cmath>
 #include <iterator>
 
-
 namespace flying {
 
 namespace {

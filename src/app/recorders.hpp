@@ -1,5 +1,7 @@
 #pragma once
 
+// What looks at a world while it runs: the trace, pictures, a video.
+
 #include <limits>
 #include <optional>
 #include <string>

@@ -49,7 +49,6 @@ std::optional<Fault> look(const World& world, double time, Recorders& recorders)
 
 } // namespace
 
-
 RunResult run(World& world, double end, Recorders& recorders, Progress& progress)
 {
     RunResult result;
@@ -66,6 +65,5 @@ RunResult run(World& world, double end, Recorders& recorders, Progress& progress
     if (auto stopped = advance_to(world, end, progress, result.engine_seconds)) result.end = *stopped;
     return result;
 }
-
 
 } // namespace flying

@@ -1,3 +1,5 @@
+// The command `simulate`: runs a scene, and records it on the way.
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -159,7 +161,6 @@ std::optional<Fault> write_picture(OutputFile& file, const World& world, std::ve
     return file.write(image.value());
 }
 
-
 /// Finish all, and only then give them their names: all of them appear, or none.
 std::optional<Fault> commit_all(const std::vector<OutputFile*>& files)
 {
@@ -171,7 +172,6 @@ std::optional<Fault> commit_all(const std::vector<OutputFile*>& files)
     }
     return std::nullopt;
 }
-
 
 int fail_to_write(Fault fault)
 {
@@ -289,7 +289,6 @@ std::optional<World> make_world_or_complain(const SimulateOptions& options, cons
 
 } // namespace
 
-
 int simulate(const SimulateOptions& options)
 {
     if (complain_of(usage_errors(options)) || complain_of(clashes(options))) return status::k_usage;
@@ -326,6 +325,5 @@ int simulate(const SimulateOptions& options)
     }
     return conclude(options, chosen, world, outputs, result, seconds_now() - started);
 }
-
 
 } // namespace flying

@@ -1,3 +1,5 @@
+// The command `watch`: a window that plays scenes.
+
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -12,7 +12,6 @@ constexpr double k_least_cell = std::numeric_limits<double>::min();
 
 } // namespace
 
-
 void BoxCells::sort(std::vector<Entry> entries)
 {
     entries_ = std::move(entries);
@@ -52,6 +51,5 @@ void BoxCells::sort(std::vector<Entry> entries)
     std::vector<int> next(starts_.begin(), starts_.end() - 1);
     each([&](int number, int k) { members_[next[number]++] = k; });
 }
-
 
 } // namespace flying

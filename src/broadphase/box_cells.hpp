@@ -7,7 +7,6 @@
 
 namespace flying {
 
-
 /// Boxes sorted into cells, to be asked for those that share a point with another box, or with each other.
 ///
 /// Cells are about as wide as the boxes, and no more than twice as many: work grows with the number of boxes, unless a
@@ -47,7 +46,6 @@ public:
         return true;
     }
 
-
     /// Call visit(one, two) once for every two entries whose boxes share a point.
     template <typename Visit>
     void for_each_pair(Visit&& visit) const
@@ -66,7 +64,6 @@ public:
             }
         }
     }
-
 
 private:
     struct Place
@@ -90,6 +87,5 @@ private:
     std::vector<int> starts_;  // of each cell, and the end
     std::vector<int> members_; // entries by cells
 };
-
 
 } // namespace flying

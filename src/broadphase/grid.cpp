@@ -5,7 +5,6 @@
 
 namespace flying {
 
-
 Grid::Grid(double cell_size, int columns, int rows, int bodies)
     : cell_size_(cell_size), column_mask_(static_cast<std::uint64_t>(columns) - 1),
       row_mask_(static_cast<std::uint64_t>(rows) - 1), row_shift_(std::countr_zero(static_cast<unsigned>(columns))),
@@ -13,8 +12,6 @@ Grid::Grid(double cell_size, int columns, int rows, int bodies)
       statics_(1)
 {
 }
-
-
 
 Cell Grid::cell_at(const Vec2& point) const
 {
@@ -25,8 +22,6 @@ Cell Grid::cell_at(const Vec2& point) const
     };
     return {number(point.x()), number(point.y())};
 }
-
-
 
 void Grid::insert(int body, const Cell& cell)
 {
@@ -40,8 +35,6 @@ void Grid::insert(int body, const Cell& cell)
     next_[body] = head.chain;
     head.chain = body;
 }
-
-
 
 void Grid::move(int body, const Cell& to)
 {
@@ -64,8 +57,6 @@ void Grid::move(int body, const Cell& to)
     insert(body, to);
 }
 
-
-
 void Grid::renumber(std::span<const int> old_ids)
 {
     const std::vector<Cell> old_cells = cell_of_;
@@ -87,8 +78,6 @@ std::uint64_t Grid::along_curve(const Cell& cell) const
     const auto row = static_cast<std::uint64_t>(cell.row) & row_mask_;
     return spread(column) | spread(row) << 1;
 }
-
-
 
 void Grid::insert_static(int body, const Aabb& box, double margin)
 {
@@ -116,8 +105,6 @@ void Grid::insert_static(int body, const Aabb& box, double margin)
     }
 }
 
-
-
 Grid make_grid(const Aabb& extent, double largest_radius, int bodies, int movers)
 {
     // A diameter, and room for the rounding of borders, in radii
@@ -138,6 +125,5 @@ Grid make_grid(const Aabb& extent, double largest_radius, int bodies, int movers
     // [grid.make.count]
     return Grid(cell_size, count(size.x()), count(size.y()), bodies);
 }
-
 
 } // namespace flying

@@ -11,7 +11,6 @@
 
 namespace flying {
 
-
 /// A square cell of the plane, by column and row; cell (0, 0) has its lower left corner at the origin.
 struct Cell
 {
@@ -20,8 +19,6 @@ struct Cell
 
     friend bool operator==(const Cell&, const Cell&) = default;
 };
-
-
 
 /// Which body lies in which square cell. The plane is wrapped round a torus of cells, so that it has no border: bodies a
 /// whole turn apart share a cell, which costs a needless look and never an overlooked pair.
@@ -62,8 +59,6 @@ public:
     /// Static bodies that a body with its centre in this cell may meet.
     [[nodiscard]] std::span<const int> statics_near(const Cell& cell) const { return statics_[heads_[index(cell)].statics]; }
 
-
-
     /// Call visit(other) for every body in this very cell.
     template <typename Visit>
     void for_each_in(const Cell& cell, Visit&& visit) const
@@ -84,8 +79,6 @@ public:
                 for_each_of(line[column], visit);
         }
     }
-
-
 
     /// Write down the bodies in the nine cells about this one, in the order of `for_each_near`. What a cell holds
     /// can't be guessed, and so nothing here waits for a guess, but in cells that hold more than two.
@@ -109,8 +102,6 @@ public:
         return near;
     }
 
-
-
     /// Ask the memory for what a visit to the cells about this one will read: first the cells, later the bodies' places in
     /// them. Hints, which cost little and change nothing.
     [[gnu::always_inline]] void fetch_near(const Cell& cell) const
@@ -121,7 +112,6 @@ public:
         }
     }
     void fetch_cell_of(int body) const { fetch(&cell_of_[body]); }
-
 
 private:
 
@@ -143,16 +133,12 @@ private:
         for (int other = head.chain; other >= 0; other = next_[other]) visit(other);
     }
 
-
-
     [[nodiscard]] std::size_t index(const Cell& cell) const
     {
         const auto column = static_cast<std::uint64_t>(cell.column) & column_mask_;
         const auto row = static_cast<std::uint64_t>(cell.row) & row_mask_;
         return static_cast<std::size_t>((row << row_shift_) | column);
     }
-
-
 
     double cell_size_;
     std::uint64_t column_mask_;
@@ -162,16 +148,12 @@ private:
     std::vector<int> next_;   // of each body that is in a chain
     std::vector<Cell> cell_of_;
     std::vector<std::vector<int>> statics_; // lists that cells name; the first is empty
-
 };
-
-
 
 /// A grid fit for bodies spread over `extent`: about half a body to a cell, no cell smaller than a body.
 /// largest_radius  bounding radius of the largest body that moves [m]
 /// bodies          how many there are
 /// movers          how many of them move
 [[nodiscard]] Grid make_grid(const Aabb& extent, double largest_radius, int bodies, int movers);
-
 
 } // namespace flying

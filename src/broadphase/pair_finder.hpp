@@ -2,7 +2,6 @@
 
 namespace flying {
 
-
 /// How the pairs that might meet are found: by looking at all of them, or at those in
 /// neighbouring cells.
 enum class PairFinder
@@ -10,6 +9,5 @@ enum class PairFinder
     all_pairs,
     grid
 };
-
 
 } // namespace flying

@@ -3,7 +3,6 @@
 namespace flying {
 namespace {
 
-
 /// The axis along which the middles of the bodies that move are spread further: 0 for x,
 /// 1 for y.
 [[nodiscard]] int longer_axis(std::span<const BoxedBody> bodies)
@@ -21,9 +20,7 @@ namespace {
     return size.x() >= size.y() ? 0 : 1;
 }
 
-
 } // namespace
-
 
 Sweep::Span Sweep::span_of(const BoxedBody& body, int member) const
 {
@@ -37,8 +34,6 @@ bool Sweep::starts_before(const Span& one, const Span& two)
 {
     return one.low != two.low ? one.low < two.low : one.body < two.body;
 }
-
-
 
 void Sweep::line_up(std::span<const BoxedBody> bodies)
 {
@@ -63,8 +58,6 @@ void Sweep::line_up(std::span<const BoxedBody> bodies)
     // [sweep.line_up.sort]
 }
 
-
-
 /// Let each box step back past those that start later. False, and no order, where that is
 /// not over soon: then so much has changed that sorting afresh is cheaper.
 bool Sweep::put_right()
@@ -83,6 +76,5 @@ bool Sweep::put_right()
     }
     return true;
 }
-
 
 } // namespace flying

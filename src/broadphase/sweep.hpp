@@ -10,7 +10,6 @@
 
 namespace flying {
 
-
 /// Finds the boxes that overlap by sweeping a line over them: only boxes that the line
 /// touches at one time are compared. The order in which it meets them is kept from one look
 /// to the next; where bodies have moved little, putting it right again takes hardly more
@@ -31,8 +30,6 @@ public:
     /// Places by which bodies were moved along the line, in all looks.
     [[nodiscard]] std::int64_t shifts() const { return shifts_; }
 
-
-
     /// Call visit(one, two) for every two spans of the line that share a place, the one
     /// that starts first in front. It returns true to go on, false to end the sweep.
     template <typename Visit>
@@ -46,8 +43,6 @@ public:
         }
     }
 
-
-
     /// Call visit(a, b), ids with a < b, for every two bodies, not both static, whose boxes
     /// share a point, in the order of the line. It returns true to go on, false to end the
     /// sweep.
@@ -60,7 +55,6 @@ public:
             return visit(std::min(one.body, two.body), std::max(one.body, two.body));
         });
     }
-
 
 private:
 
@@ -76,8 +70,6 @@ private:
         bool is_static = false;
     };
 
-
-
     [[nodiscard]] Span span_of(const BoxedBody& body, int member) const;
     [[nodiscard]] static bool starts_before(const Span& one, const Span& two);
     [[nodiscard]] bool put_right();
@@ -85,8 +77,6 @@ private:
     std::vector<Span> line_; // by lower end, then by id
     int axis_ = 0;
     std::int64_t shifts_ = 0;
-
 };
-
 
 } // namespace flying

@@ -6,7 +6,6 @@
 
 namespace flying {
 
-
 /// One point at which two bodies A and B touch or overlap.
 struct Contact
 {
@@ -16,14 +15,11 @@ struct Contact
     std::uint32_t feature = 0;  ///< names the pair of features that meet, by one number
 };
 
-
-
 /// All points at which one pair of convex shapes touches: two at the most.
 struct Manifold
 {
     Contact contacts[2];
     int count = 0;
 };
-
 
 } // namespace flying

@@ -10,7 +10,6 @@ namespace flying {
 
 namespace {
 
-
 /// The number of a pair of features: a vertex of one body on an edge of the other.
 std::uint32_t feature_number(Owner of_vertex, int vertex, int edge)
 {
@@ -18,8 +17,6 @@ std::uint32_t feature_number(Owner of_vertex, int vertex, int edge)
     return is_of_b | (static_cast<std::uint32_t>(vertex) & 0x7fffu) << 1 |
            (static_cast<std::uint32_t>(edge) & 0xffffu) << 16;
 }
-
-
 
 /// One contact of two surfaces: `point` lies on the second, `separation` away from the
 /// first along the normal.
@@ -29,15 +26,11 @@ Contact contact_at(const Vec2& point, const Vec2& normal, double separation,
     return {point - 0.5 * separation * normal, normal, separation, feature};
 }
 
-
-
 void add(Manifold& manifold, const Contact& contact)
 {
     manifold.contacts[manifold.count] = contact;
     ++manifold.count;
 }
-
-
 
 /// The same contacts with A and B exchanged. Features name their owners, and are renamed.
 Manifold swapped(Manifold manifold)
@@ -50,12 +43,8 @@ Manifold swapped(Manifold manifold)
     return manifold;
 }
 
-
-
 /// [lengths of the edge] A clipped edge is as low as its lowest vertex if it differs by less.
 constexpr double k_level = 0x1p-16;
-
-
 
 /// An end of the clipped edge.
 struct ClippedEnd
@@ -66,16 +55,12 @@ struct ClippedEnd
     int vertex = 0;            ///< of the incident polygon; where cut, of the reference
 };
 
-
-
 /// Where the straight line between two ends stands at `along`.
 ClippedEnd cut_at(const ClippedEnd& from, const ClippedEnd& to, double along, int vertex)
 {
     const double part = (along - from.along) / (to.along - from.along);
     return {from.point + part * (to.point - from.point), along, true, vertex};
 }
-
-
 
 /// Of the two edges at the vertex furthest behind, the one that faces the edge more.
 int facing_edge(const Polygon& incident, int vertex, const Vec2& normal_in_incident)
@@ -85,8 +70,6 @@ int facing_edge(const Polygon& incident, int vertex, const Vec2& normal_in_incid
     const double faces_after = normal_in_incident.dot(incident.edges()[vertex].normal);
     return faces_before < faces_after ? before : vertex;
 }
-
-
 
 /// Contacts of two convex polygons, normals from the reference polygon to the other.
 Manifold clip(const Polygon& reference, const Pose& world_from_reference, const Polygon& incident,
@@ -123,7 +106,6 @@ Manifold clip(const Polygon& reference, const Pose& world_from_reference, const 
     }
     // [collide.manifold.polygons.cut]
 
-
     // Where that cut off the vertex that is furthest behind, and what is left lies far above it, take the vertex
     const auto height = [&](const ClippedEnd& end) { return edge.normal.dot(end.point - start); };
     double height_of_low = height(low);
@@ -133,7 +115,6 @@ Manifold clip(const Polygon& reference, const Pose& world_from_reference, const 
         low = high = end_at(axis.vertex);
         height_of_low = height_of_high = height(low);
     }
-
 
     // [collide.manifold.polygons.keep]
     // Keep the ends that reach the reference edge, within the margin
@@ -153,16 +134,12 @@ Manifold clip(const Polygon& reference, const Pose& world_from_reference, const 
     return manifold;
 }
 
-
-
 Manifold between(const Polygon& a, const Pose& world_from_a, const Polygon& b, const Pose& world_from_b, double margin)
 {
     const Pose a_from_b = relative_pose(world_from_a, world_from_b);
     const Axis axis = greater_of(best_edges(a, b, a_from_b), a, b, a_from_b);
     return make_manifold(a, world_from_a, b, world_from_b, a_from_b, axis, margin);
 }
-
-
 
 Manifold between(const Disc& a, const Pose& world_from_a, const Disc& b, const Pose& world_from_b, double margin)
 {
@@ -178,11 +155,8 @@ Manifold between(const Disc& a, const Pose& world_from_a, const Disc& b, const P
     return manifold;
 }
 
-
-
 Manifold between(const Polygon& a, const Pose& world_from_a, const Disc& b, const Pose& world_from_b, double margin)
 {
-
     // Find the edge whose line the centre is furthest outside of
     const Vec2 centre = inverse(world_from_a.rotation) * Vec2(world_from_b.position - world_from_a.position);
     int nearest = 0;
@@ -194,8 +168,6 @@ Manifold between(const Polygon& a, const Pose& world_from_a, const Disc& b, cons
             nearest = k;
         }
     }
-
-
 
     // Inside, the shortest way out leads over that edge; outside, the nearest point of any edge decides
     Vec2 normal = a.edges()[nearest].normal;
@@ -226,8 +198,6 @@ Manifold between(const Polygon& a, const Pose& world_from_a, const Disc& b, cons
     return manifold;
 }
 
-
-
 Manifold between(const HalfPlane& a, const Pose&, const Disc& b, const Pose& world_from_b, double margin)
 {
     const double separation = (a.normal.dot(world_from_b.position) - a.offset) - b.radius;
@@ -236,8 +206,6 @@ Manifold between(const HalfPlane& a, const Pose&, const Disc& b, const Pose& wor
     add(manifold, contact_at(world_from_b.position - b.radius * a.normal, a.normal, separation, 0));
     return manifold;
 }
-
-
 
 Manifold between(const HalfPlane& a, const Pose&, const Polygon& b, const Pose& world_from_b, double margin)
 {
@@ -261,9 +229,7 @@ Manifold between(const HalfPlane& a, const Pose&, const Polygon& b, const Pose& 
     return manifold;
 }
 
-
 } // namespace
-
 
 Manifold make_manifold(const Polygon& a, const Pose& world_from_a, const Polygon& b, const Pose& world_from_b,
                        const Pose& a_from_b, const Axis& axis, double margin)
@@ -272,8 +238,6 @@ Manifold make_manifold(const Polygon& a, const Pose& world_from_a, const Polygon
     if (axis.owner == Owner::a) return clip(a, world_from_a, b, a_from_b, axis, margin);
     return swapped(clip(b, world_from_b, a, relative_pose(world_from_b, world_from_a), axis, margin));
 }
-
-
 
 Manifold make_manifold(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b,
                        double margin)
@@ -294,6 +258,5 @@ Manifold make_manifold(const Shape& a, const Pose& world_from_a, const Shape& b,
     const bool is_left = (disc_a && !disc_b) || (polygon_a && std::holds_alternative<HalfPlane>(b));
     return is_left ? swapped(make_manifold(b, world_from_b, a, world_from_a, margin)) : Manifold{};
 }
-
 
 } // namespace flying

@@ -7,7 +7,6 @@
 
 namespace flying {
 
-
 /// The points at which two convex shapes touch or overlap, with the normal from A to B.
 ///
 /// Two polygons: the axis of greatest separation chooses a reference edge; the edge of the other that faces it most is
@@ -32,6 +31,5 @@ namespace flying {
 /// a_from_b  where B lies as A sees it
 [[nodiscard]] Manifold make_manifold(const Polygon& a, const Pose& world_from_a, const Polygon& b,
                                      const Pose& world_from_b, const Pose& a_from_b, const Axis& axis, double margin);
-
 
 } // namespace flying

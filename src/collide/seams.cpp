@@ -10,7 +10,6 @@
 namespace flying {
 namespace {
 
-
 /// [sine] Surfaces whose directions differ by less go straight on, and a normal that leans over the neighbour by less
 /// stands upright: a body that is thrown along it keeps its speed to the square of this.
 constexpr double k_lean = 0x1p-26;
@@ -27,8 +26,6 @@ constexpr double k_parallel = 0x1p-16;
 /// it by the shortest way. What lies so much deeper below a joint surface than in the polygon is beside both neighbours.
 constexpr double k_sunk = 0x1p-5;
 
-
-
 /// An edge of the neighbour, or the surface of a half-plane, as the polygon sees it.
 struct Surface
 {
@@ -38,8 +35,6 @@ struct Surface
     double length = std::numeric_limits<double>::infinity(); // [m]
     bool has_start = true;
 };
-
-
 
 /// Seams of a polygon with one surface of a neighbour.
 void add_seams_on(const Polygon& part, const Surface& surface, const SeamTolerance& tolerance, std::vector<Seam>& seams)
@@ -75,8 +70,6 @@ void add_seams_on(const Polygon& part, const Surface& surface, const SeamToleran
     }
 }
 
-
-
 /// The point of a body that is nearest to a corner, as far as a surface with this normal knows.
 struct NearestPoint
 {
@@ -104,8 +97,6 @@ struct NearestPoint
     return nearest;
 }
 
-
-
 /// The contacts of a polygon with one that lies on an edge of it, along that edge's normal.
 [[nodiscard]] Manifold along_edge(const Polygon& part, const Pose& world_from_part, int edge, Owner owner,
                                   const Polygon& other, const Pose& world_from_other, double margin)
@@ -118,17 +109,13 @@ struct NearestPoint
     return make_manifold(other, world_from_other, part, world_from_part, other_from_part, axis, margin);
 }
 
-
 } // namespace
-
 
 SeamTolerance seam_tolerance(double size, double reach)
 {
     const double step = k_step * size + tolerance::coordinate_rounding(reach);
     return {step, step + k_crack * size};
 }
-
-
 
 void find_seams(const Polygon& part, const Pose& part_from_other, const Shape& other, std::span<const char> real,
                 const SeamTolerance& tolerance, std::vector<Seam>& seams)
@@ -155,8 +142,6 @@ void find_seams(const Polygon& part, const Pose& part_from_other, const Shape& o
     }
 }
 
-
-
 bool is_of_surface(const Polygon& part, const Seam& seam, const Vec2& normal)
 {
     if (!(normal.dot(seam.onwards) > k_lean)) return true;
@@ -168,8 +153,6 @@ const Vec2& surface_normal(const Polygon& part, const Seam& seam)
 {
     return seam.bend == Seam::Bend::ridge ? seam.outwards : part.edges()[seam.open].normal;
 }
-
-
 
 void mend_at_seams(const Polygon& part, const Pose& world_from_part, std::span<const Seam> seams, Owner owner,
                    const Shape& other, const Pose& world_from_other, double near, double margin, Manifold& manifold)
@@ -239,6 +222,5 @@ void mend_at_seams(const Polygon& part, const Pose& world_from_part, std::span<c
     }
     manifold.count = kept;
 }
-
 
 } // namespace flying

@@ -10,7 +10,6 @@
 
 namespace flying {
 
-
 /// A corner of a polygon at which its surface goes on over a neighbour: the next tile of a floor, the next facet of a
 /// bowl, the part beyond a cut. All in the polygon's frame.
 struct Seam
@@ -32,8 +31,6 @@ struct Seam
     bool is_loose = false; ///< the two may part: the polygon needs what touches its corner, whatever lies beside it
 };
 
-
-
 /// How well two surfaces must meet to act as one.
 struct SeamTolerance
 {
@@ -43,8 +40,6 @@ struct SeamTolerance
 /// size   of the smaller of the two bodies [m]
 /// reach  how far from the world's origin they lie [m]
 [[nodiscard]] SeamTolerance seam_tolerance(double size, double reach);
-
-
 
 /// Adds the seams of a polygon with one neighbour: corners that lie on the line of an edge of the neighbour, to within
 /// the tolerance, and over it, while the polygon's own edge there runs down behind that line. A corner at the foot of an
@@ -79,6 +74,5 @@ void find_seams(const Polygon& part, const Pose& part_from_other, const Shape& o
 /// margin       contacts that are further apart go [m]
 void mend_at_seams(const Polygon& part, const Pose& world_from_part, std::span<const Seam> seams, Owner owner,
                    const Shape& other, const Pose& world_from_other, double near, double margin, Manifold& manifold);
-
 
 } // namespace flying

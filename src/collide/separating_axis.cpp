@@ -5,7 +5,6 @@
 
 namespace flying {
 
-
 Pose relative_pose(const Pose& world_from_a, const Pose& world_from_b)
 {
     const Rotation a_from_world = inverse(world_from_a.rotation);
@@ -13,9 +12,7 @@ Pose relative_pose(const Pose& world_from_a, const Pose& world_from_b)
     return {a_from_world * offset, a_from_world * world_from_b.rotation};
 }
 
-
 namespace {
-
 
 /// The pose that leads back.
 Pose inverse(const Pose& a_from_b)
@@ -23,8 +20,6 @@ Pose inverse(const Pose& a_from_b)
     const Rotation b_from_a = flying::inverse(a_from_b.rotation);
     return {b_from_a * Vec2(-a_from_b.position), b_from_a};
 }
-
-
 
 /// Separation of one vertex of the other polygon from the line of the owner's edge.  [m]
 double separation_of(const Polygon& owner, const Edge& edge, const Vec2& vertex,
@@ -34,15 +29,11 @@ double separation_of(const Polygon& owner, const Edge& edge, const Vec2& vertex,
     return edge.normal.dot(from_edge);
 }
 
-
-
 /// Normal of the owner's edge in the other's frame.
 Vec2 normal_in_other(const Edge& edge, const Pose& owner_from_other)
 {
     return flying::inverse(owner_from_other.rotation) * edge.normal;
 }
-
-
 
 /// The vertex furthest against a direction.
 int lowest_vertex(const Polygon& polygon, const Vec2& direction)
@@ -58,8 +49,6 @@ int lowest_vertex(const Polygon& polygon, const Vec2& direction)
     }
     return lowest;
 }
-
-
 
 /// The axis of greatest separation among the owner's edges, in one round of both polygons; and the next greatest.
 Axis greatest_of_owner(const Polygon& owner, const Polygon& other,
@@ -84,9 +73,7 @@ Axis greatest_of_owner(const Polygon& owner, const Polygon& other,
     return best;
 }
 
-
 } // namespace
-
 
 Axis axis_of_edge(const Polygon& owner, int edge, const Polygon& other,
                   const Pose& owner_from_other)
@@ -97,8 +84,6 @@ Axis axis_of_edge(const Polygon& owner, int edge, const Polygon& other,
             separation_of(owner, side, other.vertices()[vertex], owner_from_other)};
 }
 
-
-
 Axis greatest_separation(const Polygon& a, const Polygon& b, const Pose& a_from_b)
 {
     double next = 0.0;
@@ -107,8 +92,6 @@ Axis greatest_separation(const Polygon& a, const Polygon& b, const Pose& a_from_
     of_b.owner = Owner::b;
     return of_b.separation > of_a.separation ? of_b : of_a;
 }
-
-
 
 BestEdges best_edges(const Polygon& a, const Polygon& b, const Pose& a_from_b)
 {

@@ -1,5 +1,8 @@
 #pragma once
 
+// The normals on which two convex polygons are compared, and the one along which they are furthest apart, or overlap
+// least.
+
 #include "collide/contact.hpp"
 #include "geometry/disc.hpp"
 #include "geometry/half_plane.hpp"
@@ -8,15 +11,12 @@
 
 namespace flying {
 
-
 /// Whose edge an axis stands on.
 enum class Owner
 {
     a,
     b
 };
-
-
 
 /// The line on which two convex polygons are compared: the outward normal of one edge.
 /// What lies behind the edge has a negative separation.
@@ -28,13 +28,9 @@ struct Axis
     double separation = 0.0; ///< of that vertex from the edge's line [m]
 };
 
-
-
 /// Where B lies as A sees it: a_from_b * p is B's point p in A's frame. Positions are subtracted before anything is
 /// rounded to their size, so that two bodies far from the world's origin see each other as sharply as near it.
 [[nodiscard]] Pose relative_pose(const Pose& world_from_a, const Pose& world_from_b);
-
-
 
 /// Separation along the outward normal of one edge.
 ///
@@ -45,14 +41,10 @@ struct Axis
 /// The field `owner` of the result says a.
 [[nodiscard]] Axis axis_of_edge(const Polygon& owner, int edge, const Polygon& other, const Pose& owner_from_other);
 
-
-
 /// The axis of greatest separation among all edges of two convex polygons. Where it is positive, a line parts the
 /// polygons and their distance is at least that; where it is negative, the normal times it is the shortest push that
 /// parts them (chapter 6). Axes of A win ties. Time linear in the number of edges.
 [[nodiscard]] Axis greatest_separation(const Polygon& a, const Polygon& b, const Pose& a_from_b);
-
-
 
 /// Of each of two convex polygons, the edge whose axis has the greatest separation among its own.
 struct BestEdges

@@ -13,13 +13,10 @@ namespace flying {
 
 namespace {
 
-
 constexpr double k_infinity = std::numeric_limits<double>::infinity();
 
 /// Pairs of a vertex and an edge from which on it pays to look for the few that matter.
 constexpr std::size_t k_slab_pays = 200;
-
-
 
 /// Distance of a point from an edge, its ends included.  [m]
 double distance_to_edge(const Vec2& point, const Polygon& polygon, const Edge& edge)
@@ -46,8 +43,6 @@ double distance_to_convex(const Vec2& point, const Polygon& polygon)
     for (const Edge& edge : polygon.edges()) distance = std::min(distance, distance_to_edge(point, polygon, edge));
     return distance;
 }
-
-
 
 /// Where the ends of the shortest way between two polygons can lie: on the polygon from a height upwards, on the other
 /// up to a height.
@@ -134,8 +129,6 @@ double distance_apart(const Polygon& a, const Polygon& b, const Pose& a_from_b, 
     return std::min(b_to_a, a_to_b);
 }
 
-
-
 /// Signed distance between convex polygons.
 double between_polygons(const Polygon& a, const Pose& world_from_a, const Polygon& b, const Pose& world_from_b)
 {
@@ -179,8 +172,6 @@ double between(const HalfPlane& a, const Pose&, const Polygon& b, const Pose& wo
     return (a.normal.dot(world_from_b.position) - a.offset) + lowest;
 }
 
-
-
 /// Signed distance between two convex shapes of any kind.
 double between(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b)
 {
@@ -202,9 +193,7 @@ double between(const Shape& a, const Pose& world_from_a, const Shape& b, const P
     return k_infinity;
 }
 
-
 } // namespace
-
 
 CollisionShape make_collision_shape(const Shape& shape)
 {
@@ -231,8 +220,6 @@ CollisionShape make_collision_shape(const Shape& shape)
     return result;
 }
 
-
-
 double separation(const CollisionShape& a, const Pose& world_from_a, const CollisionShape& b, const Pose& world_from_b)
 {
     double least = k_infinity;
@@ -254,6 +241,5 @@ double separation(const Shape& a, const Pose& world_from_a, const Shape& b, cons
 {
     return separation(make_collision_shape(a), world_from_a, make_collision_shape(b), world_from_b);
 }
-
 
 } // namespace flying

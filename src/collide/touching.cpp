@@ -6,7 +6,6 @@
 namespace flying {
 namespace {
 
-
 /// Two bodies at one moment, and where their touches go. `b_from_a` leads from B's position to A's. [m]
 struct Pair
 {
@@ -36,8 +35,6 @@ void mirror(std::vector<Touch>& touches, std::size_t first)
     }
 }
 
-
-
 void touch(const Pair& pair, const Disc& a, const Disc& b)
 {
     const double distance = pair.b_to_a.norm();
@@ -47,16 +44,12 @@ void touch(const Pair& pair, const Disc& a, const Disc& b)
     pair.touches.push_back({a.radius * normal, -b.radius * normal, normal, gap, {}});
 }
 
-
-
 void touch(const Pair& pair, const Disc& a, const HalfPlane& b)
 {
     const double gap = b.normal.dot(pair.world_from_a.position) - b.offset - a.radius;
     if (gap > pair.tolerance) return;
     add(pair, -a.radius * b.normal, -b.normal, gap, {});
 }
-
-
 
 void touch(const Pair& pair, const Polygon& a, const HalfPlane& b)
 {
@@ -68,8 +61,6 @@ void touch(const Pair& pair, const Polygon& a, const HalfPlane& b)
         if (gap <= pair.tolerance) add(pair, r_a, -b.normal, gap, {FeatureKind::vertex_of_a, k, -1});
     }
 }
-
-
 
 /// Disc A on polygon B. The boundary of B is cut into edges and the wedges beyond its corners, so that each touch is
 /// found once.
@@ -105,8 +96,6 @@ void touch(const Pair& pair, const Disc& a, const Polygon& b)
     }
 }
 
-
-
 /// Unit normal, out of B, of a corner of A on a corner of B: the middle of the cone of directions along which they can
 /// part. All arguments in one frame. Zero where no direction parts them.
 ///
@@ -140,8 +129,6 @@ Vec2 corner_normal(const Vec2& a_in, const Vec2& a_out, const Vec2& b_in, const 
     const double length = best.norm();
     return length > 0.0 ? Vec2(best / length) : best;
 }
-
-
 
 /// Vertices of A on the edges of B; with `corners`, also on its corners.
 void touch_vertices(const Pair& pair, const Polygon& a, const Polygon& b, bool corners)
@@ -180,8 +167,6 @@ void touch_vertices(const Pair& pair, const Polygon& a, const Polygon& b, bool c
     }
 }
 
-
-
 void touch(const Pair& pair, const Polygon& a, const Polygon& b)
 {
     touch_vertices(pair, a, b, true);
@@ -194,9 +179,7 @@ void touch(const Pair& pair, const Polygon& a, const Polygon& b)
 template <typename A, typename B>
 concept Ordered = requires(const Pair& pair, const A& a, const B& b) { touch(pair, a, b); };
 
-
 } // namespace
-
 
 void find_touches(const Shape& a, const Pose& world_from_a, const Shape& b, const Pose& world_from_b, double tolerance,
                   std::vector<Touch>& touches)
@@ -215,6 +198,5 @@ void find_touches(const Shape& a, const Pose& world_from_a, const Shape& b, cons
     };
     std::visit(visit, a, b);
 }
-
 
 } // namespace flying

@@ -74,7 +74,6 @@ SurfaceSize fitting_size(const Picture& picture, int longest)
     return {even(std::max(width, least)), even(std::max(height, least))};
 }
 
-
 Layout layout_of(const Picture& picture, SurfaceSize size)
 {
     Layout layout;
@@ -93,7 +92,6 @@ Layout layout_of(const Picture& picture, SurfaceSize size)
     layout.map.origin = Vec2(middle_x - scale * middle.x(), middle_y + scale * middle.y());
     return layout;
 }
-
 
 ViewMap view_map(const Picture& picture, SurfaceSize size)
 {

@@ -1,5 +1,7 @@
 #pragma once
 
+// The colours of pictures: themes for print and for a dark page, and one for each body.
+
 namespace flying {
 
 /// Red, green and blue, each 0 ... 1.

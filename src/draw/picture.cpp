@@ -69,7 +69,6 @@ double trail_width(const Shape& shape)
     return 1.2 * radius;
 }
 
-
 Picture picture_of(const World& world)
 {
     Picture picture;
@@ -88,7 +87,6 @@ Picture picture_of(const World& world)
     picture.view = fitting_view(picture);
     return picture;
 }
-
 
 void move_bodies(Picture& picture, const World& world)
 {

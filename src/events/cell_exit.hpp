@@ -8,7 +8,6 @@
 
 namespace flying {
 
-
 /// When a body leaves its cell, and by which side: 0 right, 1 left, 2 up, 3 down.
 struct CellExit
 {
@@ -31,8 +30,6 @@ struct CellExit
             Cell{middle.column + step.row, middle.row + step.column}};
 }
 
-
-
 /// On a straight path only the two borders ahead count.
 /// x, v  position and velocity at `time`
 [[nodiscard]] inline CellExit straight_exit(const Vec2& x, const Vec2& v, double time, const Cell& cell,
@@ -47,8 +44,6 @@ struct CellExit
     if (time_x <= time_y) return {std::max(time_x, now), 1 - right};
     return {std::max(time_y, now), 3 - up};
 }
-
-
 
 /// First time, not before `now`, at which a flyer crosses a border of its cell outwards. Only the direction of crossing
 /// counts, so that a body that stands on the border by rounding is not sent back and forth.
@@ -77,7 +72,6 @@ struct CellExit
         if (time < exit.time) exit = {time, side};
     };
 
-
     consider((column + 1.0) * cell_size - x.x(), v.x(), a.x(), 0);
     consider(x.x() - column * cell_size, -v.x(), -a.x(), 1);
     consider((row + 1.0) * cell_size - x.y(), v.y(), a.y(), 2);
@@ -85,6 +79,5 @@ struct CellExit
 
     return exit;
 }
-
 
 } // namespace flying

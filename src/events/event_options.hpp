@@ -1,5 +1,7 @@
 #pragma once
 
+// Which shortcuts the event engine takes; each can be turned off.
+
 #include "broadphase/pair_finder.hpp"
 
 namespace flying {

@@ -6,31 +6,24 @@
 namespace flying {
 namespace {
 
-
 /// The standard heap keeps the largest in front. A type rather than a function, so that heaps compile it in.
 struct HappensAfter
 {
     [[nodiscard]] bool operator()(const Event& p, const Event& q) const { return happens_before(q, p); }
 };
 
-
-
 /// Least events of one day, and most days in half a calendar: days are few enough for the ends of all their lists to stay
 /// in the fast memory, into which new events are written, and no longer than that asks, for each is sorted.
 constexpr std::size_t k_events_a_day = 256;
 constexpr std::size_t k_days = 128;
 
-
 } // namespace
-
 
 void EventQueue::push_today(const Event& event)
 {
     late_.push_back(event);
     std::push_heap(late_.begin(), late_.end(), HappensAfter{});
 }
-
-
 
 void EventQueue::pop()
 {
@@ -44,16 +37,12 @@ void EventQueue::pop()
     --size_;
 }
 
-
-
 void EventQueue::push_later(const Event& event)
 {
     const double day = day_of(event.time);
     if (day < static_cast<double>(day_count_)) days_[static_cast<std::size_t>(day)].push_back(event);
     else far_.push_back(event);
 }
-
-
 
 /// Make the next day that holds anything today. Only where not empty.
 void EventQueue::turn_page()
@@ -70,13 +59,10 @@ void EventQueue::turn_page()
     sort_today();
 }
 
-
-
 /// Put today in order, the last first. The hours of a day are as many as its events, which find theirs by their times, so
 /// that few comparisons are left: each would be a guess, wrong every other time.
 void EventQueue::sort_today()
 {
-
     const std::size_t count = today_.size();
     const double today = static_cast<double>(next_day_ - 1);
     const double hours = static_cast<double>(count);
@@ -89,14 +75,12 @@ void EventQueue::sort_today()
     std::uint32_t busiest = 0;
     for (const Event& event : today_) busiest = std::max(busiest, ++hour_ends_[hour_of(event) + 1]);
 
-
     // Where many share an hour, guess after all
     constexpr std::uint32_t k_most = 16;
     if (busiest > k_most) {
         std::sort(today_.begin(), today_.end(), HappensAfter{});
         return;
     }
-
 
     for (std::size_t hour = 1; hour <= count; ++hour) hour_ends_[hour] += hour_ends_[hour - 1];
     sorted_.resize(count);
@@ -108,10 +92,7 @@ void EventQueue::sort_today()
         for (; place > 0 && happens_before(today_[place - 1], event); --place) today_[place] = today_[place - 1];
         if (place != k) today_[place] = event;
     }
-
 }
-
-
 
 void EventQueue::gather_all()
 {
@@ -126,8 +107,6 @@ void EventQueue::gather_all()
     next_day_ = day_count_;
 }
 
-
-
 /// Spread what `today_` holds, all of it, over days of about equal weight.
 void EventQueue::lay_out()
 {
@@ -135,7 +114,6 @@ void EventQueue::lay_out()
     day_count_ = 0;
     next_day_ = 0;
     if (size_ >= 2 * k_events_a_day) {
-
         // The median tells how dense the near half lies
         std::vector<Event> all;
         all.swap(today_);
@@ -147,7 +125,6 @@ void EventQueue::lay_out()
         const std::size_t events_a_day = std::max(k_events_a_day, all.size() / 2 / k_days);
         const double days_in_half = static_cast<double>(all.size() / 2) / static_cast<double>(events_a_day);
         days_a_second_ = days_in_half / half;
-
 
         if (std::isfinite(days_a_second_) && days_a_second_ > 0.0) {
             first_day_starts_ = start;
@@ -165,8 +142,6 @@ void EventQueue::lay_out()
     std::make_heap(late_.begin(), late_.end(), HappensAfter{});
 }
 
-
-
 void EventQueue::clear()
 {
     today_.clear();
@@ -177,6 +152,5 @@ void EventQueue::clear()
     next_day_ = 0;
     size_ = 0;
 }
-
 
 } // namespace flying

@@ -6,7 +6,6 @@
 
 namespace flying {
 
-
 /// Something that will happen, if its bodies are left alone until then.
 struct Event
 {
@@ -27,8 +26,6 @@ struct Event
     Owner owner = Owner::none;
 };
 
-
-
 /// The order in which events happen: by time; at one time, what may foresee more
 /// impacts before the impacts; then by the lower id, then by the higher. No two events
 /// that count are equal in all of these.
@@ -41,8 +38,6 @@ struct Event
     if (p.a != q.a) return p.a < q.a;
     return p.b < q.b;
 }
-
-
 
 /// Events by the order in which they happen. What lies farther off waits in days, unordered, until its day comes (a
 /// calendar: Paul, "A complexity O(1) priority queue for event driven molecular dynamics simulations", 2007). Then the day
@@ -62,8 +57,6 @@ public:
         ++size_;
     }
 
-
-
     /// The first event; only where not empty.
     [[nodiscard]] const Event& next()
     {
@@ -72,19 +65,15 @@ public:
     }
     void pop();
 
-
-
     /// The event that comes so many places after the first, as far as today's order is known; null where it isn't.
     [[nodiscard]] const Event* upcoming(std::size_t places) const
     {
         return places < today_.size() ? &today_[today_.size() - 1 - places] : nullptr;
     }
 
-
     [[nodiscard]] bool empty() const { return size_ == 0; }
     [[nodiscard]] std::size_t size() const { return size_; }
     void clear();
-
 
     /// Drop all events for which keep(event) is false, and fit the days to what is left.
     template <typename Keep>
@@ -98,7 +87,6 @@ public:
         today_.resize(kept);
         lay_out();
     }
-
 
 private:
     /// Days since the first one, never decreasing with time.
@@ -114,7 +102,6 @@ private:
     void gather_all();
     void lay_out();
 
-
     std::vector<Event> today_;             // the last comes first
     std::vector<Event> late_;              // of today, or of all days where there are none: heap
     std::vector<std::vector<Event>> days_; // all of one length; those that are over keep their memory for others
@@ -126,8 +113,6 @@ private:
     std::size_t size_ = 0;
     std::vector<std::uint32_t> hour_ends_; // workspace of sorting
     std::vector<Event> sorted_;            // workspace of sorting
-
 };
-
 
 } // namespace flying

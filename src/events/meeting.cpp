@@ -78,7 +78,6 @@ void touch_surface(const BodyRows& bodies, const StaticSurfaces& surfaces, int a
 void find_meeting(const BodyRows& bodies, const StaticSurfaces& surfaces, int a, int b, double time,
                   MeetingPoints& meeting)
 {
-
     const double radius_a = std::isinf(bodies[a].radius) ? bodies[b].radius : bodies[a].radius;
     const double radius_b = std::isinf(bodies[b].radius) ? bodies[a].radius : bodies[b].radius;
     const double reach = std::max(bodies[a].position.norm(), bodies[b].position.norm());

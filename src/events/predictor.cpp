@@ -73,7 +73,6 @@ void Predictor::predict_static(int body)
 /// of the two.
 void Predictor::predict_movers(int a, int b)
 {
-
     const BodyRows::Row& row_a = rows_[a];
     const BodyRows::Row& row_b = rows_[b];
     const double start = std::max(row_a.time, row_b.time);

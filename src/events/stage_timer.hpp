@@ -2,7 +2,6 @@
 
 namespace flying {
 
-
 /// Adds the time of its own life to a sum, where a clock was lent.
 class StageTimer
 {
@@ -21,6 +20,5 @@ private:
     double& sum_;
     double start_;
 };
-
 
 } // namespace flying

@@ -8,7 +8,6 @@
 
 namespace flying {
 
-
 /// What is foreseen of a body beyond its first event. Only that one goes into the queue; the others wait here, in one line
 /// of the fast memory, until it is over or overtaken. Most of them never come up: the body is struck before.
 struct alignas(64) Waiting
@@ -27,7 +26,6 @@ struct alignas(64) Waiting
     std::array<Event::Kind, k_most> kinds = {};
     std::uint8_t count = 0; ///< of those that wait
 
-
     /// Let an event wait; false where there is no room.
     [[nodiscard]] bool keep(const Event& event)
     {
@@ -36,8 +34,6 @@ struct alignas(64) Waiting
         kinds[count++] = event.kind;
         return true;
     }
-
-
 
     /// One that waits.  id  the body's
     [[nodiscard]] Event event(int k, int id) const
@@ -62,8 +58,6 @@ struct alignas(64) Waiting
         entries[k] = entries[--count];
         kinds[k] = kinds[count];
     }
-
 };
-
 
 } // namespace flying

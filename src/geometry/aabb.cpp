@@ -4,7 +4,6 @@
 
 namespace flying {
 
-
 Aabb bounding_box(const Shape& shape, const Pose& world_from_body)
 {
     if (const auto* disc = std::get_if<Disc>(&shape)) {
@@ -24,6 +23,5 @@ Aabb bounding_box(const Shape& shape, const Pose& world_from_body)
     constexpr double k_infinite = std::numeric_limits<double>::infinity();
     return {Vec2(-k_infinite, -k_infinite), Vec2(k_infinite, k_infinite)};
 }
-
 
 } // namespace flying

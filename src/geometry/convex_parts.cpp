@@ -12,11 +12,8 @@ namespace flying {
 
 namespace {
 
-
 /// A ring of vertices as indices into the polygon's. A vertex at which a bridge ends stands in its ring twice.
 using Ring = std::vector<int>;
-
-
 
 /// c lies strictly between a and b; the three stand on one line.
 bool between(const Vec2& a, const Vec2& b, const Vec2& c)
@@ -49,8 +46,6 @@ bool looks_inside(const Vec2& previous, const Vec2& corner, const Vec2& next, co
     const bool reflex = orientation(previous, corner, next) < 0;
     return reflex ? left_of_first || left_of_second : left_of_first && left_of_second;
 }
-
-
 
 /// The place in `ring` from which a bridge to vertex `to` meets no edge. There always is one where `to` is the
 /// rightmost vertex of all rings that are not joined yet.
@@ -116,8 +111,6 @@ Ring joined_ring(const Polygon& polygon)
     return ring;
 }
 
-
-
 /// The triangle before, at and after a place of the ring can be cut off: it turns left and holds no other vertex.
 bool is_ear(std::span<const Vec2> vertices, const Ring& ring, std::size_t place)
 {
@@ -162,8 +155,6 @@ std::vector<Ring> triangles_of(std::span<const Vec2> vertices, Ring ring)
     return triangles;
 }
 
-
-
 /// [sine] A side and a cut that turn by less at their common vertex stand in one line. Twice what the contacts of resting
 /// bodies once allowed two normals to differ by.
 constexpr double k_in_line = 0x1p-9;
@@ -178,8 +169,6 @@ bool mixes_side_and_cut(const Polygon& polygon, int before, int at, int after)
     const Vec2 out = polygon.vertices()[after] - polygon.vertices()[at];
     return in.dot(out) > 0.0 && std::abs(cross(in, out)) <= k_in_line * in.norm() * out.norm();
 }
-
-
 
 /// Two convex rings that share the edge i -> j of the first as one ring; empty where that would not be convex, or would
 /// put a side and a cut in one line.
@@ -236,9 +225,7 @@ void merge_convex(const Polygon& polygon, std::vector<Ring>& parts)
     std::erase_if(parts, [](const Ring& part) { return part.empty(); });
 }
 
-
 } // namespace
-
 
 std::vector<Polygon> convex_parts(const Polygon& polygon)
 {
@@ -256,6 +243,5 @@ std::vector<Polygon> convex_parts(const Polygon& polygon)
     }
     return parts;
 }
-
 
 } // namespace flying

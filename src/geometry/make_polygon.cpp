@@ -12,7 +12,6 @@ namespace flying {
 
 namespace {
 
-
 GivenRing given_ring(std::string place, std::span<const Vec2> points)
 {
     GivenRing ring;
@@ -31,8 +30,6 @@ std::vector<GivenRing> given_rings(std::span<const Vec2> outer, std::span<const 
     return rings;
 }
 
-
-
 Faults check(std::vector<GivenRing>& rings)
 {
     Faults faults;
@@ -49,8 +46,6 @@ Faults check(std::vector<GivenRing>& rings)
     return faults;
 }
 
-
-
 /// Outer ring counter-clockwise, holes clockwise; the first vertex stays the first.
 void wind(std::vector<GivenRing>& rings)
 {
@@ -63,8 +58,6 @@ void wind(std::vector<GivenRing>& rings)
         std::reverse(rings[k].indices.begin() + 1, rings[k].indices.end());
     }
 }
-
-
 
 void move_all(std::vector<GivenRing>& rings, const Vec2& offset)
 {
@@ -93,9 +86,7 @@ CentredPolygon centred(std::vector<GivenRing>& rings)
     return {polygon_of(rings), centroid};
 }
 
-
 } // namespace
-
 
 Expected<CentredPolygon> make_polygon(std::span<const Vec2> outer, std::span<const std::vector<Vec2>> holes)
 {
@@ -116,6 +107,5 @@ Expected<CentredPolygon> make_polygon(std::span<const Vec2> outer, std::span<con
     if (!after.empty()) return after;
     return made;
 }
-
 
 } // namespace flying

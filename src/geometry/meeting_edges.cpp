@@ -8,7 +8,6 @@ namespace flying {
 
 namespace {
 
-
 /// How two edges meet that share no vertex of their ring, and whose boxes overlap.
 Meeting meeting_of_strangers(const GivenEdge& e, const GivenEdge& f)
 {
@@ -23,8 +22,6 @@ Meeting meeting_of_strangers(const GivenEdge& e, const GivenEdge& f)
     // On one line, edges whose boxes overlap share a point
     return fa * fb < 0 && ea * eb < 0 ? Meeting::cross : Meeting::touch;
 }
-
-
 
 /// Whether the edge after `e` runs back along it.
 Meeting meeting_of_neighbours(const GivenEdge& e, const GivenEdge& next)
@@ -42,8 +39,6 @@ Meeting meeting_of(const GivenEdge& e, const GivenEdge& f)
     return meeting_of_strangers(e, f);
 }
 
-
-
 void note(Partner& partner, std::size_t edge, Meeting meeting)
 {
     if (partner.count == 0 || edge < partner.edge) {
@@ -53,9 +48,7 @@ void note(Partner& partner, std::size_t edge, Meeting meeting)
     ++partner.count;
 }
 
-
 } // namespace
-
 
 std::vector<Partner> meeting_edges(const std::vector<GivenEdge>& edges)
 {
@@ -85,6 +78,5 @@ std::vector<Partner> meeting_edges(const std::vector<GivenEdge>& edges)
     }
     return partners;
 }
-
 
 } // namespace flying

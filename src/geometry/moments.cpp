@@ -6,7 +6,6 @@ namespace flying {
 
 namespace {
 
-
 /// From the common corner of all triangles to a vertex, without loss.  [m]
 struct Arm
 {
@@ -19,8 +18,6 @@ Arm arm(const Vec2& corner, const Vec2& vertex)
     return {two_sum(vertex.x(), -corner.x()), two_sum(vertex.y(), -corner.y())};
 }
 
-
-
 /// What signed triangles add up to, about their common corner.
 struct Sums
 {
@@ -29,8 +26,6 @@ struct Sums
     Twofold first_y;
     Twofold second;     ///< sum of (a x b) (a.a + a.b + b.b): twelve second moments [m^4]
 };
-
-
 
 /// Adds the triangle of the corner and one edge; a and b are the arms to the edge's ends.
 void add_triangle(Sums& sums, const Arm& a, const Arm& b)
@@ -45,8 +40,6 @@ void add_triangle(Sums& sums, const Arm& a, const Arm& b)
     sums.second = sums.second + twice_area * ((aa + ab) + bb);
 }
 
-
-
 /// Adds the triangles of all edges of a ring.
 void add_ring(Sums& sums, const Vec2& corner, std::span<const Vec2> ring)
 {
@@ -57,8 +50,6 @@ void add_ring(Sums& sums, const Vec2& corner, std::span<const Vec2> ring)
         a = b;
     }
 }
-
-
 
 /// Area and centroid from the sums, and the second moment about it (parallel axes).
 AreaMoments about_centroid(const Sums& sums, const Vec2& corner)
@@ -76,9 +67,7 @@ AreaMoments about_centroid(const Sums& sums, const Vec2& corner)
             second.rounded()};
 }
 
-
 } // namespace
-
 
 AreaMoments moments_of_ring(std::span<const Vec2> ring)
 {
@@ -87,8 +76,6 @@ AreaMoments moments_of_ring(std::span<const Vec2> ring)
     add_ring(sums, corner, ring);
     return about_centroid(sums, corner);
 }
-
-
 
 AreaMoments moments_of(const Polygon& polygon)
 {
@@ -103,6 +90,5 @@ AreaMoments moments_of(const Polygon& polygon)
     }
     return about_centroid(sums, corner);
 }
-
 
 } // namespace flying

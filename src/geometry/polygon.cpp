@@ -4,7 +4,6 @@
 
 namespace flying {
 
-
 Polygon::Polygon(const std::vector<std::vector<Vec2>>& rings)
 {
     ring_starts_.push_back(0);
@@ -27,7 +26,6 @@ Polygon::Polygon(const std::vector<std::vector<Vec2>>& rings)
         ring_starts_.push_back(static_cast<int>(vertices_.size()));
     }
 
-
     // Mark the vertices at which the boundary turns right
     is_convex_ = rings.size() == 1;
     for (std::size_t k = 0; k < vertices_.size(); ++k) {
@@ -35,10 +33,7 @@ Polygon::Polygon(const std::vector<std::vector<Vec2>>& rings)
         is_reflex_.push_back(reflex ? 1 : 0);
         is_convex_ = is_convex_ && !reflex;
     }
-
 }
-
-
 
 Polygon Polygon::moved_by(const Vec2& offset) const
 {
@@ -49,6 +44,5 @@ Polygon Polygon::moved_by(const Vec2& offset) const
     }
     return Polygon(rings);
 }
-
 
 } // namespace flying

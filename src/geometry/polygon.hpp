@@ -7,7 +7,6 @@
 
 namespace flying {
 
-
 /// One side of a polygon, from a vertex to the next. The inside lies to the left.
 struct Edge
 {
@@ -17,8 +16,6 @@ struct Edge
     Vec2 normal = Vec2::Zero();  ///< unit vector, outwards
     double length = 0.0;         ///< [m]
 };
-
-
 
 /// A simple polygon, convex or not, with or without holes, in a frame of its own.
 ///
@@ -42,7 +39,6 @@ public:
     /// ring k holds the vertices ring_starts()[k] ... ring_starts()[k + 1] - 1.
     [[nodiscard]] std::span<const int> ring_starts() const { return ring_starts_; }
 
-
     /// The edge that ends where edge `vertex` starts.
     [[nodiscard]] int previous(int vertex) const { return previous_[vertex]; }
 
@@ -59,8 +55,6 @@ public:
     /// The same polygon, moved by `offset`.
     [[nodiscard]] Polygon moved_by(const Vec2& offset) const;
 
-
-
 private:
     std::vector<Vec2> vertices_;
     std::vector<Edge> edges_;
@@ -69,8 +63,6 @@ private:
     std::vector<char> is_reflex_;
     bool is_convex_ = true;
     double radius_ = 0.0;
-
 };
-
 
 } // namespace flying

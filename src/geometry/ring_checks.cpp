@@ -18,8 +18,6 @@ std::string text_of(const Vec2& a)
     return "(" + number_text(a.x()) + ", " + number_text(a.y()) + ")";
 }
 
-
-
 /// The longer side of the smallest box about the points.  [m]
 double extent(std::span<const Vec2> points)
 {
@@ -32,15 +30,11 @@ double extent(std::span<const Vec2> points)
     return std::max(high.x() - low.x(), high.y() - low.y());
 }
 
-
-
 bool in_range(double x)
 {
     const double size = std::abs(x);
     return size == 0.0 || (size >= tolerance::k_least_coordinate && size <= tolerance::k_greatest_coordinate);
 }
-
-
 
 std::vector<GivenEdge> edges_of(std::span<const GivenRing> rings)
 {
@@ -56,16 +50,12 @@ std::vector<GivenEdge> edges_of(std::span<const GivenRing> rings)
     return edges;
 }
 
-
-
 std::string text_of(const GivenEdge& edge, std::span<const GivenRing> rings)
 {
     const GivenRing& ring = rings[edge.ring];
     return "edge " + std::to_string(ring.indices[edge.from]) + " of " + ring.place + ", from " + text_of(edge.a) +
            " to " + text_of(edge.b);
 }
-
-
 
 /// Whether the point lies inside the ring; it is not on the ring's boundary. Counts how often the ring winds about it.
 bool is_inside(const Vec2& point, const std::vector<Vec2>& ring)
@@ -82,16 +72,12 @@ bool is_inside(const Vec2& point, const std::vector<Vec2>& ring)
     return turns != 0;
 }
 
-
 } // namespace
-
 
 std::string place_of(const GivenRing& ring, std::size_t k)
 {
     return ring.place + "[" + std::to_string(ring.indices[k]) + "]";
 }
-
-
 
 void check_numbers(GivenRing& ring, Faults& faults)
 {
@@ -107,8 +93,6 @@ void check_numbers(GivenRing& ring, Faults& faults)
     }
 }
 
-
-
 double check_size(GivenRing& ring, Faults& faults)
 {
     if (!ring.is_checkable || ring.points.empty()) return 0.0;
@@ -119,8 +103,6 @@ double check_size(GivenRing& ring, Faults& faults)
         {ring.place, "a size of " + number_text(size), "a size of " + number_text(tolerance::k_least_size) + " or more"});
     return size;
 }
-
-
 
 void check_count(GivenRing& ring, double distance, Faults& faults)
 {
@@ -147,8 +129,6 @@ void check_count(GivenRing& ring, double distance, Faults& faults)
                       "three distinct vertices or more"});
 }
 
-
-
 void check_edges(std::span<GivenRing> rings, Faults& faults)
 {
     const std::vector<GivenEdge> edges = edges_of(rings);
@@ -174,8 +154,6 @@ void check_edges(std::span<GivenRing> rings, Faults& faults)
     }
 }
 
-
-
 void check_area(const GivenRing& ring, Faults& faults)
 {
     if (!ring.is_checkable) return;
@@ -186,8 +164,6 @@ void check_area(const GivenRing& ring, Faults& faults)
     faults.push_back({ring.place, "an area of " + number_text(area) + " m^2",
                       "an area of at least " + number_text(least) + " m^2 in a ring of this size"});
 }
-
-
 
 void check_nesting(std::span<const GivenRing> rings, Faults& faults)
 {
@@ -206,6 +182,5 @@ void check_nesting(std::span<const GivenRing> rings, Faults& faults)
         }
     }
 }
-
 
 } // namespace flying

@@ -8,14 +8,10 @@
 
 namespace flying {
 
-
 /// Every shape that a body can have. A half-plane is always static.
 using Shape = std::variant<Disc, Polygon, HalfPlane>;
 
-
-
 /// Radius of the smallest circle about the centre of mass that holds the shape; infinite for a half-plane.  [m]
 [[nodiscard]] double bounding_radius(const Shape& shape);
-
 
 } // namespace flying

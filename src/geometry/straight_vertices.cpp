@@ -9,7 +9,6 @@ namespace flying {
 
 namespace {
 
-
 /// `between` stands on the way from one point to another, off the line between them by rounding alone.
 ///
 /// reach  greatest distance of the points from the origin of their frame, which decides how coarse rounding is [m]
@@ -23,8 +22,6 @@ bool is_straight_between(const Vec2& from, const Vec2& between, const Vec2& to, 
     return std::abs(cross(way, part)) <= tolerance::coordinate_rounding(reach) * std::sqrt(square);
 }
 
-
-
 /// A vertex that is certainly a corner: the one furthest from the origin. Between two others on a line none is.
 int furthest_vertex(const Polygon& polygon)
 {
@@ -35,9 +32,7 @@ int furthest_vertex(const Polygon& polygon)
     return furthest;
 }
 
-
 } // namespace
-
 
 Polygon without_straight_vertices(const Polygon& polygon)
 {
@@ -72,8 +67,6 @@ Polygon without_straight_vertices(const Polygon& polygon)
     return Polygon({corners});
 }
 
-
-
 bool has_straight_side(const Polygon& polygon, const Vec2& from, const Vec2& to)
 {
     const auto vertices = polygon.vertices();
@@ -85,6 +78,5 @@ bool has_straight_side(const Polygon& polygon, const Vec2& from, const Vec2& to)
     }
     return false;
 }
-
 
 } // namespace flying

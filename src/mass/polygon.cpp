@@ -7,14 +7,11 @@
 
 namespace flying {
 
-
 MassProperties polygon_mass(const Polygon& polygon, double density)
 {
     const AreaMoments moments = moments_of(polygon);
     return {density * moments.area, density * moments.second_moment};
 }
-
-
 
 MassProperties mass_of(const Shape& shape, double density)
 {
@@ -24,6 +21,5 @@ MassProperties mass_of(const Shape& shape, double density)
     constexpr double k_infinite = std::numeric_limits<double>::infinity();
     return {k_infinite, k_infinite};
 }
-
 
 } // namespace flying

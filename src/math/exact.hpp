@@ -2,15 +2,12 @@
 
 namespace flying {
 
-
 /// A rounded result and what rounding took from it: `rounded + error` is the exact result.
 struct Exact
 {
     double rounded;
     double error;
 };
-
-
 
 /// a + b without loss, for all finite numbers whose sum is finite (Knuth, "The Art of
 /// Computer Programming 2", 4.2.2).
@@ -22,16 +19,12 @@ struct Exact
     return {sum, (a - a_seen) + (b - b_seen)};
 }
 
-
-
 /// a + b without loss where |a| >= |b| or a is zero.
 [[nodiscard]] inline Exact two_sum_ordered(double a, double b)
 {
     const double sum = a + b;
     return {sum, b - (sum - a)};
 }
-
-
 
 /// `a` as the sum of two numbers of 26 bits each; |a| <= 2^996.
 [[nodiscard]] inline Exact halves(double a)
@@ -54,9 +47,6 @@ struct Exact
     return {product, middle + a_half.error * b_half.error};
 }
 
-
-
-
 /// x^2 + y^2 - 1 for a unit vector (x, y) as rounding leaves it, |x| and |y| at most 2; error below 2^-75.
 ///
 /// Near 1 the sum of squares in doubles can't tell: above 1 doubles are twice as far apart as below, so what it loses leans
@@ -69,6 +59,5 @@ struct Exact
     const double upper = (x_upper * x_upper - 1.0) + y_upper * y_upper;
     return upper + ((x - x_upper) * (x + x_upper) + (y - y_upper) * (y + y_upper));
 }
-
 
 } // namespace flying

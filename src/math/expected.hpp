@@ -7,7 +7,6 @@
 
 namespace flying {
 
-
 /// One thing that is wrong with an input: where it stands, what was found there, what was expected.
 /// `place` is a path into the value, such as `body[3].shape.vertices[0]`; empty for the value as a whole.
 struct Fault
@@ -21,8 +20,6 @@ struct Fault
 
 /// All that is wrong, in the order in which it was met.
 using Faults = std::vector<Fault>;
-
-
 
 /// A value, or every reason why there is none. Never holds an empty list of reasons.
 template <typename T>
@@ -47,6 +44,5 @@ public:
 private:
     std::variant<T, Faults> content_;
 };
-
 
 } // namespace flying

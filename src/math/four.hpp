@@ -2,13 +2,10 @@
 
 namespace flying {
 
-
 /// Four numbers side by side, for what is done to four things alike. Each operation does to every number what it does
 /// to one, so that the bits are the same, whether the processor takes four at once or not. (A vector of the compilers'
 /// own: g++, clang.)
 using Four [[gnu::vector_size(32)]] = double;
-
-
 
 /// Rows into columns: first number of each row, second, third, fourth.
 inline void transpose(const Four (&row)[4], Four& first, Four& second, Four& third, Four& fourth)
@@ -22,6 +19,5 @@ inline void transpose(const Four (&row)[4], Four& first, Four& second, Four& thi
     third = __builtin_shufflevector(odd_low, odd_high, 2, 3, 6, 7);
     fourth = __builtin_shufflevector(even_low, even_high, 2, 3, 6, 7);
 }
-
 
 } // namespace flying

@@ -8,7 +8,6 @@
 
 namespace flying {
 
-
 /// A running 64-bit fingerprint of numbers, the same on every machine: equal streams of bits give equal fingerprints,
 /// and two different streams agree by accident once in about 2^64. The mixing step is the finaliser of SplitMix64
 /// (Steele, Lea, Flood, "Fast splittable pseudorandom number generators", 2014).
@@ -38,7 +37,6 @@ public:
 
     [[nodiscard]] std::uint64_t value() const { return state_; }
 
-
     /// A one-to-one scrambling of 64 bits.
     [[nodiscard]] static std::uint64_t mix(std::uint64_t z)
     {
@@ -47,11 +45,9 @@ public:
         return z ^ (z >> 31);
     }
 
-
 private:
     static constexpr std::uint64_t k_odd = 0x9e3779b97f4a7c15ull; // 2^64 over the golden ratio
     std::uint64_t state_ = 0;
 };
-
 
 } // namespace flying

@@ -9,13 +9,10 @@ namespace flying {
 
 namespace {
 
-
 int sign(double x)
 {
     return (x > 0.0 ? 1 : 0) - (x < 0.0 ? 1 : 0);
 }
-
-
 
 /// Sign of a sum of six exact products. An expansion, a list of numbers that overlap in no
 /// bit and grow from term to term, takes up one product after another without loss.
@@ -43,9 +40,7 @@ int sign_of_sum(const std::array<std::array<double, 2>, 6>& factors)
     // [orientation.exact.last]
 }
 
-
 } // namespace
-
 
 int orientation(const Vec2& a, const Vec2& b, const Vec2& c)
 {
@@ -85,6 +80,5 @@ int orientation(const Vec2& a, const Vec2& b, const Vec2& c)
                          {-c.y(), a.x()}}});
     // [orientation.last]
 }
-
 
 } // namespace flying

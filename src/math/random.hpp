@@ -6,7 +6,6 @@
 
 namespace flying {
 
-
 /// A stream of random numbers that a seed fixes, on every machine: SplitMix64 (Steele, Lea, Flood 2014), period 2^64.
 class Random
 {
@@ -28,6 +27,5 @@ public:
 private:
     std::uint64_t state_;
 };
-
 
 } // namespace flying

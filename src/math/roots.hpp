@@ -1,5 +1,7 @@
 #pragma once
 
+// When a parabola falls through zero, and from when to when a straight path lies within a circle.
+
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -9,19 +11,14 @@
 
 namespace flying {
 
-
 /// The time of what doesn't happen.
 inline constexpr double k_never = std::numeric_limits<double>::infinity();
-
-
 
 /// The next double after `x`; x finite and not negative.
 [[nodiscard]] inline double next_after(double x)
 {
     return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x + 0.0) + 1);
 }
-
-
 
 /// When f + f_rate t + bend t^2 / 2 falls through zero: the root at which the rate is
 /// negative; never negative itself for f >= 0, and infinite where there is no such root.
@@ -41,8 +38,6 @@ inline constexpr double k_never = std::numeric_limits<double>::infinity();
     return bend < 0.0 ? (f_rate + root) / -bend : k_never;
 }
 
-
-
 /// From when to when a point on a straight path lies within a circle about the origin.
 /// Empty: `enter` is infinite.
 struct Passage
@@ -50,8 +45,6 @@ struct Passage
     double enter = k_never; ///< [s] from now; negative where the point is inside already
     double leave = -k_never; ///< [s] from now
 };
-
-
 
 /// x  where the point is now [m]; v  its velocity [m/s]; radius  of the circle, >= 0 [m]
 ///
@@ -68,13 +61,10 @@ struct Passage
     const double discriminant = (reach - miss) * (reach + miss);
     if (!(discriminant >= 0.0)) return {};
 
-
     const double b = x.dot(v);
     const double root = std::sqrt(discriminant);
     if (b < 0.0) return {outside / (root - b), (root - b) / v2};
     return {-(root + b) / v2, -outside / (root + b)};
-
 }
-
 
 } // namespace flying

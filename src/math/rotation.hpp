@@ -5,7 +5,6 @@
 
 namespace flying {
 
-
 /// A turn of the plane, as the cosine and the sine of its angle.
 struct Rotation
 {
@@ -20,15 +19,11 @@ struct Rotation
     }
 };
 
-
-
 /// `a` turned by the rotation.
 [[nodiscard]] inline Vec2 operator*(const Rotation& q, const Vec2& a)
 {
     return Vec2(q.cosine * a.x() - q.sine * a.y(), q.sine * a.x() + q.cosine * a.y());
 }
-
-
 
 /// One turn after another: (p * q) * a equals p * (q * a) to rounding.
 [[nodiscard]] inline Rotation operator*(const Rotation& p, const Rotation& q)
@@ -39,8 +34,6 @@ struct Rotation
 /// The turn back.
 [[nodiscard]] inline Rotation inverse(const Rotation& q) { return {q.cosine, -q.sine}; }
 
-
-
 /// Where a body's own frame lies in the world.
 struct Pose
 {
@@ -50,6 +43,5 @@ struct Pose
     /// A point given in the body's frame, in the world's.
     [[nodiscard]] Vec2 operator*(const Vec2& local) const { return position + rotation * local; }
 };
-
 
 } // namespace flying

@@ -6,7 +6,6 @@
 
 namespace flying {
 
-
 /// A step that can't pass a root: for every function with f(0) = f, f'(0) = f_rate and
 /// |f''| <= bend on the way, f stays positive on (0, step).  [unit of time]
 ///
@@ -25,6 +24,5 @@ namespace flying {
     }
     return bend > 0.0 ? (f_rate + root) / bend : k_never;
 }
-
 
 } // namespace flying

@@ -13,7 +13,6 @@ namespace flying {
 
 namespace {
 
-
 /// An angle as `quarters` times pi/2 and a rest in [-pi/4, pi/4], to rounding.
 struct ReducedAngle
 {
@@ -31,8 +30,6 @@ constexpr double k_quarters_per_radian = 0x1.45f306dc9c883p-1; // 2/pi
 /// Added to a number below 2^51, it pushes the fraction out of the last place and leaves the nearest whole number
 /// there.
 constexpr double k_rounder = 0x1.8p52;
-
-
 
 /// Reduction for |angle| <= 2^20. The two first parts of pi/2 have 33 bits, so that their products with the number of
 /// quarters, of 20 bits at most, are exact.
@@ -53,8 +50,6 @@ ReducedAngle reduce_near(double angle)
     const Exact rest = two_sum(fine.rounded, tail);
     return {rest.rounded, rest.error, std::bit_cast<std::uint64_t>(pushed)};
 }
-
-
 
 /// Reduction for any positive angle up to 2^53, and for those that lie so near a multiple of pi/2 that the short way
 /// runs out of digits. Four parts of 53 bits, exact products, and a sum that carries its errors along (Ogita, Rump,
@@ -93,8 +88,6 @@ ReducedAngle reduce_far(double angle)
         quarters += more;
     }
 }
-
-
 
 /// 1, -1/(3 2), 1/(5 4 3 2), ...: the Taylor series of the sine over x, in powers of x^2, after its first term.
 constexpr std::array<double, 8> k_sine = {
@@ -148,8 +141,6 @@ Sums<Number> series(Number x, Number tail)
     return {sine, cosine};
 }
 
-
-
 /// Turns (cosine, sine) by a number of quarters.
 SineCosine turned(const Sums<double>& sc, std::uint64_t quarters)
 {
@@ -164,8 +155,6 @@ SineCosine turned(const Sums<double>& sc, std::uint64_t quarters)
             std::bit_cast<double>(std::bit_cast<std::uint64_t>(cosine) ^ cosine_sign)};
 }
 
-
-
 /// The long way round, for what is rare. Positive angles only, so that the sine is odd to the bit.
 SineCosine sine_cosine_far(double angle)
 {
@@ -174,9 +163,7 @@ SineCosine sine_cosine_far(double angle)
     return {angle < 0.0 ? -sc.sine : sc.sine, sc.cosine};
 }
 
-
 } // namespace
-
 
 SineCosine sine_cosine(double angle)
 {

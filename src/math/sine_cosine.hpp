@@ -4,7 +4,6 @@
 
 namespace flying {
 
-
 /// Sine and cosine of one angle.
 struct SineCosine
 {

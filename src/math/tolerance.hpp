@@ -2,7 +2,6 @@
 
 #include <limits>
 
-
 /// Every tolerance of the engine, each with its unit and its reason. All are pure numbers: each is multiplied by a
 /// length, time or speed taken from the shapes at hand, so that no scale is built in.
 namespace flying::tolerance {
@@ -61,6 +60,5 @@ inline constexpr double k_least_coordinate = 1e-140;
 
 /// [units of length] The fourth power of this length, with twice the digits, is a double still.
 inline constexpr double k_least_size = 1e-72;
-
 
 } // namespace flying::tolerance

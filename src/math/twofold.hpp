@@ -4,7 +4,6 @@
 
 namespace flying {
 
-
 /// A number carried with twice the digits, as a double and the much smaller rest: relative
 /// error of a sum, product or quotient below 2^-100, given that the products' bounds of
 /// math/exact.hpp hold. Sums of terms with both signs keep their digits where plain doubles
@@ -21,7 +20,6 @@ struct Twofold
     /// The nearest double.
     [[nodiscard]] double rounded() const { return upper + lower; }
 
-
     friend Twofold operator-(const Twofold& a)
     {
         Twofold negative;
@@ -29,8 +27,6 @@ struct Twofold
         negative.lower = -a.lower;
         return negative;
     }
-
-
 
     friend Twofold operator+(const Twofold& a, const Twofold& b)
     {
@@ -41,11 +37,7 @@ struct Twofold
         return two_sum_ordered(sum.rounded, sum.error + lower_sum.error);
     }
 
-
-
     friend Twofold operator-(const Twofold& a, const Twofold& b) { return a + -b; }
-
-
 
     friend Twofold operator*(const Twofold& a, const Twofold& b)
     {
@@ -53,8 +45,6 @@ struct Twofold
         const double crossed = a.upper * b.lower + a.lower * b.upper;
         return two_sum_ordered(product.rounded, product.error + crossed);
     }
-
-
 
     /// b not zero.
     friend Twofold operator/(const Twofold& a, const Twofold& b)
@@ -67,8 +57,6 @@ struct Twofold
         return Twofold(two_sum_ordered(first, second)) +
                Twofold(left_after.upper / b.upper);
     }
-
 };
-
 
 } // namespace flying

@@ -6,7 +6,6 @@
 
 namespace flying {
 
-
 /// No outside force: bodies fly straight.
 struct NoField
 {
@@ -31,16 +30,12 @@ struct CentralField
 /// What acts on bodies from outside.
 using Field = std::variant<NoField, UniformField, CentralField>;
 
-
-
 /// Acceleration in a field that is the same everywhere; zero in any other.  [m/s^2]
 [[nodiscard]] inline Vec2 uniform_acceleration(const Field& field)
 {
     const auto* uniform = std::get_if<UniformField>(&field);
     return uniform ? uniform->gravity : Vec2(Vec2::Zero());
 }
-
-
 
 /// Acceleration at a place, which isn't the centre.  [m/s^2]
 [[nodiscard]] inline Vec2 acceleration_at(const Field& field, const Vec2& place)
@@ -59,6 +54,5 @@ using Field = std::variant<NoField, UniformField, CentralField>;
     const auto* central = std::get_if<CentralField>(&field);
     return central ? -central->mu / (place - central->centre).norm() : -uniform_acceleration(field).dot(place);
 }
-
 
 } // namespace flying

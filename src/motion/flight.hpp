@@ -4,15 +4,12 @@
 
 namespace flying {
 
-
 /// Where a point is that started at x with velocity v, a time t later, under g.   [m]
 [[nodiscard]] inline Vec2 position_after(const Vec2& x, const Vec2& v, const Vec2& g,
                                          double t)
 {
     return x + t * (v + (0.5 * t) * g);
 }
-
-
 
 /// The body at another moment, under a constant acceleration. Closed form: the error is
 /// rounding, however far the step.
@@ -30,6 +27,5 @@ namespace flying {
     after.time = time;
     return after;
 }
-
 
 } // namespace flying

@@ -14,7 +14,6 @@ namespace flying {
 
 namespace {
 
-
 /// e^x for x >= 0, with the same bits everywhere; infinite beyond the range of doubles.
 [[nodiscard]] double exponential(double x)
 {
@@ -34,8 +33,6 @@ namespace {
     const double series = 1.0 + (rest + 0.5 * rest * rest * (1.0 + tail));
     return series * std::bit_cast<double>(static_cast<std::uint64_t>(doublings + 1023.0) << 52);
 }
-
-
 
 /// The four functions of which flights are made: G0 = 1 - beta G2, G1 = s - beta G3, and each is the derivative of the
 /// next by s. On an ellipse they are made of sine and cosine, on a hyperbola of their hyperbolic sisters; on a parabola
@@ -105,8 +102,6 @@ constexpr std::array<double, 11> k_third = {1.0 / 6.0,
     return {1.0 + versed, g1, versed / -beta, (g1 - s) / -beta};
 }
 
-
-
 /// Square root with twice the digits; a > 0.
 [[nodiscard]] Twofold square_root(const Twofold& a)
 {
@@ -120,9 +115,7 @@ constexpr std::array<double, 11> k_third = {1.0 / 6.0,
     return Twofold(two_product(a.x(), a.x())) + Twofold(two_product(a.y(), a.y()));
 }
 
-
 } // namespace
-
 
 /// How far a flight has come.
 struct KeplerFlight::Progress
@@ -132,8 +125,6 @@ struct KeplerFlight::Progress
     double distance;      ///< from the centre [m]
     double distance_rate; ///< its derivative by s [m^2/s]
 };
-
-
 
 KeplerFlight::KeplerFlight(const PointMotion& start, double mu) : start_(start), mu_(mu)
 {
@@ -146,8 +137,6 @@ KeplerFlight::KeplerFlight(const PointMotion& start, double mu) : start_(start),
     binding_tail_ = binding.lower;
     root_ = std::sqrt(std::abs(binding_));
 }
-
-
 
 /// Eccentricity, rounded upwards: it is the root of a difference that vanishes on a circle.
 double KeplerFlight::greatest_eccentricity() const
@@ -179,8 +168,6 @@ double KeplerFlight::greatest_speed(double r) const
     return speed2 > 0.0 ? k_upwards * std::sqrt(speed2) : 0.0;
 }
 
-
-
 /// s          grows along the flight by dt / r [s/m]
 /// direction  +1 into the future, -1 into the past
 KeplerFlight::Progress KeplerFlight::progress(double s, double direction) const
@@ -193,8 +180,6 @@ KeplerFlight::Progress KeplerFlight::progress(double s, double direction) const
     now.distance_rate = outward * g.g0 + (mu_ - binding_ * distance_) * g.g1;
     return now;
 }
-
-
 
 /// What is left of t > 0 after the nearest whole number of turns; t itself off the ellipse, or within half a turn.
 double KeplerFlight::less_whole_turns(double t) const
@@ -211,8 +196,6 @@ double KeplerFlight::less_whole_turns(double t) const
     const Twofold period = Twofold(two_sum_ordered(k_turn, k_turn_tail)) * Twofold(mu_) / (beta * square_root(beta));
     return (Twofold(t) - Twofold(turns) * period).rounded();
 }
-
-
 
 /// Where to look for the s at which the time is t > 0.
 double KeplerFlight::first_guess(double t, double outward) const
@@ -253,8 +236,6 @@ double KeplerFlight::first_guess(double t, double outward) const
     return guess;
 }
 
-
-
 /// The s at which the time is t > 0. The time grows with s, for its derivative is the distance: steps of third order
 /// (Halley), kept between the last s that was too early and the last that was too late.
 double KeplerFlight::solve(double t, double direction) const
@@ -291,8 +272,6 @@ double KeplerFlight::solve(double t, double direction) const
     return s;
 }
 
-
-
 PointMotion KeplerFlight::after(double t) const
 {
     // Backwards is forwards with the velocity turned round
@@ -319,8 +298,6 @@ PointMotion KeplerFlight::after(double t) const
     return {x + (f_less_1 * x + g * v), direction * (v + (f_rate * x + g_rate_less_1 * v))};
 }
 
-
-
 BodyState flight(const BodyState& body, const CentralField& field, double time)
 {
     const double t = time - body.time;
@@ -339,6 +316,5 @@ BodyState flight(const BodyState& body, const Field& field, double time)
     const auto* central = std::get_if<CentralField>(&field);
     return central ? flight(body, *central, time) : flight(body, uniform_acceleration(field), time);
 }
-
 
 } // namespace flying

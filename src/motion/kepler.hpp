@@ -5,15 +5,12 @@
 
 namespace flying {
 
-
 /// Where a point is and how it moves, as seen from the centre of a central field.
 struct PointMotion
 {
     Vec2 position = Vec2::Zero(); ///< [m]
     Vec2 velocity = Vec2::Zero(); ///< [m/s]
 };
-
-
 
 /// A point's flight under the pull -mu x / |x|^3 of a centre that stays where it is. One closed form for every regime:
 /// ellipse, parabola, hyperbola, straight in and straight out (universal variables: Stiefel, Scheifele, "Linear and
@@ -59,8 +56,6 @@ private:
     double root_;         // of |binding| [m/s]
 };
 
-
-
 /// The body at another moment, under the pull of a centre. Its spin stays as it is: the
 /// pull acts at the centre of mass.
 /// body  not at the centre; time  any moment [s]
@@ -70,6 +65,5 @@ private:
 /// The body at another moment, in any field.
 /// body  one that moves freely: static bodies feel no field; time  any moment [s]
 [[nodiscard]] BodyState flight(const BodyState& body, const Field& field, double time);
-
 
 } // namespace flying

@@ -1,3 +1,5 @@
+// The hand as it draws new bodies and adds them to the run.
+
 #include <algorithm>
 #include <numbers>
 #include <string>

@@ -10,22 +10,17 @@
 
 namespace flying {
 
-
 Material combine(const Material& a, const Material& b)
 {
     return {std::max(a.restitution, b.restitution), std::sqrt(a.friction * b.friction)};
 }
 
-
 namespace {
-
 
 // After this many rounds the points are stopped instead of thrown back. Two frictionless corners need pi over the angle
 // between their normals, measured with the masses: a handful for any body that isn't a needle
 constexpr int k_rounds = 64;
 constexpr int k_closing_rounds = 16;
-
-
 
 // All speeds at hand, of which rounding takes its share [m/s]
 double speed_at_hand(std::span<const PointFrame> points, const PairMotion& motion)
@@ -39,8 +34,6 @@ double speed_at_hand(std::span<const PointFrame> points, const PairMotion& motio
     const double shift = motion.velocity_a.cwiseAbs().sum() + motion.velocity_b.cwiseAbs().sum();
     return shift + (std::abs(motion.spin_a) * arm_a + std::abs(motion.spin_b) * arm_b);
 }
-
-
 
 // The push at one point that approaches
 PairPush push_at_one(const PointFrame& point, const PairMotion& motion, const PairInertia& inertia,
@@ -61,14 +54,10 @@ PairPush push_at_one(const PointFrame& point, const PairMotion& motion, const Pa
     return push;
 }
 
-
-
 ImpactResult result_of(const PairMotion& motion, bool any_push, bool ended)
 {
     return {motion.velocity_a, motion.velocity_b, motion.spin_a, motion.spin_b, any_push, ended};
 }
-
-
 
 ImpactResult resolve_rounds(std::span<const PointFrame> points, PairMotion motion, const PairInertia& inertia,
                             const Material& material)
@@ -107,8 +96,6 @@ ImpactResult resolve_rounds(std::span<const PointFrame> points, PairMotion motio
     return result_of(motion, true, std::none_of(points.begin(), points.end(), approaches));
 }
 
-
-
 ImpactResult resolve_single(const PointFrame& point, const PairMotion& motion, const PairInertia& inertia,
                             const Material& material)
 {
@@ -125,9 +112,7 @@ ImpactResult resolve_single(const PointFrame& point, const PairMotion& motion, c
     return resolve_rounds({&point, 1}, after, inertia, material);
 }
 
-
 } // namespace
-
 
 ImpactResult resolve_impact(const ImpactBody& a, const ImpactBody& b, std::span<const ImpactPoint> points,
                             const Material& material)
@@ -141,6 +126,5 @@ ImpactResult resolve_impact(const ImpactBody& a, const ImpactBody& b, std::span<
     for (const ImpactPoint& point : points) frames.push_back(frame_at(point));
     return resolve_rounds(frames, motion, inertia, material);
 }
-
 
 } // namespace flying

@@ -6,7 +6,6 @@
 
 namespace flying {
 
-
 /// One point at which two bodies A and B touch at the moment of an impact.
 struct ImpactPoint
 {
@@ -15,8 +14,6 @@ struct ImpactPoint
     Vec2 normal = Vec2::Zero(); ///< unit vector from A to B
 };
 
-
-
 /// Spin and velocity of one body, and what resists their change.
 struct ImpactBody
 {
@@ -24,8 +21,6 @@ struct ImpactBody
     double spin = 0.0;            ///< [rad/s]
     Inertia inertia;
 };
-
-
 
 /// What an impact did.
 struct ImpactResult
@@ -38,12 +33,8 @@ struct ImpactResult
     bool ended = true;              ///< no point still approaches; false where rounds ran out
 };
 
-
-
 /// A pair's material: the larger restitution and the geometric mean of the frictions.
 [[nodiscard]] Material combine(const Material& a, const Material& b);
-
-
 
 /// The velocities after two bodies struck each other at one or several points at once.
 ///
@@ -58,6 +49,5 @@ struct ImpactResult
 /// material  of the pair: restitution 0 ... 1, friction >= 0
 [[nodiscard]] ImpactResult resolve_impact(const ImpactBody& a, const ImpactBody& b, std::span<const ImpactPoint> points,
                                           const Material& material);
-
 
 } // namespace flying

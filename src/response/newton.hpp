@@ -2,7 +2,6 @@
 
 namespace flying {
 
-
 /// Impulse along the normal that ends an approach without friction, by Newton's law.  [N s]
 ///
 /// v_n  normal speed of B relative to A, negative when approaching                     [m/s]
@@ -16,6 +15,5 @@ namespace flying {
 
     return -(1.0 + e) * v_n / w_n;
 }
-
 
 } // namespace flying

@@ -6,7 +6,6 @@
 
 namespace flying {
 
-
 PointResponse response_at(const PointFrame& frame, const PairInertia& inertia)
 {
     const PushLine& n = frame.normal;
@@ -28,10 +27,7 @@ PointResponse response_at(const PointFrame& frame, const PairInertia& inertia)
     return response;
 }
 
-
-
 namespace {
-
 
 // Friction that leaves the normal alone: stop the slip if the cone allows
 PointImpulse uncoupled_impulse(const PointResponse& w, double v_n, double v_t, const Material& material)
@@ -40,8 +36,6 @@ PointImpulse uncoupled_impulse(const PointResponse& w, double v_n, double v_t, c
     const double most = material.friction * j;
     return {j, std::clamp(-v_t / w.w_t, -most, most)};
 }
-
-
 
 // The two stretches of a coupled impact, over the normal impulse: first slip as it came in,
 // then what follows its end
@@ -54,8 +48,6 @@ struct Course
     double rate_step; // rate_first - rate_then, without cancellation where it sticks [1/kg]
     bool sticks;      // after the slip has ended; else it slips back
 };
-
-
 
 Course course_of(const PointResponse& w, double v_t, double mu)
 {
@@ -85,8 +77,6 @@ Course course_of(const PointResponse& w, double v_t, double mu)
     return course;
 }
 
-
-
 // Normal impulse at which restitution has given back e^2 of the work that compression took
 double final_impulse(const Course& course, double v_n, double e)
 {
@@ -114,9 +104,7 @@ double final_impulse(const Course& course, double v_n, double e)
     return j_s + (out - v_s) / k_then;
 }
 
-
 } // namespace
-
 
 PointImpulse one_point_impulse(const PointResponse& w, double v_n, double v_t, const Material& material)
 {
@@ -141,6 +129,5 @@ PointImpulse one_point_impulse(const PointResponse& w, double v_n, double v_t, c
     const double q_first = -course.slip_sign * (mu * course.slip_end);
     return {j, q_first - back_sign * (mu * (j - course.slip_end))};
 }
-
 
 } // namespace flying

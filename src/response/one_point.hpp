@@ -5,7 +5,6 @@
 
 namespace flying {
 
-
 /// How a point gives way: changes of normal and tangential speed per unit of impulse.
 ///
 ///     d v_n = w_n d j + w_nt d q          j normal, q tangential impulse          [N s]
@@ -18,8 +17,6 @@ struct PointResponse
     double determinant = 0.0; ///< w_n w_t - w_nt^2 > 0, without the cancellation [1/kg^2]
 };
 
-
-
 /// Impulses at one point.
 struct PointImpulse
 {
@@ -27,12 +24,8 @@ struct PointImpulse
     double tangent = 0.0; ///< at most mu times the normal one in size [N s]
 };
 
-
-
 /// The response of two bodies at a point.
 [[nodiscard]] PointResponse response_at(const PointFrame& frame, const PairInertia& inertia);
-
-
 
 /// Impulses of a planar impact with Coulomb's friction at one point, in closed form.
 ///
@@ -43,6 +36,5 @@ struct PointImpulse
 /// Nothing happens where the point is not approaching. The work of both impulses together is never positive.
 [[nodiscard]] PointImpulse one_point_impulse(const PointResponse& response, double v_n, double v_t,
                                              const Material& material);
-
 
 } // namespace flying

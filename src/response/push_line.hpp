@@ -7,7 +7,6 @@
 
 namespace flying {
 
-
 /// The velocities of the two bodies of an impact.
 struct PairMotion
 {
@@ -16,8 +15,6 @@ struct PairMotion
     double spin_a = 0.0;            ///< [rad/s]
     double spin_b = 0.0;            ///< [rad/s]
 };
-
-
 
 /// What resists a push between the two bodies of an impact.
 struct PairInertia
@@ -29,8 +26,6 @@ struct PairInertia
     [[nodiscard]] double inv_mass() const { return a.inv_mass + b.inv_mass; }
 };
 
-
-
 /// The line along which two bodies push each other: a direction and two arms.
 struct PushLine
 {
@@ -39,16 +34,12 @@ struct PushLine
     double arm_b = 0.0;            ///< r_b x direction [m]
 };
 
-
-
 /// Normal and tangent at one point. The tangent is the normal, turned a quarter counter-clockwise.
 struct PointFrame
 {
     PushLine normal;
     PushLine tangent;
 };
-
-
 
 /// Arm of a push along unit vector n at r. [m]
 ///
@@ -61,8 +52,6 @@ struct PointFrame
     return std::abs(arm) <= tolerance::k_central * std::abs(depth) ? 0.0 : arm;
 }
 
-
-
 /// Normal and tangent at a point, with the arms of pushes along them. r x perp(n) is r.n.
 [[nodiscard]] inline PointFrame frame_at(const ImpactPoint& point)
 {
@@ -70,8 +59,6 @@ struct PointFrame
     return {{n, normal_arm(point.r_a, n), normal_arm(point.r_b, n)},
             {perp(n), point.r_a.dot(n), point.r_b.dot(n)}};
 }
-
-
 
 /// Speed of B's point relative to A's, seen along a line.  [m/s]
 ///
@@ -85,8 +72,6 @@ struct PointFrame
     return shift + turn;
 }
 
-
-
 /// Change of the speed along a line for one N s along it: the inverse of its effective mass.  [1/kg]
 ///
 /// 1/m_a + 1/m_b + (r_a x n)^2/I_a + (r_b x n)^2/I_b, for a direction n of length 1.
@@ -97,8 +82,6 @@ struct PointFrame
     return inertia.inv_mass() + (turn_a + turn_b);
 }
 
-
-
 /// Change of the speed along `seen` for one N s along `pushed`; symmetric.  [1/kg]
 [[nodiscard]] inline double coupling(const PushLine& seen, const PushLine& pushed, const PairInertia& inertia)
 {
@@ -107,8 +90,6 @@ struct PointFrame
     const double turn_b = inertia.b.inv_moment_of_inertia * (seen.arm_b * pushed.arm_b);
     return shift + (turn_a + turn_b);
 }
-
-
 
 /// A sum of pushes: impulse on B, and moments about both centres. A takes the opposite.
 struct PairPush
@@ -126,8 +107,6 @@ struct PairPush
     }
 };
 
-
-
 /// The motion after a push.
 [[nodiscard]] inline PairMotion pushed(const PairMotion& motion, const PairPush& push,
                                        const PairInertia& inertia)
@@ -137,6 +116,5 @@ struct PairPush
             motion.spin_a - inertia.a.inv_moment_of_inertia * push.moment_a,
             motion.spin_b + inertia.b.inv_moment_of_inertia * push.moment_b};
 }
-
 
 } // namespace flying

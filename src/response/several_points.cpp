@@ -6,7 +6,6 @@
 
 namespace flying {
 
-
 namespace {
 
 bool share_normal(const PointFrame& a, const PointFrame& b)
@@ -42,9 +41,7 @@ std::vector<int> outermost(std::span<const PointFrame> points, std::span<const i
     return kept;
 }
 
-
 namespace {
-
 
 // One edge of a point's friction cone: the normal and, against the slip along +t or -t, a share of the tangent
 struct Edge
@@ -69,8 +66,6 @@ std::vector<Edge> cone_edges(std::span<const PointFrame> points, double mu)
     }
     return edges;
 }
-
-
 
 using Three = std::array<double, 3>;
 using Square = std::array<Three, 3>;
@@ -102,16 +97,12 @@ Three solve(const Square& a, const Three& b, int size)
     return x;
 }
 
-
-
 // Up to three edges that may carry the whole compression
 struct Trial
 {
     std::array<int, 3> edge{};
     int size = 0;
 };
-
-
 
 // What a trial came to
 struct Outcome
@@ -120,8 +111,6 @@ struct Outcome
     double work = 0.0;     // of all impulses, negative [J]
     bool possible = false; // pushes only, ends every approach, friction against slip
 };
-
-
 
 // The speeds that a trial brings to zero: the normal one of each point, and the tangential one where both edges of a
 // point are in use, which is to stick
@@ -137,8 +126,6 @@ std::array<const PushLine*, 3> stopped_lines(const Trial& trial, std::span<const
     return lines;
 }
 
-
-
 PairMotion motion_after(const Trial& trial, const Three& amount, std::span<const Edge> edges, const PairMotion& motion,
                         const PairInertia& inertia)
 {
@@ -147,12 +134,9 @@ PairMotion motion_after(const Trial& trial, const Three& amount, std::span<const
     return pushed(motion, push, inertia);
 }
 
-
-
 Outcome try_edges(const Trial& trial, std::span<const Edge> edges, std::span<const PointFrame> points,
                   const PairMotion& motion, const PairInertia& inertia, double rounding)
 {
-
     // Find the amounts that stop the chosen lines
     const std::array<const PushLine*, 3> lines = stopped_lines(trial, edges, points);
     Square response{};
@@ -172,8 +156,6 @@ Outcome try_edges(const Trial& trial, std::span<const Edge> edges, std::span<con
     const Three more = solve(response, left, trial.size);
     for (int i = 0; i < trial.size; ++i) outcome.amount[i] += more[i];
 
-
-
     // Contact pushes only
     for (int i = 0; i < trial.size; ++i)
         if (!(outcome.amount[i] >= 0.0)) return outcome;
@@ -191,7 +173,6 @@ Outcome try_edges(const Trial& trial, std::span<const Edge> edges, std::span<con
         if (!both && edge.lean * speed_along(point.tangent, after) > std::abs(edge.lean) * rounding) return outcome;
     }
 
-
     // Impulse times the mean of the speeds before and after is work
     for (int i = 0; i < trial.size; ++i) {
         const PushLine& line = edges[trial.edge[i]].line;
@@ -200,8 +181,6 @@ Outcome try_edges(const Trial& trial, std::span<const Edge> edges, std::span<con
     outcome.possible = true;
     return outcome;
 }
-
-
 
 // All choices of `size` edges, in order
 std::vector<Trial> choices(int edges, int size)
@@ -217,8 +196,6 @@ std::vector<Trial> choices(int edges, int size)
     return trials;
 }
 
-
-
 // Impulses at each point
 struct Impulses
 {
@@ -226,8 +203,6 @@ struct Impulses
     std::vector<double> tangent; // [N s]
     bool found = false;
 };
-
-
 
 // The impulses that end the approach; none where no trial succeeds.
 //
@@ -270,8 +245,6 @@ Impulses compression(std::span<const PointFrame> points, const PairMotion& motio
     return sum;
 }
 
-
-
 // Where rounding lets no choice of three succeed, push the points in turn, without friction, half of what each
 // asks for: slower, safe, and the next round goes on from there
 Impulses cautious_push(std::span<const PointFrame> points, const PairMotion& motion, const PairInertia& inertia)
@@ -286,9 +259,7 @@ Impulses cautious_push(std::span<const PointFrame> points, const PairMotion& mot
     return impulses;
 }
 
-
 } // namespace
-
 
 PairPush push_at_several(std::span<const PointFrame> points, const PairMotion& motion, const PairInertia& inertia,
                          const Material& material, double speed, Rebound rebound)
@@ -329,6 +300,5 @@ PairPush push_at_several(std::span<const PointFrame> points, const PairMotion& m
     push.moment_b += part * rough.moment_b;
     return push;
 }
-
 
 } // namespace flying

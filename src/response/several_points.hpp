@@ -7,7 +7,6 @@
 
 namespace flying {
 
-
 /// The points that bear the impact of others with (nearly) the same normal: of each such group the two outermost along
 /// the tangent, or one where they coincide. Between two points of one normal the normal speed is linear: what
 /// stops the two stops the rest.
@@ -16,16 +15,12 @@ namespace flying {
 /// chosen  indices into `points` of those to look at; kept in their order
 [[nodiscard]] std::vector<int> outermost(std::span<const PointFrame> points, std::span<const int> chosen);
 
-
-
 /// Which points an impact pushes, and how the push is turned into rebound.
 enum class Rebound
 {
     by_restitution, ///< impulses (1 + e) times those that stop the points
     none            ///< the points are stopped, and nothing more
 };
-
-
 
 /// The push that two bodies give each other at several points at once, approaching or resting on each other.
 ///
@@ -44,6 +39,5 @@ enum class Rebound
 [[nodiscard]] PairPush push_at_several(std::span<const PointFrame> points, const PairMotion& motion,
                                        const PairInertia& inertia, const Material& material, double speed,
                                        Rebound rebound);
-
 
 } // namespace flying

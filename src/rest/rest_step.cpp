@@ -1,3 +1,5 @@
+// One step of the resting engine, and its parts where it has to end early.
+
 #include <algorithm>
 #include <cmath>
 

@@ -44,7 +44,6 @@ std::size_t edit_distance(std::string_view a, std::string_view b)
 
 } // namespace
 
-
 std::string nearest_word(std::string_view word, const std::vector<std::string>& known)
 {
     // A word this long was not meant for any of ours, and comparing it would take its time
@@ -62,6 +61,5 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
     }
     return nearest;
 }
-
 
 } // namespace flying

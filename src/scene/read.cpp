@@ -73,7 +73,6 @@ std::string label_of_body(const std::string& name, std::size_t index)
     return name.empty() ? "body " + std::to_string(index) : "body " + in_quotes(name);
 }
 
-
 ShapeDef read_shape(TableReader shape)
 {
     constexpr const char* k_length = "a positive length [m]";
@@ -118,7 +117,6 @@ ShapeDef read_shape(TableReader shape)
     if (!kind.empty()) shape.refuse_unknown_keys();
     return def;
 }
-
 
 BodyDef read_body(FaultList& faults, const toml::table& table, std::size_t index)
 {
@@ -208,7 +206,6 @@ struct Reading
     std::vector<Part> bodies;
 };
 
-
 Reading read_all(FaultList& faults, const toml::table& root)
 {
     Reading reading;
@@ -234,7 +231,6 @@ Reading read_all(FaultList& faults, const toml::table& root)
     top.refuse_unknown_keys();
     return reading;
 }
-
 
 /// A place in a scene, such as `body[3].shape.vertices[2]`, and where it stands in the text.
 struct Located
@@ -287,8 +283,6 @@ Located locate(const toml::table& root, const Scene& scene, const std::string& p
     return located;
 }
 
-
-
 /// Whether a fault of body k is one of what could not be read, or hangs on it.
 bool hangs_on_lost(const FaultList& faults, const Reading& reading, std::size_t k, const std::string& label)
 {
@@ -323,8 +317,6 @@ void check_alone(FaultList& faults, const toml::table& root, const Reading& read
     }
 }
 
-
-
 /// The world's own faults with the parts that could be read: nothing is reported of numbers that the file doesn't have.
 void check(FaultList& faults, const toml::table& root, const Reading& reading)
 {
@@ -349,10 +341,7 @@ void check(FaultList& faults, const toml::table& root, const Reading& reading)
     }
 }
 
-
-
 } // namespace
-
 
 Expected<Scene> read_scene_text(std::string_view text, const std::string& filename)
 {
@@ -377,6 +366,5 @@ Expected<Scene> read_scene_text(std::string_view text, const std::string& filena
     if (faults.size() > 0) return faults.in_order();
     return std::move(reading.scene);
 }
-
 
 } // namespace flying

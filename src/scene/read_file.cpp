@@ -1,3 +1,5 @@
+// A scene from a file.
+
 #include <cerrno>
 #include <cstring>
 #include <filesystem>

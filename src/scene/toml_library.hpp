@@ -1,5 +1,7 @@
 #pragma once
 
+// toml++ as this module uses it.
+
 // Before the library: what follows must not reach into these
 #include <cassert>
 #include <charconv>
@@ -54,7 +56,6 @@ TOML_IMPL_NAMESPACE_START
         value = read;
         return {first + (end - text.c_str()), {}};
     }
-
     }
 }
 TOML_IMPL_NAMESPACE_END;

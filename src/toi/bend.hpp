@@ -6,7 +6,6 @@
 
 namespace flying {
 
-
 /// Bound on the second derivative of a gap: of a point of body P over a line that turns
 /// with body Q.  [m/s^2]
 ///
@@ -26,6 +25,5 @@ namespace flying {
     const double turn = spin_p - spin_q;
     return (of_flight + turn * turn * arm) * (1.0 + tolerance::k_bend_margin);
 }
-
 
 } // namespace flying

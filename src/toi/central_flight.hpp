@@ -9,7 +9,6 @@
 
 namespace flying {
 
-
 /// The path of one body as seen from a centre: round it where the body moves, or one place where it is static.
 class CentralPath
 {
@@ -20,11 +19,8 @@ public:
         if (flyer.central) orbit_.emplace(PointMotion{still_.position, flyer.state.velocity}, field.mu);
     }
 
-
     /// time  of the world's clock [s]
     [[nodiscard]] PointMotion at(double time) const { return orbit_ ? orbit_->after(time - time_) : still_; }
-
-
 
     /// What can be said of the near future without following the path.
     struct Outlook
@@ -33,8 +29,6 @@ public:
         double nearest = 0.0;      ///< bound on the distance from the centre [m]
         double acceleration = 0.0; ///< bound [m/s^2]
     };
-
-
 
     /// From a place on, the body needs a while to come half as near, however it flies; and
     /// nearer than the nearest point of its orbit it never comes. The pull is no greater than
@@ -51,14 +45,11 @@ public:
         return {always ? k_never : time + half / speed, nearest, mu_ / (nearest * nearest)};
     }
 
-
-
     /// Distances from the centre between which the whole path lies.  [m]
     [[nodiscard]] double nearest() const { return orbit_ ? orbit_->nearest() : still_.position.norm(); }
     [[nodiscard]] double farthest() const { return orbit_ ? orbit_->farthest() : still_.position.norm(); }
     /// Distance from the centre at the state from which the path is known.  [m]
     [[nodiscard]] double start_distance() const { return still_.position.norm(); }
-
 
 private:
     PointMotion still_; // a static body's; of one that moves, only the place counts, at its own time
@@ -67,15 +58,12 @@ private:
     std::optional<KeplerFlight> orbit_;
 };
 
-
-
 /// How body A flies as seen from body B, where at least one of them flies round a centre. Its acceleration isn't
 /// constant: there is a bound on it that holds for a while.
 class CentralPairFlight
 {
 public:
     CentralPairFlight(const Flyer& a, const Flyer& b, const CentralField& field) : a_(a, field), b_(b, field) {}
-
 
     [[nodiscard]] Vec2 offset_at(double time) const
     {
@@ -102,11 +90,9 @@ public:
     [[nodiscard]] const CentralPath& a() const { return a_; }
     [[nodiscard]] const CentralPath& b() const { return b_; }
 
-
     /// The bound on the acceleration that counts from now on.  [m/s^2]
     void set_bound(double bound) { bound_ = bound; }
     [[nodiscard]] double bound() const { return bound_; }
-
 
 private:
 
@@ -120,7 +106,6 @@ private:
         seen_time_ = time;
     }
 
-
     CentralPath a_;
     CentralPath b_;
     double bound_ = 0.0;
@@ -128,8 +113,6 @@ private:
     mutable PointMotion seen_a_;
     mutable PointMotion seen_b_;
 };
-
-
 
 [[nodiscard]] inline double acceleration_bound(const CentralPairFlight& relative)
 {
@@ -139,6 +122,5 @@ private:
 {
     return relative.bound();
 }
-
 
 } // namespace flying

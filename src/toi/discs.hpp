@@ -8,7 +8,6 @@
 
 namespace flying {
 
-
 /// When two discs meet that fly under the same acceleration: the smaller root of a
 /// quadratic, for discs that approach.  [s] from now; infinite where they don't meet
 ///
@@ -31,8 +30,6 @@ namespace flying {
     return std::max(outside / (std::sqrt(discriminant) + approach), 0.0);
 }
 
-
-
 /// When a height above a wall, a parabola in time, falls through zero.
 /// [s] from now; infinite where it doesn't
 ///
@@ -41,6 +38,5 @@ namespace flying {
 {
     return falling_root(std::max(height, 0.0), rate, acceleration);
 }
-
 
 } // namespace flying

@@ -8,7 +8,6 @@
 
 namespace flying {
 
-
 /// What rounding leaves undecided about a pair in flight.
 struct GapTolerance
 {
@@ -16,8 +15,6 @@ struct GapTolerance
     double noise = 0.0;    ///< gap that can't be told from zero: rounding of coordinates and times [m]
     double approach = 0.0; ///< approach slower than this is rounding [m/s]
 };
-
-
 
 /// smaller, larger  radii of the two bodies; equal where one of them is a half-plane [m]
 /// reach            distance from the world's origin to where they might meet [m]
@@ -31,6 +28,5 @@ struct GapTolerance
     const double noise = k_epsilon * (of_places + 2.0 * (speed * std::abs(time)));
     return {k_touch * smaller + noise, 0.25 * noise, k_approach * speed};
 }
-
 
 } // namespace flying

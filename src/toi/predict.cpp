@@ -12,7 +12,6 @@
 namespace flying {
 namespace {
 
-
 /// How far the bodies' points may travel in one window, in radii of the smaller body: long
 /// windows make bounds on the bend loose, short ones are looked at more often.
 constexpr double k_window_travel = 1.0;
@@ -24,8 +23,6 @@ constexpr double k_window_travel = 1.0;
     const double denominator = speed + std::sqrt(speed * speed + 2.0 * acceleration * travel);
     return denominator > 0.0 ? 2.0 * travel / denominator : k_never;
 }
-
-
 
 /// The two bodies of a search, the parts of it that don't change.
 struct Search
@@ -42,8 +39,6 @@ struct Search
     std::span<const Seam> seams_b = {};
 };
 
-
-
 [[nodiscard]] Search make_search(const Flyer& a, double radius_a, const Flyer& b, double radius_b, double tip_speed)
 {
     Search search{a, b, relative_flight(a, b, common_start(a, b)), radius_a, radius_b, 0.0, tip_speed, true, {}, {}};
@@ -51,15 +46,11 @@ struct Search
     return search;
 }
 
-
-
 /// Speed of a body's farthest vertex about its centre.  [m/s]
 [[nodiscard]] double tip_speed(const Polygon& polygon, const Flyer& flyer)
 {
     return std::abs(flyer.state.spin) * polygon.radius();
 }
-
-
 
 /// The next window of turning features, no longer than to `latest`.
 [[nodiscard]] Window next_window(const Search& search, double time, double latest)
@@ -77,7 +68,6 @@ struct Search
     window.speed = speed;
     if (search.acceleration > 0.0) window.speed += search.acceleration * (window.until - time);
 
-
     // Take rounding from the coordinates and speeds in this window
     const Vec2 position = flight(search.flyer_a.state, search.flyer_a.acceleration, time).position;
     const bool b_is_wall = search.radius_b == k_never;
@@ -89,8 +79,6 @@ struct Search
 
     return window;
 }
-
-
 
 [[nodiscard]] Prediction impact(const Strike& strike) { return {Prediction::Kind::impact, strike.time, strike.feature}; }
 [[nodiscard]] Prediction not_before(double time) { return {Prediction::Kind::not_before, time, {}}; }
@@ -129,8 +117,6 @@ template <typename Look>
     return std::nullopt;
 }
 
-
-
 /// Two bodies under one acceleration: their circles overlap in one interval, which a quadratic gives.
 template <typename Look>
 [[nodiscard]] Prediction search_straight(const Search& search, const Look& look, double from,
@@ -155,8 +141,6 @@ template <typename Look>
     return {};
 }
 
-
-
 /// One of the two falls and the other doesn't: safe steps until the circles meet, then windows.
 template <typename Look>
 [[nodiscard]] Prediction search_curved(const Search& search, const Look& look, double from,
@@ -170,7 +154,6 @@ template <typename Look>
         const Vec2 offset = search.relative.offset_at(time);
         const double distance = offset.norm();
         if (distance > radius) {
-
             const double rate = offset.dot(search.relative.rate_at(time)) / distance;
             const double clear = time + safe_step(distance - radius * (1.0 - 0.5 * k_close), rate, search.acceleration);
             if (clear == k_never) return {};
@@ -182,7 +165,6 @@ template <typename Look>
             }
             time = clear;
             continue;
-
         }
         if (windows-- <= 0) return not_before(time);
         const Window window = next_window(search, time, k_never);
@@ -191,16 +173,12 @@ template <typename Look>
     }
 }
 
-
-
 template <typename Look>
 [[nodiscard]] Prediction search_pair(const Search& search, const Look& look, double from, const PredictOptions& options)
 {
     return search.acceleration == 0.0 ? search_straight(search, look, from, options)
                                       : search_curved(search, look, from, options);
 }
-
-
 
 [[nodiscard]] Prediction search(const Disc& a, const Flyer& flyer_a, const Disc& b, const Flyer& flyer_b, double from,
                                 const PredictOptions& options)
@@ -216,8 +194,6 @@ template <typename Look>
     return search_curved(pair, look, from, options);
 }
 
-
-
 [[nodiscard]] Prediction search(const Disc& a, const Flyer& flyer_a, const Polygon& b, const Flyer& flyer_b, double from,
                                 const PredictOptions& options)
 {
@@ -228,8 +204,6 @@ template <typename Look>
     const auto look = [&](const Window& window) { return first_strike(a, b, turning_b, pair.relative, window); };
     return search_pair(pair, look, from, options);
 }
-
-
 
 [[nodiscard]] Prediction search(const Polygon& a, const Flyer& flyer_a, const Polygon& b, const Flyer& flyer_b,
                                 double from, const PredictOptions& options)
@@ -247,8 +221,6 @@ template <typename Look>
     return search_pair(pair, look, from, options);
 }
 
-
-
 [[nodiscard]] Prediction search(const Disc& a, const Flyer& flyer_a, const HalfPlane& b, const Flyer&, double,
                                 const PredictOptions&)
 {
@@ -258,12 +230,9 @@ template <typename Look>
     return wait == k_never ? Prediction{} : impact({MarchEnd::Kind::strike, state.time + wait, {}});
 }
 
-
-
 [[nodiscard]] Prediction search(const Polygon& a, const Flyer& flyer_a, const HalfPlane& b, const Flyer&, double from,
                                 const PredictOptions& options)
 {
-
     // Along the wall nothing matters: keep the motion along its normal
     const Flyer ground;
     Search pair = make_search(flyer_a, a.radius(), ground, k_never, tip_speed(a, flyer_a));
@@ -275,11 +244,9 @@ template <typename Look>
     const double radius = bounding_reach(a.radius());
     const auto look = [&](const Window& window) { return first_strike(a, turning_a, b, pair.relative, window); };
 
-
     int windows = options.windows;
     double time = from;
     for (;;) {
-
         // Wait until the bounding circle comes down to the wall; it may rise and fall once more
         const double height = b.normal.dot(pair.relative.offset_at(time)) - b.offset - radius;
         const double rate = b.normal.dot(pair.relative.rate_at(time));
@@ -306,14 +273,10 @@ template <typename Look>
     }
 }
 
-
-
 template <typename A, typename B>
 concept Ordered = requires(const A& a, const B& b, const Flyer& flyer) { search(a, flyer, b, flyer, 0.0, PredictOptions{}); };
 
-
 } // namespace
-
 
 Prediction predict(const Shape& a, const Flyer& flyer_a, const Shape& b, const Flyer& flyer_b, double from,
                    const PredictOptions& options)
@@ -331,6 +294,5 @@ Prediction predict(const Shape& a, const Flyer& flyer_a, const Shape& b, const F
     };
     return std::visit(visit, a, b);
 }
-
 
 } // namespace flying

@@ -9,7 +9,6 @@
 
 namespace flying {
 
-
 /// Options of a prediction that cost time and change no bit; and what is known of the two bodies beside their shapes.
 struct PredictOptions
 {
@@ -22,20 +21,14 @@ struct PredictOptions
     std::span<const Seam> seams_b = {}; ///< the same of B
 };
 
-
-
 /// Moment from which a pair can be predicted: the later of the two states' own.  [s]
 [[nodiscard]] inline double common_start(const Flyer& a, const Flyer& b)
 {
     return a.state.time > b.state.time ? a.state.time : b.state.time;
 }
 
-
-
 /// Sum of two bounding radii, with room for the rounding of the times at which it is entered and left.  [m]
 [[nodiscard]] inline double bounding_reach(double reach) { return reach * (1.0 + tolerance::k_bounding_margin); }
-
-
 
 /// When two bodies first touch, approaching.
 ///
@@ -47,6 +40,5 @@ struct PredictOptions
 /// An impact is found when its gap is down to the rounding of the coordinates; touching without approach is no impact.
 [[nodiscard]] Prediction predict(const Shape& a, const Flyer& flyer_a, const Shape& b, const Flyer& flyer_b, double from,
                                  const PredictOptions& options = {});
-
 
 } // namespace flying

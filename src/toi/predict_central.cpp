@@ -10,14 +10,11 @@
 namespace flying {
 namespace {
 
-
 /// How far the bodies' points may travel in one window, in radii of the smaller body.
 constexpr double k_window_travel = 1.0;
 
 /// [radii] Circles this close count as met: steps shrink with the gap.
 constexpr double k_close = 1e-6;
-
-
 
 /// Two bodies of a search.
 struct CentralSearch
@@ -31,8 +28,6 @@ struct CentralSearch
     double reach = 0.0;         ///< of the coordinates from which the paths are known [m]
     bool skips_far_vertices = true;
 };
-
-
 
 [[nodiscard]] double radius_of(const Disc& disc)
 {
@@ -57,8 +52,6 @@ struct CentralSearch
     return std::abs(flyer.state.spin) * polygon.radius();
 }
 
-
-
 template <typename A, typename B>
 [[nodiscard]] CentralSearch make_search(const A& a, const Flyer& flyer_a, const B& b, const Flyer& flyer_b)
 {
@@ -73,8 +66,6 @@ template <typename A, typename B>
     return search;
 }
 
-
-
 /// Set the bound on the relative acceleration that holds from `time` on.
 /// Returns until when.  [s]
 double look_ahead(CentralSearch& search, double time)
@@ -85,8 +76,6 @@ double look_ahead(CentralSearch& search, double time)
     relative.set_bound(a.acceleration + b.acceleration);
     return std::min(a.until, b.until);
 }
-
-
 
 /// The next window of features, no longer than to `latest`, up to which the bound that is set holds.
 [[nodiscard]] Window next_window(const CentralSearch& search, double time, double latest)
@@ -103,7 +92,6 @@ double look_ahead(CentralSearch& search, double time)
     window.until = std::max(std::min(latest, time + length), next_after(time));
     window.speed = speed + bound * (window.until - time);
 
-
     // Take rounding from the coordinates and speeds in this window
     const double place = std::max(search.relative.place_a(time).norm(), search.relative.place_b(time).norm());
     const double way = window.speed * (window.until - time);
@@ -114,16 +102,12 @@ double look_ahead(CentralSearch& search, double time)
     return window;
 }
 
-
-
 /// How far apart two bounding circles are, and how fast that changes.
 struct Apart
 {
     double gap = 0.0;  ///< [m]
     double rate = 0.0; ///< [m/s]
 };
-
-
 
 /// Two bodies that keep to rings round the centre that don't overlap never meet.
 [[nodiscard]] bool never_meet(const CentralSearch& search)
@@ -135,8 +119,6 @@ struct Apart
     return a.nearest() - b.farthest() > reach + rounding || b.nearest() - a.farthest() > reach + rounding;
 }
 
-
-
 [[nodiscard]] Apart circles_apart(const CentralSearch& search, double time)
 {
     const Vec2 offset = search.relative.offset_at(time);
@@ -144,8 +126,6 @@ struct Apart
     const double reach = (search.radius_a + search.radius_b) * (1.0 + 0.5 * k_close);
     return {distance - reach, offset.dot(search.relative.rate_at(time)) / distance};
 }
-
-
 
 /// A body that stays within a ring round the centre may never come down to a wall.
 [[nodiscard]] bool never_meet(const CentralSearch& search, const HalfPlane& wall)
@@ -160,8 +140,6 @@ struct Apart
     const double height = wall.normal.dot(search.relative.offset_at(time)) - wall.offset;
     return {height - search.radius_a * (1.0 + 0.5 * k_close), wall.normal.dot(search.relative.rate_at(time))};
 }
-
-
 
 /// Safe steps until the bounding circles meet, then windows; each no longer than its bound on the acceleration holds.
 template <typename Gap, typename Look>
@@ -183,8 +161,6 @@ template <typename Gap, typename Look>
             if (until == k_never) return {};
         }
 
-
-
         // With the skip off, see for ourselves that nothing happens before the circles meet
         while (time < until && !(is_far && options.skips_far_features)) {
             const Window window = next_window(search, time, until);
@@ -200,8 +176,6 @@ template <typename Gap, typename Look>
     }
 }
 
-
-
 /// A disc against a wall.
 [[nodiscard]] Strike strike_on_wall(const Disc& disc, const CentralSearch& search, const HalfPlane& wall,
                                     const Window& window)
@@ -215,8 +189,6 @@ template <typename Gap, typename Look>
     const MarchEnd end = march(read(window.from), read, bounds, window.from, window.until);
     return {end.kind, end.time, {}};
 }
-
-
 
 template <typename A, typename B>
 [[nodiscard]] Prediction search(const A& a, const Flyer& flyer_a, const B& b, const Flyer& flyer_b, double from,
@@ -252,15 +224,11 @@ template <typename A, typename B>
     }
 }
 
-
-
 /// Pairs as the searches take them: discs first, walls last.
 template <typename A, typename B>
 constexpr bool k_ordered = std::is_same_v<A, Disc> ? true : std::is_same_v<A, Polygon> && !std::is_same_v<B, Disc>;
 
-
 } // namespace
-
 
 Prediction predict_central(const Shape& a, const Flyer& flyer_a, const Shape& b, const Flyer& flyer_b, double from,
                            const PredictOptions& options)
@@ -274,6 +242,5 @@ Prediction predict_central(const Shape& a, const Flyer& flyer_a, const Shape& b,
     };
     return std::visit(visit, a, b);
 }
-
 
 } // namespace flying

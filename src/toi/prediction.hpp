@@ -8,7 +8,6 @@
 
 namespace flying {
 
-
 /// A body in free flight: its state at a moment of its own, and the constant acceleration it is
 /// under, or the centre round which it flies.
 struct Flyer
@@ -18,15 +17,11 @@ struct Flyer
     const CentralField* central = nullptr; ///< not owned; null for a static body and where no centre pulls
 };
 
-
-
 /// The flyer at another moment.  time  any [s]
 [[nodiscard]] inline BodyState state_at(const Flyer& flyer, double time)
 {
     return flyer.central ? flight(flyer.state, *flyer.central, time) : flight(flyer.state, flyer.acceleration, time);
 }
-
-
 
 /// What is known of the first impact of a pair.
 struct Prediction
@@ -43,8 +38,6 @@ struct Prediction
     Feature feature;       ///< which features meet, for an impact
 };
 
-
-
 /// The same prediction, its features named from the other side.
 [[nodiscard]] inline Prediction swapped(Prediction prediction)
 {
@@ -53,6 +46,5 @@ struct Prediction
     else if (kind == FeatureKind::vertex_of_b) kind = FeatureKind::vertex_of_a;
     return prediction;
 }
-
 
 } // namespace flying

@@ -8,7 +8,6 @@
 
 namespace flying {
 
-
 /// How one body flies as seen from another that doesn't turn. Differences are taken once, so
 /// that nothing is lost far from the world's origin.
 struct RelativeFlight
@@ -26,16 +25,12 @@ struct RelativeFlight
     [[nodiscard]] Vec2 rate_at(double time) const { return rate + (time - start) * acceleration; }
 };
 
-
-
 /// Bounds on the relative acceleration, and on its part along a normal; both are exact here.  [m/s^2]
 [[nodiscard]] inline double acceleration_bound(const RelativeFlight& relative) { return relative.acceleration.norm(); }
 [[nodiscard]] inline double acceleration_bound(const RelativeFlight& relative, const Vec2& normal)
 {
     return std::abs(normal.dot(relative.acceleration));
 }
-
-
 
 /// start  common_start of the two, or any other moment  [s]
 [[nodiscard]] inline RelativeFlight relative_flight(const Flyer& a, const Flyer& b, double start)
@@ -44,8 +39,6 @@ struct RelativeFlight
     const BodyState at_b = flight(b.state, b.acceleration, start);
     return {start, at_a.position - at_b.position, at_a.velocity - at_b.velocity, a.acceleration - b.acceleration};
 }
-
-
 
 /// How a body turns. One that has no spin has its sines taken once.
 class Turning
@@ -76,6 +69,5 @@ private:
     double time_;
     Rotation still_;
 };
-
 
 } // namespace flying

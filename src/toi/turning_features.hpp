@@ -12,7 +12,6 @@
 
 namespace flying {
 
-
 /// A stretch of time in which the features of one pair are looked at, and what bounds their
 /// motion in it.
 struct Window
@@ -30,8 +29,6 @@ struct Window
     [[nodiscard]] double half() const { return 0.5 * std::max(0.0, std::min(until, horizon) - from); }
 };
 
-
-
 /// First strike of a pair within a window; `tired` where a march gave up at `time`.
 struct Strike
 {
@@ -39,8 +36,6 @@ struct Strike
     double time = k_never;
     Feature feature;
 };
-
-
 
 /// relative  flight of A as seen from B; turning_a, turning_b  how they turn
 /// The features of the answer are named from A's and B's side as they are given here.
@@ -62,6 +57,5 @@ template <typename Relative>
 template <typename Relative>
 [[nodiscard]] Strike first_strike(const Polygon& a, const Turning& turning_a, const HalfPlane& wall,
                                   const Relative& relative, const Window& window);
-
 
 } // namespace flying

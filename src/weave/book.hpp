@@ -1,5 +1,7 @@
 #pragma once
 
+// What `chapters/book.toml` says: chapters, their order, what each needs and tells.
+
 #include <filesystem>
 #include <string>
 #include <vector>

@@ -1,3 +1,5 @@
+// Code in colours, and lines that may break where they are too long.
+
 #include <cctype>
 #include <set>
 #include <string>

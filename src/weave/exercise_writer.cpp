@@ -1,3 +1,5 @@
+// Exercises and their answers as HTML.
+
 #include <filesystem>
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// Sources as Doxygen is given them: with the comments of this project turned into its syntax.
+
 #include <string>
 #include <vector>
 

@@ -1,3 +1,5 @@
+// A map of each module: its files, a line on each, and who calls whom.
+
 #include <algorithm>
 #include <set>
 
@@ -84,9 +86,22 @@ std::string type_of(std::string_view stem)
     return name;
 }
 
-/// The comment of what has the name of the file, as a type or a function; else the first, that of a constant last.
+/// The comment that a file opens with, if it does. Its lines begin with `//`, as it is about no declaration.
+std::string opening_comment(const SourceFile& file)
+{
+    std::size_t at = 0;
+    while (at < file.lines.size() && (file.lines[at].empty() || file.lines[at] == "#pragma once")) ++at;
+    std::vector<std::string> comment;
+    for (; at < file.lines.size() && file.lines[at].starts_with("// "); ++at)
+        comment.push_back(file.lines[at].substr(3));
+    return join(comment, " ");
+}
+
+/// The comment that a file opens with; else that of what has the file's name, as a type or a function; else the first,
+/// that of a constant last.
 std::string chosen_comment(const SourceFile& file, const std::string& stem)
 {
+    if (std::string opening = opening_comment(file); !opening.empty()) return opening;
     constexpr int k_named = 3, k_other = 2, k_constant = 1;
     const std::string type = type_of(stem);
     std::string best;

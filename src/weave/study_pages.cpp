@@ -1,3 +1,5 @@
+// Pages for study: glossary, index, plan, and the figures as files.
+
 #include <algorithm>
 #include <cctype>
 #include <map>

@@ -1,5 +1,7 @@
 #pragma once
 
+// What each chapter has, counted: for the page "The book in numbers" and for `weave check`.
+
 #include <string>
 #include <vector>
 
@@ -7,7 +9,6 @@
 #include "weave/problems.hpp"
 #include "weave/rules.hpp"
 
-/// What each chapter has, counted: for the page "The book in numbers" and for `weave check`.
 namespace flying::weave {
 
 /// Those that a chapter poses.

@@ -1,3 +1,5 @@
+// The main window and files: opening, saving, dialogs.
+
 #include <fmt/format.h>
 #include <giomm/file.h>
 #include <gtkmm/dialog.h>

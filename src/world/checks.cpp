@@ -20,9 +20,7 @@ std::string limits()
     return number_text(k_least_number) + " to " + number_text(k_greatest_number);
 }
 
-
 } // namespace
-
 
 void Checks::fault(std::string_view place, std::string found, std::string expected)
 {
@@ -50,8 +48,6 @@ bool Checks::not_negative(std::string_view place, double x, std::string_view wha
     return false;
 }
 
-
-
 bool Checks::fraction(std::string_view place, double x, std::string_view what)
 {
     if (x >= 0.0 && x <= 1.0 && in_range(x)) return true;
@@ -59,8 +55,6 @@ bool Checks::fraction(std::string_view place, double x, std::string_view what)
           "a " + std::string(what) + " from 0 to 1, and not between 0 and " + number_text(k_least_number));
     return false;
 }
-
-
 
 bool Checks::vector(std::string_view place, const Vec2& a, std::string_view what)
 {
@@ -77,6 +71,5 @@ bool Checks::angle(std::string_view place, double x)
               " with either sign");
     return false;
 }
-
 
 } // namespace flying

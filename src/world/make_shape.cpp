@@ -13,10 +13,7 @@ namespace flying {
 
 namespace {
 
-
 constexpr const char* k_length = "length in m";
-
-
 
 /// Corners at exactly plus and minus half of the sides, so that the centre of mass is the origin without rounding.
 Polygon rectangle(double width, double height)
@@ -25,8 +22,6 @@ Polygon rectangle(double width, double height)
     const double y = 0.5 * height;
     return Polygon({{Vec2(-x, -y), Vec2(x, -y), Vec2(x, y), Vec2(-x, y)}});
 }
-
-
 
 /// The point of the unit circle at the angle pi p / q, 0 <= p < 2 q. Whole numbers fold the angle into the first eighth
 /// of the circle, so that points which mirror one another do so to the bit.
@@ -57,8 +52,6 @@ Polygon regular(int sides, double radius)
     for (int k = 0; k < sides; ++k) ring.push_back(radius * circle_point(2 * static_cast<std::int64_t>(k), sides));
     return Polygon({ring});
 }
-
-
 
 Expected<Shape> make(const DiscDef& def)
 {
@@ -145,14 +138,11 @@ Expected<Shape> make(const PolygonDef& def)
     return faults;
 }
 
-
 } // namespace
-
 
 Expected<Shape> make_shape(const ShapeDef& def)
 {
     return std::visit([](const auto& kind) { return make(kind); }, def);
 }
-
 
 } // namespace flying

@@ -5,13 +5,10 @@
 namespace flying {
 namespace {
 
-
 /// Below this number of moving bodies, looking at all pairs costs less than keeping cells:
 /// measured with discs at packing 0.1, where counted instructions and processor time both
 /// break even between 12 and 20.
 constexpr int k_fewest_for_grid = 16;
-
-
 
 constexpr const char* k_grid = "grid";
 constexpr const char* k_static_pairs = "static-pairs";
@@ -30,8 +27,6 @@ constexpr const char* k_warm_start = "warm-start";
     return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
-
-
 /// What the plan looks at.
 struct Census
 {
@@ -42,8 +37,6 @@ struct Census
     bool is_central = false;
     bool falls = false;
 };
-
-
 
 [[nodiscard]] Census take_census(const Scene& scene)
 {
@@ -63,8 +56,6 @@ struct Census
     return census;
 }
 
-
-
 /// Pairs of bodies that can't meet as long as neither leaves its cell.
 [[nodiscard]] Skip far_pairs(const Census& census)
 {
@@ -83,8 +74,6 @@ struct Census
     return skip;
 }
 
-
-
 [[nodiscard]] Skip static_pairs(const Census& census)
 {
     Skip skip{k_static_pairs, SkipClass::neutral, census.statics >= 2, "", 0, "pairs"};
@@ -95,8 +84,6 @@ struct Census
             : statics + ": there is no pair of them";
     return skip;
 }
-
-
 
 [[nodiscard]] Skip far_features(const Census& census)
 {
@@ -114,8 +101,6 @@ struct Census
     return skip;
 }
 
-
-
 /// Cells that few bodies don't need. Turned off, they are kept all the same.
 [[nodiscard]] Skip cells(const Census& census)
 {
@@ -128,8 +113,6 @@ struct Census
     if (census.is_central) skip.reason = "a central field: there are no cells to keep";
     return skip;
 }
-
-
 
 /// The door through which every pair can be foreseen: shapes by kind, flights of any kind,
 /// features by windows.
@@ -149,8 +132,6 @@ struct Census
     return skip;
 }
 
-
-
 /// The terms of an acceleration that isn't there.
 [[nodiscard]] Skip field(const Census& census)
 {
@@ -159,8 +140,6 @@ struct Census
                               : "a field accelerates what moves";
     return skip;
 }
-
-
 
 /// Pairs whose orbits keep them apart for ever.
 [[nodiscard]] Skip rings(const Census& census)
@@ -171,8 +150,6 @@ struct Census
                       : "no central field: there are no rings";
     return skip;
 }
-
-
 
 /// Vertices that can't come to an edge within a look.
 [[nodiscard]] Skip far_vertices(const Census& census)
@@ -185,8 +162,6 @@ struct Census
                         : "no two bodies with corners can meet";
     return skip;
 }
-
-
 
 /// What the resting integrator leaves out, where bodies lean on each other. What sleeps is
 /// struck as what lies, and sweeps that begin elsewhere end elsewhere: both show in results.
@@ -210,9 +185,7 @@ struct Census
     return skip;
 }
 
-
 } // namespace
-
 
 std::vector<std::string> skip_names()
 {
@@ -220,8 +193,6 @@ std::vector<std::string> skip_names()
             k_field, k_rings, k_far_features, k_far_vertices,
             k_sleeping, k_warm_start};
 }
-
-
 
 Plan make_plan(const Scene& scene, const std::vector<std::string>& without)
 {
@@ -260,6 +231,5 @@ Plan make_plan(const Scene& scene, const std::vector<std::string>& without)
     plan.warm_starts = active(k_warm_start) || !warm_start(census).active;
     return plan;
 }
-
 
 } // namespace flying

@@ -9,7 +9,6 @@
 
 namespace flying {
 
-
 /// What a skip may do to the results. Neutral: not one bit changes. Ordered: neutral
 /// because order comes from ids. Altering: results change, and the price is measured.
 enum class SkipClass
@@ -18,8 +17,6 @@ enum class SkipClass
     ordered,
     altering
 };
-
-
 
 /// One kind of work that a scene may not need.
 struct Skip
@@ -31,8 +28,6 @@ struct Skip
     std::int64_t saved = 0; ///< after a run: how often the work was left out
     std::string saved_unit; ///< what `saved` counts, such as "pairs"
 };
-
-
 
 /// What a scene needs, and why the rest is skipped.
 struct Plan
@@ -49,8 +44,6 @@ struct Plan
     std::vector<Skip> skips;        ///< every skip this program knows, active or not
 };
 
-
-
 /// The plan for a valid scene; a pure function.
 /// without  names of skips to leave inactive; unknown names are ignored here (`skip_names`
 /// tells those that are known)
@@ -59,6 +52,5 @@ struct Plan
 
 /// All names that `without` may hold.
 [[nodiscard]] std::vector<std::string> skip_names();
-
 
 } // namespace flying

@@ -11,7 +11,6 @@
 
 namespace flying {
 
-
 struct DiscDef
 {
     double radius = 1.0; ///< positive [m]
@@ -49,12 +48,7 @@ struct PolygonDef
     std::vector<std::vector<Vec2>> holes; ///< either way round [m]
 };
 
-
-
-
 using ShapeDef = std::variant<DiscDef, RectangleDef, SquareDef, TriangleDef, RegularDef, PolygonDef>;
-
-
 
 struct BodyDef
 {
@@ -71,8 +65,6 @@ struct BodyDef
     std::optional<double> friction;    ///< >= 0; the world's where absent
 };
 
-
-
 struct BoxDef
 {
     Vec2 min = Vec2::Zero(); ///< [m]
@@ -87,8 +79,6 @@ struct WorldDef
     std::optional<BoxDef> box; ///< four static walls around everything
 };
 
-
-
 /// Everything that a run starts from, as plain values. Nothing here is checked yet: `validate` does.
 struct Scene
 {
@@ -97,8 +87,6 @@ struct Scene
     WorldDef world;
     std::vector<BodyDef> bodies;
 };
-
-
 
 /// Everything that is wrong with a scene, in one go; empty where the scene is fit to run. Places are paths such as
 /// `world.restitution` or `body[3].shape.vertices[2]`; `found` and `expected` name the bodies by name and number.
@@ -109,6 +97,5 @@ struct Scene
 
 /// What to call body number `index` in a message: its name, or "body 3" where it has none.
 [[nodiscard]] std::string body_label(const Scene& scene, int index);
-
 
 } // namespace flying

@@ -12,15 +12,12 @@
 
 namespace flying {
 
-
 double start_overlap_allowed(double size, double reach)
 {
     return tolerance::k_start_overlap * size + tolerance::coordinate_rounding(reach);
 }
 
-
 namespace {
-
 
 /// Bodies whose boxes are about as long as the cells of one grid, in the order of a curve through its cells.
 struct Level
@@ -35,7 +32,6 @@ struct Level
     std::optional<Grid> grid;
 };
 
-
 /// The exponent of the least power of two of which no box of this length fills more than eight ninths, so that boxes
 /// that share a point lie in neighbouring cells, whatever their middles' rounding.
 int exponent_for(const Aabb& box)
@@ -44,7 +40,6 @@ int exponent_for(const Aabb& box)
     (void)std::frexp(1.125 * (box.max - box.min).maxCoeff(), &exponent);
     return exponent;
 }
-
 
 Vec2 middle(const Aabb& box) { return 0.5 * box.min + 0.5 * box.max; }
 
@@ -71,8 +66,6 @@ void fill_cells(Level& level, double cell_size)
     for (int k = 0; k < count; ++k) grid.insert(k, grid.cell_at(middle(level.entries[k].box)));
     level.grid = std::move(grid);
 }
-
-
 
 /// Call visit(a, b) for every two bodies, not both static, whose boxes share a point. It returns true to go on, false to
 /// end the search.
@@ -106,9 +99,7 @@ void for_each_near_pair(const std::vector<PlacedBody>& bodies, Visit&& visit)
     }
 }
 
-
 } // namespace
-
 
 std::vector<StartOverlap> find_start_overlaps(const std::vector<PlacedBody>& bodies, std::size_t most)
 {
@@ -131,6 +122,5 @@ std::vector<StartOverlap> find_start_overlaps(const std::vector<PlacedBody>& bod
     if (overlaps.size() > most) overlaps.resize(most);
     return overlaps;
 }
-
 
 } // namespace flying

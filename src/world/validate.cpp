@@ -1,3 +1,5 @@
+// What is wrong with a scene, all of it, before anything is built.
+
 #include <cmath>
 #include <limits>
 #include <map>
@@ -17,7 +19,6 @@ namespace flying {
 
 namespace {
 
-
 /// Overlapping pairs that are listed one by one.
 constexpr std::size_t k_most_overlaps = 1000;
 
@@ -32,8 +33,6 @@ std::string body_place(int index)
 {
     return "body[" + std::to_string(index) + "]";
 }
-
-
 
 /// The world's own numbers.
 void check_world(const WorldDef& world, Faults& faults)
@@ -62,8 +61,6 @@ void check_world(const WorldDef& world, Faults& faults)
     }
 }
 
-
-
 /// Area of a shape that `make_shape` made.  [m^2]
 double area_of(const Shape& shape)
 {
@@ -71,8 +68,6 @@ double area_of(const Shape& shape)
     if (const auto* polygon = std::get_if<Polygon>(&shape)) return moments_of(*polygon).area;
     return 0.0;
 }
-
-
 
 /// What a body weighs, and that a static one doesn't.
 ///
@@ -98,8 +93,6 @@ void check_mass(const BodyDef& body, const Shape* shape, Checks& checks)
     checks.fault("density", number_text(density) + ", which makes a mass of " + rounded_text(mass) + " kg",
                  "a mass of " + number_text(k_least_number) + " to " + number_text(k_greatest_number) + " kg");
 }
-
-
 
 /// One body by itself. Returns it placed in the world where its shape, position and angle are sound.
 std::optional<PlacedBody> check_body(const Scene& scene, int index, Faults& faults)
@@ -145,8 +138,6 @@ std::optional<PlacedBody> check_body(const Scene& scene, int index, Faults& faul
     return placed;
 }
 
-
-
 /// Names are there to tell bodies apart.
 void check_names(const Scene& scene, Faults& faults)
 {
@@ -161,8 +152,6 @@ void check_names(const Scene& scene, Faults& faults)
                           "a name of its own"});
     }
 }
-
-
 
 /// Bodies that move start inside the box.
 void check_inside_box(const Scene& scene, const std::vector<PlacedBody>& bodies, Faults& faults)
@@ -194,8 +183,6 @@ void check_inside_box(const Scene& scene, const std::vector<PlacedBody>& bodies,
     }
 }
 
-
-
 /// Bodies that move start off the centre of a central field, where its pull has no end, and outside its core.
 void check_outside_core(const Scene& scene, const std::vector<PlacedBody>& bodies, Faults& faults)
 {
@@ -220,8 +207,6 @@ void check_outside_core(const Scene& scene, const std::vector<PlacedBody>& bodie
     }
 }
 
-
-
 /// Bodies may touch at the start, but not overlap.
 void check_overlaps(const Scene& scene, const std::vector<PlacedBody>& bodies, Faults& faults)
 {
@@ -237,17 +222,13 @@ void check_overlaps(const Scene& scene, const std::vector<PlacedBody>& bodies, F
                       "bodies that at most touch; further pairs are not listed"});
 }
 
-
 } // namespace
-
 
 std::string body_label(const Scene& scene, int index)
 {
     const std::string& name = scene.bodies[index].name;
     return name.empty() ? "body " + std::to_string(index) : name;
 }
-
-
 
 Faults validate(const Scene& scene)
 {
@@ -267,6 +248,5 @@ Faults validate(const Scene& scene)
     check_overlaps(scene, placed, faults);
     return faults;
 }
-
 
 } // namespace flying

@@ -16,7 +16,6 @@
 namespace flying {
 namespace {
 
-
 /// The box as four static half-planes, their normals inwards.
 [[nodiscard]] std::vector<EventBody> make_walls(const WorldDef& world)
 {
@@ -33,8 +32,6 @@ namespace {
     return walls;
 }
 
-
-
 /// The solid core of a central field, a static disc; none where it has none.
 [[nodiscard]] std::optional<EventBody> make_core(const WorldDef& world)
 {
@@ -44,8 +41,6 @@ namespace {
     core.flyer.state.position = central->centre;
     return core;
 }
-
-
 
 /// A body of a valid scene, ready to fly.
 [[nodiscard]] EventBody make_body(const BodyDef& def, const WorldDef& world)
@@ -65,9 +60,7 @@ namespace {
     return body;
 }
 
-
 } // namespace
-
 
 /// What a world is made of.
 struct World::Parts
@@ -93,8 +86,6 @@ World::World(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 World::~World() = default;
-
-
 
 Expected<World> World::make(const Scene& scene, const WorldOptions& options)
 {
@@ -148,8 +139,6 @@ Expected<World> World::set_up(const Scene& scene, const WorldOptions& options)
     return world;
 }
 
-
-
 Expected<World> World::resume(const Scene& scene, const Snapshot& snapshot, const WorldOptions& options)
 {
     Expected<World> made = set_up(scene, options);
@@ -190,8 +179,6 @@ Snapshot World::snapshot() const
 }
 // [world.resume.snapshot]
 
-
-
 /// Put what the integrators did with each other into the words of the scene.
 void World::Parts::note_handovers()
 {
@@ -201,7 +188,6 @@ void World::Parts::note_handovers()
     }
 }
 
-
 EnergyLedger World::Parts::whole_ledger() const
 {
     EnergyLedger whole = ledger;
@@ -210,9 +196,6 @@ EnergyLedger World::Parts::whole_ledger() const
     whole.handovers += hybrid.energy_of_blows();
     return whole;
 }
-
-
-
 
 std::optional<RunFailure> World::advance(double time, std::int64_t max_events)
 {
@@ -224,8 +207,6 @@ std::optional<RunFailure> World::advance(double time, std::int64_t max_events)
     parts.failed = true;
     return describe(*failure, parts.scene);
 }
-
-
 
 double World::time() const { return parts_->hybrid.clock(); }
 int World::body_count() const { return static_cast<int>(parts_->scene.bodies.size()); }
@@ -263,8 +244,6 @@ std::int64_t World::collisions() const
 std::uint64_t World::log_hash() const { return parts_->hybrid.flying().log_hash(); }
 
 void World::set_stopwatch(double (*seconds)()) { parts_->hybrid.set_stopwatch(seconds); }
-
-
 
 Report World::report()
 {
@@ -305,6 +284,5 @@ Report World::report()
     }
     return report;
 }
-
 
 } // namespace flying
