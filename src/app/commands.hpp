@@ -1,5 +1,7 @@
 #pragma once
 
+// The commands of the program, their options, and its exit statuses.
+
 #include <optional>
 #include <string>
 #include <vector>

@@ -1,5 +1,7 @@
 #pragma once
 
+// What a scene would skip, and why, as text: for `flying explain`.
+
 #include <string>
 
 #include "world/plan.hpp"
