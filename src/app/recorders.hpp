@@ -1,8 +1,8 @@
 #pragma once
 
-// What looks at a world while it runs: the trace, pictures, a video.
+// What looks at a world while it runs: the trace, pictures, a video. Each says when it wants to look next, and is then
+// shown the world at that time. To look changes nothing.
 
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,18 +11,13 @@
 #include "app/output_times.hpp"
 #include "draw/picture.hpp"
 #include "draw/video.hpp"
+#include "math/roots.hpp"
 #include "world/world.hpp"
 
 namespace flying {
 
-/// Later than any time of a run.
-inline constexpr double k_never = std::numeric_limits<double>::infinity();
-
 /// Frames of a video for each second of the simulation: it plays in real time.
 inline constexpr int k_frames_per_second = 60;
-
-// What looks at a world while it runs: each says when it wants to look next, and is then shown the world at that time.
-// To look changes nothing.
 
 /// The trace: one JSON object a line, {"time": t, "events": n, "bodies": [[x, y, angle, vx, vy, spin], ...]}, bodies in
 /// the scene's order.

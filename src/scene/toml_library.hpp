@@ -1,6 +1,7 @@
 #pragma once
 
-// toml++ as this module uses it.
+// toml++ as this module uses it: built in here, so that it fits any build of the engine, without exceptions, and with a
+// bound on nesting that any scene keeps and that no stack feels.
 
 // Before the library: what follows must not reach into these
 #include <cassert>
@@ -10,8 +11,6 @@
 #include <string>
 #include <vector>
 
-// toml++ as this module uses it: built in here, so that it fits any build of the engine, without exceptions, and with a
-// bound on nesting that any scene keeps and that no stack feels.
 #define TOML_HEADER_ONLY 1
 #define TOML_EXCEPTIONS 0
 #define TOML_ENABLE_FORMATTERS 0

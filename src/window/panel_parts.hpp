@@ -1,5 +1,8 @@
 #pragma once
 
+// The parts of the panel, from top to bottom. Each adds its controls to the column when it is made; each control
+// changes the stage, and `sync` brings it up to the stage, to be called quietly.
+
 #include <array>
 #include <functional>
 #include <string>
@@ -9,9 +12,6 @@
 #include "window/controls.hpp"
 
 namespace flying {
-
-// The parts of the panel, from top to bottom. Each adds its controls to the column when it is made; each control
-// changes the stage, and `sync` brings it up to the stage, to be called quietly.
 
 /// Which scene is played.
 class ScenePart
