@@ -50,9 +50,12 @@ Gtk::Widget* Panel::focus()
 
 bool Panel::is_in_sight(Gtk::Widget& control)
 {
+    // By the scrollbar's value: the panel itself is drawn where it was scrolled to only with the next frame
     double x = 0.0;
     double y = 0.0;
-    return control.translate_coordinates(*this, 0.0, 0.5 * control.get_height(), x, y) && y >= 0.0 && y < get_height();
+    if (!control.translate_coordinates(controls_, 0.0, 0.5 * control.get_height(), x, y)) return false;
+    y -= get_vadjustment()->get_value();
+    return y >= 0.0 && y < get_height();
 }
 
 bool Panel::key(unsigned value)

@@ -583,15 +583,25 @@ keys Escape Tab # the first control
 xdotool mousemove 1276 200 click --repeat 30 5 # at the edge, where no scale takes it
 expect "the panel is scrolled" 's.controls.scene[1] < 0'
 before=$(windows)
+comes_and_goes() { # a list that a key has called; Escape sends it away
+    local k
+    for ((k = 0; k < 100; ++k)); do (($(windows) <= before)) || break; sleep 0.1; done
+    (($(windows) > before)) && good=$((good + 1)) || wrong "a list out of sight does not drop down"
+    for ((k = 0; k < 100; ++k)); do
+        keys Escape # it may have come before the list that is to have it
+        (($(windows) > before)) || break
+        sleep 0.1
+    done
+}
 keys space
-for ((k = 0; k < 100; ++k)); do (($(windows) <= before)) || break; sleep 0.1; done
-(($(windows) > before)) && good=$((good + 1)) || wrong "a list out of sight does not drop down"
-for ((k = 0; k < 100; ++k)); do
-    keys Escape # it may have come before the list that is to have it
-    (($(windows) > before)) || break
-    sleep 0.1
-done
+comes_and_goes
 expect "a list that drops down is in sight" 's.controls.scene[1] > 0'
+# A key right behind the wheel: what the panel shows is a frame behind what it is scrolled to
+for delay in 0 0.004 0.008 0.012 0.016 0.02 0.024 0.028 0.032 0.036; do
+    printf '%s\n' 'click --repeat 30 --delay 1 5' "sleep $delay" 'key space' | xdotool -
+    comes_and_goes
+done
+expect "after the wheel, too" 's.controls.scene[1] > 0'
 close_window q
 
 # ---- What nothing has pressed ------------------------------------------------------------------------------------------
