@@ -3,6 +3,8 @@
 #include <doctest/doctest.h>
 
 #include "heap.hpp"
+#include "rest/alternating_directions.hpp"
+#include "rest/rest_tolerance.hpp"
 #include "rest/sweeps.hpp"
 #include "support/receipts.hpp"
 #include "wrong_heap.hpp"
@@ -14,6 +16,24 @@ namespace {
 
 /// Of what gravity gives in a step: a heap is stopped that changes by no more.
 constexpr double k_stopped = 1.0 / 256.0;
+
+/// The worst error that is left of a load of a column, by turns and by as many sweeps.
+struct LeftOfColumn
+{
+    double by_turns;
+    double by_sweeps;
+};
+
+LeftOfColumn left_of_column(const std::vector<double>& masses)
+{
+    Column column = column_of(masses, 1.0);
+    SolveCounts counts;
+    AlternatingDirections().solve(column.movers, column.members, column.points, 0.0, counts);
+    LeftOfColumn left{worst_error(column.points, weights_above(masses, 1.0)), 1.0};
+    ColumnSweeps swept(masses);
+    for (int k = 0; k < rest_tolerance::k_more_sweeps; ++k) left.by_sweeps = swept.sweep_once();
+    return left;
+}
 
 } // namespace
 
@@ -252,4 +272,43 @@ TEST_CASE("all at once, a body on some points is pushed as often as it has point
                        {"d", fall / k_gravity});
         CHECK_TWIN("heaps.at_once", sum, (k + 1) * fall, 1e-15);
     }
+}
+
+TEST_CASE("a round by turns leaves so much of what impulses lack")
+{
+    constexpr double k_kappa = rest_tolerance::k_soft_stiffness;
+    constexpr double k_alpha = rest_tolerance::k_over_relaxation;
+    const double fall = k_gravity / 60.0;
+    for (int k = 1; k <= 5; ++k) {
+        for (const double lacks : {0.1, 0.5, 0.9}) {
+            OnPoints body = on_points(k, fall);
+            for (ContactPoint& c : body.points) c.normal = (1.0 - lacks) * fall / k;
+            const std::vector<int> members = {1};
+            SolveCounts counts;
+            AlternatingDirections().solve(body.movers, members, body.points, 1e9, counts); // content after a round
+            double sum = 0.0;
+            for (const ContactPoint& c : body.points) sum += c.normal;
+            const double left = 1.0 - sum / fall;
+            const double paper = lacks * (1.0 - k_alpha * k * k_kappa / (1.0 + k * k_kappa));
+            CHECK_EQUATION("heaps.turn", left, paper, 1e-13, {"k", k}, {"\\varepsilon", lacks}, {"\\kappa", k_kappa},
+                           {"\\alpha", k_alpha});
+            CHECK_TWIN("heaps.turn", left, lacks * (1.0 - k * k_kappa / (1.0 + k * k_kappa)), 1e-13);
+        }
+    }
+    RECORD_VALUE("heaps.turn.kappa", k_kappa);
+}
+
+TEST_CASE("in a high column, and under heavy boxes, rounds by turns get much further than sweeps")
+{
+    const LeftOfColumn high = left_of_column(std::vector<double>(40, 1.0));
+    CHECK(high.by_turns < 1e-3 * high.by_sweeps);
+    std::vector<double> masses(5, 1.0);
+    masses.resize(10, 100.0);
+    const LeftOfColumn heavy = left_of_column(masses);
+    CHECK(heavy.by_turns < 0.1 * heavy.by_sweeps);
+    RECORD_VALUE("heaps.turn.rounds", rest_tolerance::k_more_sweeps);
+    RECORD_VALUE("heaps.turn.high", high.by_turns);
+    RECORD_VALUE("heaps.turn.high.swept", 100.0 * high.by_sweeps);
+    RECORD_VALUE("heaps.turn.heavy", 100.0 * heavy.by_turns);
+    RECORD_VALUE("heaps.turn.heavy.swept", 100.0 * heavy.by_sweeps);
 }

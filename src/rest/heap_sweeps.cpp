@@ -22,6 +22,11 @@ namespace {
     return sum > 0.0 ? sum : std::numeric_limits<double>::infinity();
 }
 
+void take_back(std::span<Mover> movers, std::span<const ContactPoint> points)
+{
+    for (const ContactPoint& c : points) push(c, -c.normal, -c.tangent, movers[c.a], movers[c.b]);
+}
+
 } // namespace
 
 bool HeapSweeps::sweep_small(RestData& data, Island& island)
@@ -51,9 +56,8 @@ void HeapSweeps::sweep_large(RestData& data, Island& island)
     plan.enough = rest_tolerance::k_enough * energy_of_fall(data, island);
     plan.tolerance = rest_tolerance::k_blow * field;
     sweeps_.sweep(data.motion.now, members, points, plan, data.solver.counts());
-    const bool is_slow = before <= rest_tolerance::k_standing * field;
-    sweep_on(data, island, data.motion.now, points,
-             {rest_tolerance::k_deep / data.motion.span, is_slow ? rest : std::numeric_limits<double>::infinity()});
+    if (before <= rest_tolerance::k_standing * field) settle(data, island, points, rest);
+    sweep_on(data, island, data.motion.now, points, rest_tolerance::k_deep / data.motion.span);
 
     // What hardly moves comes to rest
     const double after = greatest_speed(data.motion.now, data.bodies.radius, members);
@@ -77,37 +81,51 @@ void HeapSweeps::sweep_large(RestData& data, Island& island)
     }
 }
 
+/// What a point lacks that holds a row of bodies lets all of them move, some times as fast; so of a slow heap no point
+/// is left with more than a part of what counts as rest. Alternating directions end what is off over the whole heap,
+/// and sweeps what is off between neighbours.
+void HeapSweeps::settle(RestData& data, const Island& island, std::span<ContactPoint> points, double rest)
+{
+    const std::span<Mover> movers = data.motion.now;
+    const double most = rest_tolerance::k_nearly_right * rest;
+    if (are_satisfied(points, movers, most)) return;
+    take_back(movers, points);
+    turns_.solve(movers, island.members, points, 0.5 * most, data.solver.counts());
+    take_back(movers, points);
+    SweepPlan plan;
+    plan.sweeps = rest_tolerance::k_heap_sweeps;
+    plan.tolerance = 0.0;
+    sweeps_.sweep(movers, island.members, points, plan, data.solver.counts());
+}
+
 /// Sweeps take the longer the more masses differ: ever more of them, as long as any point misses its bound by too much;
 /// and where the most of them leave that, the direct solve, if it can.
 void HeapSweeps::sweep_on(RestData& data, const Island& island, std::span<Mover> movers, std::span<ContactPoint> points,
-                          const MostMissed& most)
+                          double most)
 {
-    const auto take_back = [&] {
-        for (const ContactPoint& c : points) push(c, -c.normal, -c.tangent, movers[c.a], movers[c.b]);
-    };
     SweepPlan plan;
     plan.sweeps = rest_tolerance::k_more_sweeps;
     plan.tolerance = 0.0;
     for (int round = 0; round < rest_tolerance::k_few_rounds; ++round, plan.sweeps *= 2) {
         if (!misses(data, movers, points, most)) return;
-        take_back();
+        take_back(movers, points);
         sweeps_.sweep(movers, island.members, points, plan, data.solver.counts());
     }
     if (island.member_count() > rest_tolerance::k_most_whole || !misses(data, movers, points, most)) return;
-    take_back();
+    take_back(movers, points);
     if (!data.solver.solve(movers, island.members, points, rest_tolerance::k_residual * top_speed(data, island))) {
-        take_back();
+        take_back(movers, points);
         data.solver.end_approaches(movers, island.members, points);
     }
 }
 
 /// A point misses the least normal velocity that it may end with by more than so much.
 bool HeapSweeps::misses(const RestData& data, std::span<const Mover> movers, std::span<const ContactPoint> points,
-                        const MostMissed& most) const
+                        double most) const
 {
     return std::any_of(points.begin(), points.end(), [&](const ContactPoint& c) {
         const double size = std::min(data.bodies.radius[c.a], data.bodies.radius[c.b]);
-        return c.bound - normal_speed(c, movers[c.a], movers[c.b]) > std::min(most.of_size * size, most.speed);
+        return c.bound - normal_speed(c, movers[c.a], movers[c.b]) > most * size;
     });
 }
 
@@ -125,18 +143,18 @@ void HeapSweeps::set_velocity_bias_swept(const RestData& data, const Island& isl
 void HeapSweeps::sweep_velocities(RestData& data, const Island& island, std::span<Mover> velocities,
                                   std::span<ContactPoint> points)
 {
-    sweep(data, island, velocities, points, {rest_tolerance::k_deep / data.motion.span}, -1.0);
+    sweep(data, island, velocities, points, rest_tolerance::k_deep / data.motion.span, -1.0);
 }
 
 void HeapSweeps::sweep_places(RestData& data, const Island& island, std::span<Mover> pushes,
                               std::span<ContactPoint> points, double tolerance)
 {
-    sweep(data, island, pushes, points, {rest_tolerance::k_deep}, tolerance);
+    sweep(data, island, pushes, points, rest_tolerance::k_deep, tolerance);
 }
 
 /// tolerance  where no point asks for a greater change, impulses stay as they are; below 0 they never do
 void HeapSweeps::sweep(RestData& data, const Island& island, std::span<Mover> movers, std::span<ContactPoint> points,
-                       const MostMissed& most, double tolerance)
+                       double most, double tolerance)
 {
     SweepPlan plan;
     plan.is_warm = data.options.warm_starts;

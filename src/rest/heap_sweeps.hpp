@@ -1,8 +1,8 @@
 #pragma once
 
-#include <limits>
 #include <span>
 
+#include "rest/alternating_directions.hpp"
 #include "rest/island.hpp"
 #include "rest/island_sweeps.hpp"
 
@@ -27,21 +27,20 @@ public:
                       double tolerance);
 
 private:
-    /// By how much a point may miss the least normal velocity that it may end with.
-    struct MostMissed
-    {
-        double of_size;                                         ///< [sizes/s], or [sizes] where places are swept
-        double speed = std::numeric_limits<double>::infinity(); ///< [m/s]
-    };
     void set_velocity_bias_swept(const RestData& data, const Island& island, bool is_calm) const;
+    void settle(RestData& data, const Island& island, std::span<ContactPoint> points, double rest);
+    /// most  by which a point may miss the least normal velocity that it may end with [sizes/s], or [sizes] where
+    /// places
+    ///       are swept
     void sweep(RestData& data, const Island& island, std::span<Mover> movers, std::span<ContactPoint> points,
-               const MostMissed& most, double tolerance);
+               double most, double tolerance);
     void sweep_on(RestData& data, const Island& island, std::span<Mover> movers, std::span<ContactPoint> points,
-                  const MostMissed& most);
+                  double most);
     [[nodiscard]] bool misses(const RestData& data, std::span<const Mover> movers, std::span<const ContactPoint> points,
-                              const MostMissed& most) const;
+                              double most) const;
 
     IslandSweeps sweeps_;
+    AlternatingDirections turns_;
 };
 
 } // namespace flying

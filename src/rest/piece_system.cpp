@@ -9,8 +9,9 @@ namespace flying {
 
 using rest_tolerance::k_stiffness;
 
-void PieceSystem::begin(ContactProblem& problem, std::span<const int> members, std::size_t movers)
+void PieceSystem::begin(ContactProblem& problem, std::span<const int> members, std::size_t movers, double stiffness)
 {
+    stiffness_ = stiffness;
     // Number the members, and find which are coupled
     if (number_.size() < movers) number_.resize(movers, -1);
     for (std::size_t k = 0; k < members.size(); ++k) number_[members[k]] = static_cast<int>(k);
@@ -65,8 +66,8 @@ void PieceSystem::assemble(const ContactProblem& problem)
             add(left.a, share, t.a);
             add(left.b, share, t.b);
         }
-        const double stiffness_n = k_stiffness * c.normal_mass;
-        const double stiffness_t = grips ? k_stiffness * c.tangent_mass : 0.0;
+        const double stiffness_n = stiffness_ * c.normal_mass;
+        const double stiffness_t = grips ? stiffness_ * c.tangent_mass : 0.0;
         if (a >= 0) add_product(blocks_.diagonal(a), stiffness_n, left.a, n.a);
         if (a >= 0 && grips) add_product(blocks_.diagonal(a), stiffness_t, t.a, t.a);
         if (b >= 0) add_product(blocks_.diagonal(b), stiffness_n, left.b, n.b);

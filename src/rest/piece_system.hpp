@@ -6,6 +6,7 @@
 
 #include "rest/block_system.hpp"
 #include "rest/contact_problem.hpp"
+#include "rest/rest_tolerance.hpp"
 
 namespace flying {
 
@@ -30,7 +31,9 @@ public:
     /// problem  with its points and bodies
     /// members  the island's bodies that can move, ascending, as in `problem.bodies`
     /// movers   number of all bodies
-    void begin(ContactProblem& problem, std::span<const int> members, std::size_t movers);
+    /// stiffness  of the springs, against the inertia that they move
+    void begin(ContactProblem& problem, std::span<const int> members, std::size_t movers,
+               double stiffness = rest_tolerance::k_stiffness);
 
     [[nodiscard]] Mode mode(std::size_t point) const { return modes_[point]; }
     void set_mode(std::size_t point, Mode mode) { modes_[point] = mode; }
@@ -67,6 +70,7 @@ private:
     void assemble(const ContactProblem& problem);
 
     BlockSystem blocks_;
+    double stiffness_ = rest_tolerance::k_stiffness;
     std::vector<Mode> modes_;
     std::vector<Mode> modes_factorised_;
     bool is_factorised_ = false;

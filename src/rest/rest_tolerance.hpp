@@ -44,8 +44,8 @@ inline constexpr double k_closed = 0x1p-20;
 /// times as much its spin is off by 6e-7.
 inline constexpr double k_landed = 0x1p-28;
 
-/// [sizes] Reach beyond what motion explains, within which points are watched. Points of two looks this near to each other
-/// are one, whatever the names of their features.
+/// [sizes] Reach beyond what motion explains, within which points are watched. Points of two looks this near to each
+/// other are one, whatever the names of their features.
 inline constexpr double k_watch = 0x1p-6;
 
 /// [sizes] Overlap at the end of a step that is taken off; where it is more, the step is made in halves, and where
@@ -139,14 +139,21 @@ inline constexpr int k_most_parts = 256;
 inline constexpr double k_nearly_right = 0.125;
 
 /// [speeds that the field gives in a step] An island that was slower and stays so is at rest: what it was about to do
-/// is the price of its sleep. From rest, what accelerates by no more than this share of the field doesn't start. Sweeps
-/// of a heap that is slow go on while anything approaches faster: what they leave would be taken for motion.
+/// is the price of its sleep. From rest, what accelerates by no more than this share of the field doesn't start.
 inline constexpr double k_rest_speed = 0x1p-8;
 
 /// [energies of fall] What a sweep's changes are worth when there are enough of them.
 inline constexpr double k_enough = 0x1p-10;
 
-/// Sweeps that go on where more is left, twice as many in each round.
+/// Stiffness of the springs of alternating directions against the inertia that they move. The stiffer, the further a
+/// load gets in a round; with 512, friction no longer follows it.
+inline constexpr double k_soft_stiffness = 64.0;
+
+/// Over-relaxation of alternating directions: of the way to where a round leads, that much is gone. From 1.5 to 1.8 is
+/// usual (Boyd et al. 2011, 3.4.3).
+inline constexpr double k_over_relaxation = 1.6;
+
+/// Sweeps that go on where more is left, twice as many in each round; and rounds of alternating directions.
 inline constexpr int k_more_sweeps = 128;
 
 /// Sweeps that end the impacts of a heap, and that take off its overlap.

@@ -1,0 +1,106 @@
+#include "rest/alternating_directions.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "rest/rest_tolerance.hpp"
+#include "rest/sweeps.hpp"
+
+namespace flying {
+namespace {
+
+using rest_tolerance::k_over_relaxation;
+using rest_tolerance::k_soft_stiffness;
+
+/// Stiffness of a point's spring along its normal.  [kg]
+[[nodiscard]] double stiffness_n(const ContactPoint& c)
+{
+    return k_soft_stiffness * c.normal_mass;
+}
+
+/// The same along its tangent.  [kg]
+[[nodiscard]] double stiffness_t(const ContactPoint& c)
+{
+    return c.friction > 0.0 ? k_soft_stiffness * c.tangent_mass : 0.0;
+}
+
+} // namespace
+
+void AlternatingDirections::solve(std::span<Mover> movers, std::span<const int> members, std::span<ContactPoint> points,
+                                  double tolerance, SolveCounts& counts)
+{
+    problem_.points = points;
+    problem_.bodies.clear();
+    for (const int member : members) problem_.bodies.push_back(movers[member]);
+    warm_start(points, movers);
+    pieces_.begin(problem_, members, movers.size(), k_soft_stiffness);
+    measure_slips(problem_, movers);
+    start();
+    const std::int64_t before = pieces_.factorisations();
+    if (pieces_.factorise(problem_)) go_round(tolerance);
+    counts.factorisations += pieces_.factorisations() - before;
+
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        ContactPoint& c = points[k];
+        push(c, problem_.impulse[2 * k] - c.normal, problem_.impulse[2 * k + 1] - c.tangent, movers[c.a], movers[c.b]);
+        c.normal = problem_.impulse[2 * k];
+        c.tangent = problem_.impulse[2 * k + 1];
+    }
+}
+
+/// A point that parts, or slips, was denied what would have held it.
+void AlternatingDirections::start()
+{
+    asked_.resize(problem_.impulse.size());
+    for (std::size_t k = 0; k < problem_.points.size(); ++k) {
+        const ContactPoint& c = problem_.points[k];
+        const double u_n = problem_.slip[2 * k];
+        const double u_t = problem_.slip[2 * k + 1];
+        const bool slips = std::abs(c.tangent) >= c.friction * c.normal && c.tangent * u_t <= 0.0;
+        problem_.impulse[2 * k] = c.normal;
+        problem_.impulse[2 * k + 1] = c.tangent;
+        asked_[2 * k] = c.normal > 0.0 ? c.normal : -stiffness_n(c) * std::max(u_n, 0.0);
+        asked_[2 * k + 1] = c.tangent - (slips ? stiffness_t(c) * u_t : 0.0);
+        pieces_.set_mode(k, c.friction > 0.0 ? PieceSystem::Mode::stuck : PieceSystem::Mode::slips_forwards);
+    }
+}
+
+/// Round by round, until no point is moved by more than the tolerance, or long enough.
+void AlternatingDirections::go_round(double tolerance)
+{
+    double moved = 2.0 * tolerance; // [m/s]
+    for (int round = 0; round < rest_tolerance::k_more_sweeps && moved >= tolerance; ++round) {
+        // [rest.alternate.together]
+        // All points are springs, and all bodies follow
+        pieces_.clear_pushes();
+        for (std::size_t k = 0; k < problem_.points.size(); ++k) {
+            const ContactPoint& c = problem_.points[k];
+            const double* j = &problem_.impulse[2 * k];
+            const double* u = &problem_.slip[2 * k];
+            pieces_.push(problem_, k, (2.0 * j[0] - asked_[2 * k]) - (c.normal + stiffness_n(c) * u[0]),
+                         (2.0 * j[1] - asked_[2 * k + 1]) - (c.tangent + stiffness_t(c) * u[1]));
+        }
+        pieces_.solve();
+        // [rest.alternate.together]
+
+        // [rest.alternate.alone]
+        // Each point takes what it may of what its spring asks for
+        moved = 0.0;
+        for (std::size_t k = 0; k < problem_.points.size(); ++k) {
+            const ContactPoint& c = problem_.points[k];
+            const PieceSystem::Change change = pieces_.change(problem_, k);
+            double* j = &problem_.impulse[2 * k];
+            double* asked = &asked_[2 * k];
+            const double normal = (j[0] - asked[0]) - stiffness_n(c) * (problem_.slip[2 * k] + change.normal);
+            const double tangent = (j[1] - asked[1]) - stiffness_t(c) * (problem_.slip[2 * k + 1] + change.tangent);
+            asked[0] += k_over_relaxation * normal;
+            asked[1] += k_over_relaxation * tangent;
+            j[0] = std::max(asked[0], 0.0);
+            j[1] = std::clamp(asked[1], -c.friction * j[0], c.friction * j[0]);
+            moved = std::max({moved, std::abs(normal) / c.normal_mass, std::abs(tangent) / c.tangent_mass});
+        }
+        // [rest.alternate.alone]
+    }
+}
+
+} // namespace flying

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "rest/contact_problem.hpp"
+#include "rest/piece_system.hpp"
+#include "rest/solve_counts.hpp"
+
+namespace flying {
+
+/// Coulomb's conditions at all points of a heap, met by turns (alternating direction method of multipliers; Boyd et al.
+/// 2011, with the cone of each point for the limits of its friction). In one turn each point is a spring, which all
+/// bodies follow at once: one system of equations, factorised once for all rounds. In the other each point by itself
+/// takes the impulse that its conditions allow nearest to what its spring asks for, and remembers what it was denied.
+/// So load goes through the whole heap in each round, however much its masses differ; a sweep leads it one body on.
+class AlternatingDirections
+{
+public:
+    /// Better impulses for a group of any size, of masses of any ratio: allowed ones, whatever they leave.
+    ///
+    /// movers   all bodies; those of the group hold the velocities that they would have without contacts
+    /// members  the group's bodies that can move, ascending
+    /// points   the group's points with impulses to start from, not yet applied; on return those found, applied
+    /// tolerance  it ends where no point is moved by more in a round [m/s]
+    void solve(std::span<Mover> movers, std::span<const int> members, std::span<ContactPoint> points, double tolerance,
+               SolveCounts& counts);
+
+private:
+    void start();
+    void go_round(double tolerance);
+
+    ContactProblem problem_;
+    PieceSystem pieces_;
+    /// What a point is asked for, normal and tangential: its impulse, less what it was denied.  [N s]
+    std::vector<double> asked_;
+};
+
+} // namespace flying
