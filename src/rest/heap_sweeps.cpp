@@ -81,8 +81,8 @@ void HeapSweeps::sweep_large(RestData& data, Island& island)
     }
 }
 
-/// What a point lacks that holds a row of bodies lets all of them move, some times as fast; so of a slow heap no point
-/// is left with more than a part of what counts as rest. Alternating directions end what is off over the whole heap,
+/// A row of bodies moves several times as fast as what each of its points lacks. So in a slow heap no point is left to
+/// lack more than a part of the speed that counts as rest. Alternating directions end what is off over the whole heap,
 /// and sweeps what is off between neighbours.
 void HeapSweeps::settle(RestData& data, const Island& island, std::span<ContactPoint> points, double rest)
 {
