@@ -29,9 +29,7 @@ public:
 private:
     void set_velocity_bias_swept(const RestData& data, const Island& island, bool is_calm) const;
     void settle(RestData& data, const Island& island, std::span<ContactPoint> points, double rest);
-    /// most  by which a point may miss the least normal velocity that it may end with [sizes/s], or [sizes] where
-    /// places
-    ///       are swept
+    /// most  by which a point may miss its least normal velocity [sizes/s], or [sizes] where places are swept
     void sweep(RestData& data, const Island& island, std::span<Mover> movers, std::span<ContactPoint> points,
                double most, double tolerance);
     void sweep_on(RestData& data, const Island& island, std::span<Mover> movers, std::span<ContactPoint> points,

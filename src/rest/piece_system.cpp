@@ -12,6 +12,7 @@ using rest_tolerance::k_stiffness;
 void PieceSystem::begin(ContactProblem& problem, std::span<const int> members, std::size_t movers, double stiffness)
 {
     stiffness_ = stiffness;
+
     // Number the members, and find which are coupled
     if (number_.size() < movers) number_.resize(movers, -1);
     for (std::size_t k = 0; k < members.size(); ++k) number_[members[k]] = static_cast<int>(k);
