@@ -52,8 +52,7 @@ inline std::vector<double> weights_above(const std::vector<double>& masses, doub
 }
 
 /// The worst impulse's error, as a share of the weight that it should bear.
-template <typename Points>
-double worst_error(const Points& points, std::span<const double> weights)
+inline double worst_error(std::span<const ContactPoint> points, std::span<const double> weights)
 {
     double worst = 0.0;
     for (std::size_t k = 0; k < weights.size(); ++k)
@@ -68,22 +67,20 @@ public:
     explicit ColumnSweeps(const std::vector<double>& masses, double fall = 1.0)
         : column_(column_of(masses, fall)), weights_(weights_above(masses, fall))
     {
-        for (const ContactPoint& c : column_.points) points_.push_back(sweep_point(c));
     }
 
     /// One sweep from the floor up; the worst error after it.
     double sweep_once()
     {
-        sweep(points_, column_.movers);
-        return worst_error(points_, weights_);
+        sweep(column_.points, column_.movers);
+        return worst_error(column_.points, weights_);
     }
 
-    [[nodiscard]] double impulse(int point) const { return points_[point].normal; }
+    [[nodiscard]] double impulse(int point) const { return column_.points[point].normal; }
 
 private:
     Column column_;
     std::vector<double> weights_;
-    std::vector<SweepPoint> points_;
 };
 
 /// Sweeps until no impulse is off by more than `share`.
@@ -109,17 +106,12 @@ inline double rate_of_sweeps(const std::vector<double>& masses, int sweeps)
 inline double sinks_in_a_second(int count, int steps, int sweeps, bool is_warm)
 {
     Column column = column_of(std::vector<double>(count, 1.0), 0.0);
-    std::vector<SweepPoint> points;
-    for (const ContactPoint& c : column.points) points.push_back(sweep_point(c));
     double way = 0.0;
     for (int k = 0; k < steps; ++k) {
         for (const int member : column.members) column.movers[member].v_y -= 9.81 / steps;
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            if (!is_warm) points[i].normal = 0.0;
-            column.points[i].normal = points[i].normal;
-        }
+        if (!is_warm) forget_impulses(column.points);
         warm_start(column.points, column.movers);
-        for (int i = 0; i < sweeps; ++i) sweep(points, column.movers);
+        for (int i = 0; i < sweeps; ++i) sweep(column.points, column.movers);
         way -= column.movers.back().v_y / steps;
     }
     return way;

@@ -12,11 +12,9 @@ int main()
     std::printf("points   one after the other   all at once, round by round\n");
     for (int count = 1; count <= 3; ++count) {
         OnPoints right = on_points(count, 1.0);
-        std::vector<SweepPoint> points;
-        for (const ContactPoint& c : right.points) points.push_back(sweep_point(c));
-        sweep(points, right.movers);
+        sweep(right.points, right.movers);
         double borne = 0.0;
-        for (const SweepPoint& c : points) borne += c.normal;
+        for (const ContactPoint& c : right.points) borne += c.normal;
         std::printf("%6d %23.0f  ", count, borne);
         OnPoints wrong = on_points(count, 1.0);
         for (int round = 0; round < 6; ++round) {

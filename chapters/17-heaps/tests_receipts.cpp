@@ -1,4 +1,5 @@
 #include <cmath>
+#include <limits>
 
 #include <doctest/doctest.h>
 
@@ -28,7 +29,8 @@ LeftOfColumn left_of_column(const std::vector<double>& masses)
 {
     Column column = column_of(masses, 1.0);
     SolveCounts counts;
-    AlternatingDirections().solve(column.movers, column.members, column.points, 0.0, counts);
+    AlternatingDirections().solve(column.movers, column.members, column.points, 0.0, rest_tolerance::k_more_sweeps,
+                                  counts);
     LeftOfColumn left{worst_error(column.points, weights_above(masses, 1.0)), 1.0};
     ColumnSweeps swept(masses);
     for (int k = 0; k < rest_tolerance::k_more_sweeps; ++k) left.by_sweeps = swept.sweep_once();
@@ -235,8 +237,8 @@ TEST_CASE("wide sweeps have the bits of plain ones in the order of the batches")
         SweepBatches batches;
         batches.lay_out(points, movers, members);
         batches.sweep_ahead({1, 1, 0.0});
-        std::vector<SweepPoint> plain;
-        for (const int k : batches.order()) plain.push_back(sweep_point(points[k]));
+        std::vector<ContactPoint> plain;
+        for (const int k : batches.order()) plain.push_back(points[k]);
         sweep(plain, movers);
         batches.get_impulses(points);
         int bearing = 0;
@@ -285,7 +287,7 @@ TEST_CASE("a round by turns leaves so much of what impulses lack")
             for (ContactPoint& c : body.points) c.normal = (1.0 - lacks) * fall / k;
             const std::vector<int> members = {1};
             SolveCounts counts;
-            AlternatingDirections().solve(body.movers, members, body.points, 1e9, counts); // content after a round
+            AlternatingDirections().solve(body.movers, members, body.points, 0.0, 1, counts);
             double sum = 0.0;
             for (const ContactPoint& c : body.points) sum += c.normal;
             const double left = 1.0 - sum / fall;
@@ -296,6 +298,20 @@ TEST_CASE("a round by turns leaves so much of what impulses lack")
         }
     }
     RECORD_VALUE("heaps.turn.kappa", k_kappa);
+}
+
+TEST_CASE("by turns, a point that won't close bears nothing, and the others bear for it")
+{
+    const double fall = k_gravity / 60.0;
+    OnPoints body = on_points(3, fall);
+    body.points[1].bound = -std::numeric_limits<double>::infinity();
+    for (ContactPoint& c : body.points) c.normal = fall / 3.0;
+    const std::vector<int> members = {1};
+    SolveCounts counts;
+    AlternatingDirections().solve(body.movers, members, body.points, 0.0, rest_tolerance::k_more_sweeps, counts);
+    CHECK(body.points[1].normal == 0.0);
+    CHECK(std::abs(body.points[0].normal + body.points[2].normal - fall) < 1e-14);
+    CHECK(std::abs(body.movers[1].v_y) < 1e-14);
 }
 
 TEST_CASE("in a high column, and under heavy boxes, rounds by turns get much further than sweeps")

@@ -15,19 +15,19 @@ using rest_tolerance::k_soft_stiffness;
 /// Stiffness of a point's spring along its normal.  [kg]
 [[nodiscard]] double stiffness_n(const ContactPoint& c)
 {
-    return k_soft_stiffness * c.normal_mass;
+    return std::isfinite(c.bound) ? k_soft_stiffness * c.normal_mass : 0.0;
 }
 
 /// The same along its tangent.  [kg]
 [[nodiscard]] double stiffness_t(const ContactPoint& c)
 {
-    return c.friction > 0.0 ? k_soft_stiffness * c.tangent_mass : 0.0;
+    return std::isfinite(c.bound) && c.friction > 0.0 ? k_soft_stiffness * c.tangent_mass : 0.0;
 }
 
 } // namespace
 
 void AlternatingDirections::solve(std::span<Mover> movers, std::span<const int> members, std::span<ContactPoint> points,
-                                  double tolerance, SolveCounts& counts)
+                                  double tolerance, int rounds, SolveCounts& counts)
 {
     problem_.points = points;
     problem_.bodies.clear();
@@ -37,7 +37,7 @@ void AlternatingDirections::solve(std::span<Mover> movers, std::span<const int> 
     measure_slips(problem_, movers);
     start();
     const std::int64_t before = pieces_.factorisations();
-    if (pieces_.factorise(problem_)) go_round(tolerance);
+    if (pieces_.factorise(problem_)) go_round(tolerance, rounds);
     counts.factorisations += pieces_.factorisations() - before;
 
     for (std::size_t k = 0; k < points.size(); ++k) {
@@ -54,6 +54,11 @@ void AlternatingDirections::start()
     asked_.resize(problem_.impulse.size());
     for (std::size_t k = 0; k < problem_.points.size(); ++k) {
         const ContactPoint& c = problem_.points[k];
+        if (std::isinf(c.bound)) { // without a spring
+            for (double* of : {&problem_.slip[2 * k], &problem_.impulse[2 * k], &asked_[2 * k]}) of[0] = of[1] = 0.0;
+            pieces_.set_mode(k, PieceSystem::Mode::apart);
+            continue;
+        }
         const double u_n = problem_.slip[2 * k];
         const double u_t = problem_.slip[2 * k + 1];
         const bool slips = std::abs(c.tangent) >= c.friction * c.normal && c.tangent * u_t <= 0.0;
@@ -66,10 +71,10 @@ void AlternatingDirections::start()
 }
 
 /// Round by round, until no point is moved by more than the tolerance, or long enough.
-void AlternatingDirections::go_round(double tolerance)
+void AlternatingDirections::go_round(double tolerance, int rounds)
 {
     double moved = 2.0 * tolerance; // [m/s]
-    for (int round = 0; round < rest_tolerance::k_more_sweeps && moved >= tolerance; ++round) {
+    for (int round = 0; round < rounds && moved >= tolerance; ++round) {
         // [rest.alternate.together]
         // All points are springs, and all bodies follow
         pieces_.clear_pushes();

@@ -17,18 +17,20 @@ namespace flying {
 class AlternatingDirections
 {
 public:
-    /// Better impulses for a group of any size, of masses of any ratio: allowed ones, whatever they leave.
+    /// Better impulses for a group of any size, of masses of any ratio: allowed ones, whatever they leave. Points whose
+    /// bound is -infinity, since they won't close, bear nothing.
     ///
     /// movers   all bodies; those of the group hold the velocities that they would have without contacts
     /// members  the group's bodies that can move, ascending
     /// points   the group's points with impulses to start from, not yet applied; on return those found, applied
     /// tolerance  it ends where no point is moved by more in a round [m/s]
+    /// rounds     at most
     void solve(std::span<Mover> movers, std::span<const int> members, std::span<ContactPoint> points, double tolerance,
-               SolveCounts& counts);
+               int rounds, SolveCounts& counts);
 
 private:
     void start();
-    void go_round(double tolerance);
+    void go_round(double tolerance, int rounds);
 
     ContactProblem problem_;
     PieceSystem pieces_;

@@ -62,9 +62,6 @@ void find_impulses(RestData& data, Island& island, std::span<const Mover> start,
     const Effort effort = is_heap(island) && !is_new ? most : Effort::full;
     island.is_solved = data.solver.solve(data.motion.now, island.members, points,
                                          rest_tolerance::k_residual * top_speed(data, island), effort);
-    if (island.is_solved || is_heap(island)) return;
-    set_free(data, island, start, time);
-    data.solver.end_approaches(data.motion.now, island.members, points);
 }
 
 void calm(RestData& data, const Island& island)

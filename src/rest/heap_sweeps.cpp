@@ -90,10 +90,10 @@ void HeapSweeps::settle(RestData& data, const Island& island, std::span<ContactP
     const double most = rest_tolerance::k_nearly_right * rest;
     if (are_satisfied(points, movers, most)) return;
     take_back(movers, points);
-    turns_.solve(movers, island.members, points, 0.5 * most, data.solver.counts());
+    turns_.solve(movers, island.members, points, 0.5 * most, rest_tolerance::k_more_sweeps, data.solver.counts());
     take_back(movers, points);
     SweepPlan plan;
-    plan.sweeps = rest_tolerance::k_heap_sweeps;
+    plan.sweeps = rest_tolerance::k_few_sweeps;
     plan.tolerance = 0.0;
     sweeps_.sweep(movers, island.members, points, plan, data.solver.counts());
 }
@@ -113,10 +113,7 @@ void HeapSweeps::sweep_on(RestData& data, const Island& island, std::span<Mover>
     }
     if (island.member_count() > rest_tolerance::k_most_whole || !misses(data, movers, points, most)) return;
     take_back(movers, points);
-    if (!data.solver.solve(movers, island.members, points, rest_tolerance::k_residual * top_speed(data, island))) {
-        take_back(movers, points);
-        data.solver.end_approaches(movers, island.members, points);
-    }
+    (void)data.solver.solve(movers, island.members, points, rest_tolerance::k_residual * top_speed(data, island));
 }
 
 /// A point misses the least normal velocity that it may end with by more than so much.
@@ -158,7 +155,7 @@ void HeapSweeps::sweep(RestData& data, const Island& island, std::span<Mover> mo
 {
     SweepPlan plan;
     plan.is_warm = data.options.warm_starts;
-    plan.sweeps = rest_tolerance::k_heap_sweeps;
+    plan.sweeps = rest_tolerance::k_few_sweeps;
     plan.tolerance = tolerance;
     sweeps_.sweep(movers, island.members, points, plan, data.solver.counts());
     sweep_on(data, island, movers, points, most);

@@ -53,8 +53,8 @@ bool IslandSolver::solve(std::span<Mover> movers, std::span<const int> members, 
     best_ = worst_residual(points, movers);
     kept_.assign(points.begin(), points.end());
     bool content = improve(island, From::here);
-    for (const From from : {From::sweeps, From::within, From::nothing}) {
-        const bool is_worth_it = effort == Effort::full || (effort == Effort::some && from == From::sweeps);
+    for (const From from : {From::turns, From::nothing}) {
+        const bool is_worth_it = effort == Effort::full || (effort == Effort::some && from == From::turns);
         if (content || !is_worth_it) break;
         if (from == From::nothing && points.size() > rest_tolerance::k_most_whole) break;
         go_back_to_best(island);
@@ -64,38 +64,6 @@ bool IslandSolver::solve(std::span<Mover> movers, std::span<const int> members, 
     counts_.factorisations += pieces_.factorisations() - before;
     ++(content ? counts_.solved : counts_.unsolved);
     return content;
-}
-
-void IslandSolver::end_approaches(std::span<Mover> movers, std::span<const int> members, std::span<ContactPoint> points)
-{
-    const Island island{movers, members, points, 0.0};
-    problem_.points = points;
-    problem_.bodies.clear();
-    for (const int member : members) problem_.bodies.push_back(movers[member]);
-    apply(island);
-    const double before = worst_approach(points, movers);
-    kept_.assign(points.begin(), points.end());
-    restore_free(island);
-
-    const std::int64_t factorisations_before = pieces_.factorisations();
-    pieces_.begin(problem_, members, movers.size());
-    measure_finite_slips(island);
-    limits_.assign(points.size(), 0.0);
-    pieces_.lend([&](BlockSystem& blocks, std::int64_t& factorisations) {
-        for (std::size_t k = 0; k < points.size(); ++k) problem_.impulse[2 * k] = points[k].normal;
-        for (int round = 0; round < rest_tolerance::k_few_rounds; ++round) {
-            for (std::size_t k = 0; k < points.size(); ++k) {
-                const double most = points[k].friction * problem_.impulse[2 * k];
-                limits_[k] = round == 0 ? most : 0.5 * (limits_[k] + most);
-            }
-            (void)interior_.solve(problem_, blocks, problem_.impulse, factorisations, limits_);
-        }
-    });
-    take_impulses(island);
-    counts_.factorisations += pieces_.factorisations() - factorisations_before;
-
-    // Where masses differ by more than numbers have digits, rounding may leave more than there was
-    if (!(worst_approach(points, movers) <= before)) go_back_to_best(island);
 }
 
 /// Impulses that suit this step worse than none go.
@@ -137,14 +105,11 @@ bool IslandSolver::find_pieces(const Island& island, From from)
     switch (from) {
     case From::here:
         return find_by_newton(pieces_, problem_);
-    case From::sweeps:
-        sweep_on(island);
+    case From::turns:
+        restore_free(island);
+        turns_.solve(island.movers, island.members, island.points, 0.0, rest_tolerance::k_few_sweeps, counts_);
         measure_slips(problem_, island.movers);
-        return find_by_newton(pieces_, problem_);
-    case From::within:
-        start_from_within(island);
-        measure_slips(problem_, island.movers);
-        return path_.follow(pieces_, problem_, PiecePath::Start::impulses, few_pieces(island.points.size()));
+        return find_from_here(island);
     case From::nothing:
         forget_impulses(island.points);
         restore_free(island);
@@ -160,41 +125,6 @@ bool IslandSolver::find_from_here(const Island& island)
 {
     return find_by_newton(pieces_, problem_) ||
            path_.follow(pieces_, problem_, PiecePath::Start::impulses, few_pieces(island.points.size()));
-}
-
-/// Slips in which points that may never close part so fast that they bear nothing.
-void IslandSolver::measure_finite_slips(const Island& island)
-{
-    measure_slips(problem_, island.movers);
-    double top = 0.0; // [m/s]
-    for (const double slip : problem_.slip) top = std::isfinite(slip) ? std::max(top, std::abs(slip)) : top;
-    for (double& slip : problem_.slip) slip = std::min(slip, rest_tolerance::k_never_bears * top);
-}
-
-void IslandSolver::start_from_within(const Island& island)
-{
-    restore_free(island);
-    measure_finite_slips(island);
-    pieces_.lend([&](BlockSystem& blocks, std::int64_t& factorisations) {
-        (void)interior_.solve(problem_, blocks, problem_.impulse, factorisations);
-    });
-    take_impulses(island);
-}
-
-/// From the best that was met; sweeps never do work, whatever they leave.
-void IslandSolver::sweep_on(const Island& island)
-{
-    sweep_points_.clear();
-    for (const ContactPoint& c : island.points) sweep_points_.push_back(sweep_point(c));
-    for (int k = 0; k < rest_tolerance::k_patience; ++k) {
-        if (k % 2 == 0) sweep(sweep_points_, island.movers);
-        else sweep_back(sweep_points_, island.movers);
-    }
-    counts_.sweeps += rest_tolerance::k_patience;
-    for (std::size_t k = 0; k < island.points.size(); ++k) {
-        island.points[k].normal = sweep_points_[k].normal;
-        island.points[k].tangent = sweep_points_[k].tangent;
-    }
 }
 
 void IslandSolver::restore_free(const Island& island) const

@@ -3,9 +3,9 @@
 #include <span>
 #include <vector>
 
+#include "rest/alternating_directions.hpp"
 #include "rest/contact_point.hpp"
 #include "rest/contact_problem.hpp"
-#include "rest/interior_point.hpp"
 #include "rest/piece_path.hpp"
 #include "rest/piece_system.hpp"
 #include "rest/solve_counts.hpp"
@@ -21,7 +21,7 @@ namespace flying {
 enum class Effort
 {
     full,  ///< all that is known
-    some,  ///< Newton's method, from what is there and from what sweeps make of it
+    some,  ///< all but the path that begins with no impulses
     brief, ///< Newton's method, from what is there
 };
 
@@ -44,12 +44,6 @@ public:
     bool solve(std::span<Mover> movers, std::span<const int> members, std::span<ContactPoint> points, double tolerance,
                Effort effort = Effort::full);
 
-    /// Impulses that end every approach to rounding, with friction that is right but for its limits: they are what the
-    /// normal impulses of the last round allow. Never blocked, and never adds energy.
-    /// points  with impulses to take the first limits from, not yet applied; on return those found, applied, or these
-    ///         where they leave less
-    void end_approaches(std::span<Mover> movers, std::span<const int> members, std::span<ContactPoint> points);
-
     [[nodiscard]] const SolveCounts& counts() const { return counts_; }
     [[nodiscard]] SolveCounts& counts() { return counts_; }
     /// Whether to begin with the impulses that the points have; else with none.
@@ -60,8 +54,7 @@ private:
     enum class From
     {
         here,    ///< from the impulses that are there
-        sweeps,  ///< from what sweeps make of them
-        within,  ///< from the answer of the interior-point method
+        turns,   ///< from what rounds by turns make of them
         nothing, ///< along the path that begins with no impulses
     };
     struct Island
@@ -74,10 +67,7 @@ private:
     [[nodiscard]] bool improve(const Island& island, From from);
     [[nodiscard]] bool find_pieces(const Island& island, From from);
     [[nodiscard]] bool find_from_here(const Island& island);
-    void measure_finite_slips(const Island& island);
-    void start_from_within(const Island& island);
     void forget_what_suits_worse(const Island& island);
-    void sweep_on(const Island& island);
     void restore_free(const Island& island) const;
     void apply(const Island& island) const;
     void go_back_to_best(const Island& island) const;
@@ -88,9 +78,7 @@ private:
     ContactProblem problem_;
     PieceSystem pieces_;
     PiecePath path_;
-    InteriorPoint interior_;
-    std::vector<double> limits_; // of friction, by the normal impulses of the last round [N s]
-    std::vector<SweepPoint> sweep_points_;
+    AlternatingDirections turns_;
     double best_ = 0.0;
     std::vector<ContactPoint> kept_; // the best that was met
 };

@@ -126,11 +126,10 @@ void IslandStep::find_lossless(RestData& data, Island& island, bool sweeps)
 {
     set_lossless_bias(data, island);
     for (int k = 0; k < rest_tolerance::k_quick_rounds; ++k) {
-        if (!sweeps) find_impulses(data, island, data.motion.before, data.motion.span);
-        if (sweeps || !island.is_solved) {
+        if (sweeps) {
             set_free(data, island, data.motion.before, data.motion.span);
             sweeps_.sweep_velocities(data, island, data.motion.now, island.points);
-        }
+        } else find_impulses(data, island, data.motion.before, data.motion.span);
         const std::span<const Mover> before = data.motion.before;
         const double share = neutral_share(data, island, before, data.motion.now, Way::mean_velocity);
         if (share != 1.0) {

@@ -58,14 +58,6 @@ public:
     };
     [[nodiscard]] Change change(const ContactProblem& problem, std::size_t point) const;
 
-    /// The blocks, lent to a solver that fills them with numbers of its own.
-    template <typename Solver>
-    void lend(Solver solver)
-    {
-        is_factorised_ = false;
-        solver(blocks_, factorisations_);
-    }
-
 private:
     void assemble(const ContactProblem& problem);
 

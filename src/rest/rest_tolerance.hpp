@@ -60,9 +60,8 @@ inline constexpr double k_most_overlap = 0x1p-7;
 /// compared may be off.
 inline constexpr double k_rounding = 0x1p-46;
 
-/// Rounds of what ends by itself after a few, or never: impacts at one moment, steps of the interior point, pieces of a
-/// path that begins near its end, corrections of what rounding leaves; and sweeps that lead nearer to where Newton's
-/// method works. Elastic bodies packed between walls would go on for ever.
+/// Rounds of what ends by itself after a few, or never: impacts at one moment, pieces of a path that begins near its
+/// end, corrections of what rounding leaves. Elastic bodies packed between walls would go on for ever.
 inline constexpr int k_patience = 64;
 
 /// Rounds of what is right after one or two, or after many: Newton's steps; looks at a pair that closes, each at the
@@ -71,27 +70,13 @@ inline constexpr int k_patience = 64;
 inline constexpr int k_quick_rounds = 8;
 
 /// Rounds of what is near after two or three: pushes that take off overlap, each of which leaves about the square of
-/// what it found; limits of friction that follow normal impulses; ends of slips in one step; sweeps that go on, each
-/// time with twice as many; and, for each point, pieces of a path that begins with nothing.
+/// what it found; ends of slips in one step; sweeps that go on, each time with twice as many; and, for each point,
+/// pieces of a path that begins with nothing.
 inline constexpr int k_few_rounds = 4;
 
 /// Points, or bodies, of the largest island that is followed in detail: the end of each slip, the moment of each
 /// impact. In larger ones all that a step brings comes at its start.
 inline constexpr int k_most_in_detail = 12;
-
-// ---- Direct solver (piece_system, island_solver)
-/// [greatest speeds] What parts so fast bears nothing.
-inline constexpr double k_never_bears = 0x1p20;
-
-// ---- Interior point (interior_point, island_solver)
-/// [unit energies] Products this small tell their greater number from the smaller.
-inline constexpr double k_interior_small = 0x1p-40;
-
-/// Part of the way to where the first number would vanish.
-inline constexpr double k_interior_inside = 0.99;
-
-/// Steps towards less that are shorter lead off the middle: the products are evened out first.
-inline constexpr double k_interior_short = 0.1;
 
 // ---- Points of outlines (outline_points)
 /// [cosine] Normals that differ by more are those of different faces.
@@ -156,7 +141,8 @@ inline constexpr double k_over_relaxation = 1.6;
 /// Sweeps that go on where more is left, twice as many in each round; and rounds of alternating directions.
 inline constexpr int k_more_sweeps = 128;
 
-/// Sweeps that end the impacts of a heap, and that take off its overlap.
-inline constexpr int k_heap_sweeps = 16;
+/// Sweeps that end the impacts of a heap, and that take off its overlap; rounds of alternating directions before a path
+/// is followed from where they lead.
+inline constexpr int k_few_sweeps = 16;
 
 } // namespace flying::rest_tolerance

@@ -6,7 +6,7 @@
 namespace flying {
 namespace {
 
-void solve_point(SweepPoint& c, std::span<Mover> movers)
+void solve_point(ContactPoint& c, std::span<Mover> movers)
 {
     Mover& a = movers[c.a];
     Mover& b = movers[c.b];
@@ -47,37 +47,14 @@ void solve_point(SweepPoint& c, std::span<Mover> movers)
 
 } // namespace
 
-SweepPoint sweep_point(const ContactPoint& c)
-{
-    return {c.a,
-            c.b,
-            c.n_x,
-            c.n_y,
-            c.normal_arm_a,
-            c.normal_arm_b,
-            c.tangent_arm_a,
-            c.tangent_arm_b,
-            c.normal_mass,
-            c.tangent_mass,
-            c.friction,
-            c.bound,
-            c.normal,
-            c.tangent};
-}
-
 void warm_start(std::span<const ContactPoint> points, std::span<Mover> movers)
 {
     for (const ContactPoint& c : points) push(c, c.normal, c.tangent, movers[c.a], movers[c.b]);
 }
 
-void sweep(std::span<SweepPoint> points, std::span<Mover> movers)
+void sweep(std::span<ContactPoint> points, std::span<Mover> movers)
 {
-    for (SweepPoint& c : points) solve_point(c, movers);
-}
-
-void sweep_back(std::span<SweepPoint> points, std::span<Mover> movers)
-{
-    for (std::size_t k = points.size(); k > 0; --k) solve_point(points[k - 1], movers);
+    for (ContactPoint& c : points) solve_point(c, movers);
 }
 
 // [rest.residual]
@@ -106,16 +83,6 @@ double worst_residual(std::span<const ContactPoint> points, std::span<const Move
 {
     double worst = 0.0;
     for (const ContactPoint& c : points) worst = std::max(worst, residual(c, movers[c.a], movers[c.b]));
-    return worst;
-}
-
-double worst_approach(std::span<const ContactPoint> points, std::span<const Mover> movers)
-{
-    double worst = 0.0;
-    for (const ContactPoint& c : points) {
-        const double missed = c.bound - normal_speed(c, movers[c.a], movers[c.b]);
-        if (!(missed <= worst)) worst = missed; // what is no number is worst of all
-    }
     return worst;
 }
 

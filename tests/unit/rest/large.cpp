@@ -88,8 +88,8 @@ TEST_CASE("sweeps over batches find the bits of the plain sweep, whichever conta
             std::iota(all.begin(), all.end(), 0);
             CHECK(std::is_permutation(order.begin(), order.end(), all.begin(), all.end()));
             std::vector<Mover> movers = t.movers;
-            std::vector<SweepPoint> plain;
-            for (const int k : order) plain.push_back(sweep_point(t.points[k]));
+            std::vector<ContactPoint> plain;
+            for (const int k : order) plain.push_back(t.points[k]);
             for (int k = 0; k < 5; ++k) {
                 sweep(plain, movers);
                 CHECK(batches.sweep_ahead({1, 1, 0.0}) == 1);

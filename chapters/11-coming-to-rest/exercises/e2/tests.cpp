@@ -17,7 +17,7 @@ TEST_CASE("sweeps over a column are those of the engine")
         const int count = 1 + i % 8;
         std::vector<double> masses;
         std::vector<Mover> movers(1);
-        std::vector<SweepPoint> points;
+        std::vector<ContactPoint> points;
         for (int k = 0; k < count; ++k) {
             masses.push_back(random.uniform(0.5, 5.0));
             movers.push_back({0.0, -0.5, 0.0, 1.0 / masses[k], 1.0});
@@ -26,7 +26,7 @@ TEST_CASE("sweeps over a column are those of the engine")
             c.b = k + 1;
             c.n_y = 1.0;
             c.normal_mass = c.tangent_mass = 1.0 / (movers[k].inv_mass + movers[k + 1].inv_mass);
-            points.push_back(sweep_point(c));
+            points.push_back(c);
         }
         const int sweeps = 1 + i % 5;
         for (int s = 0; s < sweeps; ++s) sweep(points, movers);
