@@ -25,6 +25,7 @@ public:
     {
         int first = 0;
         int second = 0;
+        bool operator==(const Edge&) const = default;
     };
     void set_pattern(int count, std::span<const Edge> edges);
 
@@ -60,6 +61,7 @@ private:
 
     // Everything below is in order of elimination. Column k holds rows row_[start_[k]] ... , sorted; block 2 i of
     // `blocks_` is (row_[i], k) and block 2 i + 1 is (k, row_[i])
+    std::vector<Edge> edges_;
     std::vector<int> rank_;
     std::vector<int> body_;
     std::vector<int> start_;
