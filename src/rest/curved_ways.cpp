@@ -238,7 +238,7 @@ CurvedWays::Bend CurvedWays::bend_lines(RestData& data, const Island& island, bo
         set_mean_lines(bent, c, half_[k], end_[k], data.motion.now[c.a], data.motion.now[c.b]);
         const double size = std::min(data.bodies.radius[c.a], data.bodies.radius[c.b]);
         const double bend = bend_of(c, end_[k], data.motion.now[c.a], data.motion.now[c.b], size);
-        any = any || (c.normal > 0.0 && bend * motion > rounding);
+        any = any || (c.normal > 0.0 && bend > rest_tolerance::k_straight && bend * motion > rounding);
 
         // Ways that lead to a gap or an overlap are to end without it
         const double touch = data.bodies.touch_gap(c.a, c.b);

@@ -42,7 +42,7 @@ Outline::Outline(const Shape& shape, const CollisionShape& parts)
             if (before == sides_.end()) continue;
             const double turn = cross(before->tangent, after.tangent);
             if (turn < 0.0) after.rises_before = before->rises_after = true;
-            else if (turn > rest_tolerance::k_rounding)
+            else if (turn > rest_tolerance::k_straight)
                 corners_.push_back({after.edge, after.start, 0.0, before->normal, after.normal});
         }
         first_corner_.push_back(static_cast<int>(corners_.size()));

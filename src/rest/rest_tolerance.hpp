@@ -56,8 +56,8 @@ inline constexpr double k_fair_overlap = 0x1p-9;
 /// made in parts. Three quarters of what a user is promised.
 inline constexpr double k_most_overlap = 0x1p-7;
 
-/// [energies, distances, speeds; sines] Rise that rounding explains; by how much separations, or approaches, that are
-/// compared may be off; and what two sides that go straight on may turn.
+/// [energies, distances, speeds] Rise that rounding explains; and by how much separations, or approaches, that are
+/// compared may be off.
 inline constexpr double k_rounding = 0x1p-46;
 
 /// Rounds of what ends by itself after a few, or never: impacts at one moment, pieces of a path that begins near its
@@ -91,6 +91,11 @@ inline constexpr double k_room_reaches = 3.0;
 /// [sizes] Overlap that matters: a pair that has more at the start of a step is put right first, without a look ahead;
 /// parts that had no point are looked at where two come nearer by more; and sweeps may add so much in one step.
 inline constexpr double k_deep = 0x1p-10;
+
+// ---- Curved ways (curved_ways)
+/// [1, or sizes] A line of push that changes by less within a step is straight. Without it rounding would say which
+/// lines bend, and a run that is resumed would take other ways.
+inline constexpr double k_straight = 0x1p-36;
 
 // ---- Seams (looks)
 /// [speeds] Two that part no faster than this, beside one that passes both, go together.
