@@ -140,7 +140,9 @@ int BlockSystem::find(int column, int row) const
 void BlockSystem::set_pattern(int count, std::span<const Edge> edges)
 {
     // Where bodies touch as they did, all stands where it stood
-    if (static_cast<std::size_t>(count) == diagonal_.size() && std::ranges::equal(edges, edges_)) return;
+    if (static_cast<std::size_t>(count) == diagonal_.size() &&
+        std::equal(edges.begin(), edges.end(), edges_.begin(), edges_.end()))
+        return;
     edges_.assign(edges.begin(), edges.end());
     order(count, edges);
     fill_in(count, edges);
