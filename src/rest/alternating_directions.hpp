@@ -9,11 +9,11 @@
 
 namespace flying {
 
-/// Coulomb's conditions at all points of a heap, met by turns (alternating direction method of multipliers, Boyd et al.
-/// 2011; here the limits of friction follow the normal impulses). In one turn each point is a spring, which all bodies
-/// follow at once: one system of equations, factorised once for all rounds. In the other each point by itself takes the
-/// impulse that its conditions allow nearest to what its spring asks for, and remembers what it was denied. So a load
-/// goes through the whole heap in each round, where a sweep leads it one body on.
+/// Coulomb's conditions at all points of a group, met by turns (alternating direction method of multipliers, Boyd et
+/// al. 2011; here the limits of friction follow the normal impulses). In one turn each point is a spring, which all
+/// bodies follow at once: one system of equations, factorised once for all rounds. In the other each point by itself
+/// takes the impulse that its conditions allow nearest to what its spring asks for, and remembers what it was denied.
+/// So a load goes through the whole group in each round, where a sweep leads it one body on.
 class AlternatingDirections
 {
 public:

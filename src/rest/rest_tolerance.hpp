@@ -142,8 +142,8 @@ inline constexpr double k_over_relaxation = 1.6;
 /// Sweeps that go on where more is left, twice as many in each round; and rounds of alternating directions.
 inline constexpr int k_more_sweeps = 128;
 
-/// Sweeps that end the impacts of a heap, and that take off its overlap; rounds of alternating directions before a path
-/// is followed from where they lead.
+/// Sweeps that end the impacts of a heap, and that take off its overlap; rounds of alternating directions before a
+/// search begins again from where they lead.
 inline constexpr int k_few_sweeps = 16;
 
 } // namespace flying::rest_tolerance
