@@ -87,10 +87,11 @@ void RestEngine::move_island(const Island& island)
         BodyState& state = data_.bodies.list[member].state;
         const Mover& now = data_.motion.now[member];
         const Vec2& way = data_.motion.shift[member];
-        same = same && way.x() == 0.0 && way.y() == 0.0 && data_.motion.turn[member] == 0.0 && now.v_x == 0.0 &&
-               now.v_y == 0.0 && now.spin == 0.0 && stood_alike(member);
+        const BodyState old = state;
         state.position += way;
         state.angle += data_.motion.turn[member];
+        same = same && state.position == old.position && state.angle == old.angle && now.v_x == 0.0 && now.v_y == 0.0 &&
+               now.spin == 0.0 && stood_alike(member);
         state.velocity = Vec2(now.v_x, now.v_y);
         state.spin = now.spin;
         state.time = time() + data_.options.step;
