@@ -91,7 +91,8 @@ void find_moving_seams(const RestBodies& bodies, const PairList& list, const Res
     for (int k = 0; k < manifold.count; ++k) {
         const Contact& contact = manifold.contacts[k];
         const Vec2 point = contact.point - (sign * contact.separation) * contact.normal;
-        const double pass = (bodies.velocity_of(body, point) - bodies.velocity_of(toucher, point)).norm();
+        const Vec2 velocity = bodies.velocity_of(body, point);
+        const double pass = (velocity - bodies.velocity_of(toucher, point)).squaredNorm();
         if (pass == 0.0) continue;
         const Vec2 local = inverse(pose.rotation) * Vec2(point - pose.position);
         const auto is_here = [&](const Vec2& vertex) { return (vertex - local).squaredNorm() <= near * near; };
@@ -107,9 +108,9 @@ void find_moving_seams(const RestBodies& bodies, const PairList& list, const Res
             const Vec2 way = point - bodies.poses[other] * neighbour.centre;
             const double reach = neighbour.radius + 2.0 * near;
             if (way.squaredNorm() > reach * reach) return;
-            if ((bodies.velocity_of(body, point) - bodies.velocity_of(other, point)).norm() >
-                rest_tolerance::k_together * pass)
-                return;
+            // Together go two that part, while the third passes by its size, by no more than what is near
+            const double part_ways = (velocity - bodies.velocity_of(other, point)).squaredNorm();
+            if (part_ways > rest_tolerance::k_watch * rest_tolerance::k_watch * pass) return;
             find_seams_with(bodies, body, part, other, others_part, seams);
         };
         list.for_each_of(body, look_at);

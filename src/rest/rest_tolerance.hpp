@@ -97,10 +97,6 @@ inline constexpr double k_deep = 0x1p-10;
 /// lines bend, and a run that is resumed would take other ways.
 inline constexpr double k_straight = 0x1p-36;
 
-// ---- Seams (looks)
-/// [speeds] Two that part no faster than this, beside one that passes both, go together.
-inline constexpr double k_together = 0x1p-6;
-
 // ---- Contact forces (contact_forces)
 // [rest.solve.limits]
 /// Bodies of the largest island that is solved whole however it moves, and whatever it takes, and whose step may be
