@@ -4,7 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "heap.hpp"
-#include "rest/alternating_directions.hpp"
+#include "rest/island_solver.hpp"
 #include "rest/rest_tolerance.hpp"
 #include "rest/sweeps.hpp"
 #include "support/receipts.hpp"
@@ -28,9 +28,7 @@ struct LeftOfColumn
 LeftOfColumn left_of_column(const std::vector<double>& masses)
 {
     Column column = column_of(masses, 1.0);
-    SolveCounts counts;
-    AlternatingDirections().solve(column.movers, column.members, column.points, 0.0, rest_tolerance::k_more_sweeps,
-                                  counts);
+    IslandSolver().solve_by_turns(column.movers, column.members, column.points, 0.0, rest_tolerance::k_more_sweeps);
     LeftOfColumn left{worst_error(column.points, weights_above(masses, 1.0)), 1.0};
     ColumnSweeps swept(masses);
     for (int k = 0; k < rest_tolerance::k_more_sweeps; ++k) left.by_sweeps = swept.sweep_once();
@@ -286,8 +284,7 @@ TEST_CASE("a round by turns leaves so much of what impulses lack")
             OnPoints body = on_points(k, fall);
             for (ContactPoint& c : body.points) c.normal = (1.0 - lacks) * fall / k;
             const std::vector<int> members = {1};
-            SolveCounts counts;
-            AlternatingDirections().solve(body.movers, members, body.points, 0.0, 1, counts);
+            IslandSolver().solve_by_turns(body.movers, members, body.points, 0.0, 1);
             double sum = 0.0;
             for (const ContactPoint& c : body.points) sum += c.normal;
             const double left = 1.0 - sum / fall;
@@ -307,8 +304,7 @@ TEST_CASE("by turns, a point that won't close bears nothing, and the others bear
     body.points[1].bound = -std::numeric_limits<double>::infinity();
     for (ContactPoint& c : body.points) c.normal = fall / 3.0;
     const std::vector<int> members = {1};
-    SolveCounts counts;
-    AlternatingDirections().solve(body.movers, members, body.points, 0.0, rest_tolerance::k_more_sweeps, counts);
+    IslandSolver().solve_by_turns(body.movers, members, body.points, 0.0, rest_tolerance::k_more_sweeps);
     CHECK(body.points[1].normal == 0.0);
     CHECK(std::abs(body.points[0].normal + body.points[2].normal - fall) < 1e-14);
     CHECK(std::abs(body.movers[1].v_y) < 1e-14);

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "rest/rest_tolerance.hpp"
-#include "rest/sweeps.hpp"
 
 namespace flying {
 namespace {
@@ -26,78 +25,64 @@ using rest_tolerance::k_soft_stiffness;
 
 } // namespace
 
-void AlternatingDirections::solve(std::span<Mover> movers, std::span<const int> members, std::span<ContactPoint> points,
-                                  double tolerance, int rounds, SolveCounts& counts)
+void AlternatingDirections::solve(PieceSystem& pieces, ContactProblem& problem, double tolerance, int rounds)
 {
-    problem_.points = points;
-    problem_.bodies.clear();
-    for (const int member : members) problem_.bodies.push_back(movers[member]);
-    warm_start(points, movers);
-    pieces_.begin(problem_, members, movers.size(), k_soft_stiffness);
-    measure_slips(problem_, movers);
-    start();
-    const std::int64_t before = pieces_.factorisations();
-    if (pieces_.factorise(problem_)) go_round(tolerance, rounds);
-    counts.factorisations += pieces_.factorisations() - before;
-
-    for (std::size_t k = 0; k < points.size(); ++k) {
-        ContactPoint& c = points[k];
-        push(c, problem_.impulse[2 * k] - c.normal, problem_.impulse[2 * k + 1] - c.tangent, movers[c.a], movers[c.b]);
-        c.normal = problem_.impulse[2 * k];
-        c.tangent = problem_.impulse[2 * k + 1];
-    }
+    pieces.set_stiffness(k_soft_stiffness);
+    start(pieces, problem);
+    if (pieces.factorise(problem)) go_round(pieces, problem, tolerance, rounds);
+    pieces.set_stiffness(rest_tolerance::k_stiffness);
 }
 
 /// A point that parts, or slips, was denied what would have held it.
-void AlternatingDirections::start()
+void AlternatingDirections::start(PieceSystem& pieces, ContactProblem& problem)
 {
-    asked_.resize(problem_.impulse.size());
-    for (std::size_t k = 0; k < problem_.points.size(); ++k) {
-        const ContactPoint& c = problem_.points[k];
+    asked_.resize(problem.impulse.size());
+    for (std::size_t k = 0; k < problem.points.size(); ++k) {
+        const ContactPoint& c = problem.points[k];
         if (std::isinf(c.bound)) { // without a spring
-            for (double* of : {&problem_.slip[2 * k], &problem_.impulse[2 * k], &asked_[2 * k]}) of[0] = of[1] = 0.0;
-            pieces_.set_mode(k, PieceSystem::Mode::apart);
+            for (double* of : {&problem.slip[2 * k], &problem.impulse[2 * k], &asked_[2 * k]}) of[0] = of[1] = 0.0;
+            pieces.set_mode(k, PieceSystem::Mode::apart);
             continue;
         }
-        const double u_n = problem_.slip[2 * k];
-        const double u_t = problem_.slip[2 * k + 1];
+        const double u_n = problem.slip[2 * k];
+        const double u_t = problem.slip[2 * k + 1];
         const bool slips = std::abs(c.tangent) >= c.friction * c.normal && c.tangent * u_t <= 0.0;
-        problem_.impulse[2 * k] = c.normal;
-        problem_.impulse[2 * k + 1] = c.tangent;
+        problem.impulse[2 * k] = c.normal;
+        problem.impulse[2 * k + 1] = c.tangent;
         asked_[2 * k] = c.normal > 0.0 ? c.normal : -stiffness_n(c) * std::max(u_n, 0.0);
         asked_[2 * k + 1] = c.tangent - (slips ? stiffness_t(c) * u_t : 0.0);
-        pieces_.set_mode(k, c.friction > 0.0 ? PieceSystem::Mode::stuck : PieceSystem::Mode::slips_forwards);
+        pieces.set_mode(k, c.friction > 0.0 ? PieceSystem::Mode::stuck : PieceSystem::Mode::slips_forwards);
     }
 }
 
 /// Round by round, until no point is moved by more than the tolerance, or long enough.
-void AlternatingDirections::go_round(double tolerance, int rounds)
+void AlternatingDirections::go_round(PieceSystem& pieces, ContactProblem& problem, double tolerance, int rounds)
 {
     double moved = 2.0 * tolerance; // [m/s]
     for (int round = 0; round < rounds && moved >= tolerance; ++round) {
         // [rest.alternate.together]
         // All points are springs, and all bodies follow
-        pieces_.clear_pushes();
-        for (std::size_t k = 0; k < problem_.points.size(); ++k) {
-            const ContactPoint& c = problem_.points[k];
-            const double* j = &problem_.impulse[2 * k];
-            const double* u = &problem_.slip[2 * k];
-            pieces_.push(problem_, k, (2.0 * j[0] - asked_[2 * k]) - (c.normal + stiffness_n(c) * u[0]),
-                         (2.0 * j[1] - asked_[2 * k + 1]) - (c.tangent + stiffness_t(c) * u[1]));
+        pieces.clear_pushes();
+        for (std::size_t k = 0; k < problem.points.size(); ++k) {
+            const ContactPoint& c = problem.points[k];
+            const double* j = &problem.impulse[2 * k];
+            const double* u = &problem.slip[2 * k];
+            pieces.push(problem, k, (2.0 * j[0] - asked_[2 * k]) - (c.normal + stiffness_n(c) * u[0]),
+                        (2.0 * j[1] - asked_[2 * k + 1]) - (c.tangent + stiffness_t(c) * u[1]));
         }
-        pieces_.solve();
+        pieces.solve();
         // [rest.alternate.together]
 
         // [rest.alternate.alone]
         // Each point takes what it may of what its spring asks for
         moved = 0.0;
-        for (std::size_t k = 0; k < problem_.points.size(); ++k) {
-            const ContactPoint& c = problem_.points[k];
-            const PieceSystem::Change change = pieces_.change(problem_, k);
-            double* j = &problem_.impulse[2 * k];
+        for (std::size_t k = 0; k < problem.points.size(); ++k) {
+            const ContactPoint& c = problem.points[k];
+            const PieceSystem::Change change = pieces.change(problem, k);
+            double* j = &problem.impulse[2 * k];
             double* asked = &asked_[2 * k];
-            const double normal = (j[0] - asked[0]) - stiffness_n(c) * (problem_.slip[2 * k] + change.normal);
-            const double tangent = (j[1] - asked[1]) - stiffness_t(c) * (problem_.slip[2 * k + 1] + change.tangent);
+            const double normal = (j[0] - asked[0]) - stiffness_n(c) * (problem.slip[2 * k] + change.normal);
+            const double tangent = (j[1] - asked[1]) - stiffness_t(c) * (problem.slip[2 * k + 1] + change.tangent);
             asked[0] += k_over_relaxation * normal;
             asked[1] += k_over_relaxation * tangent;
             j[0] = std::max(asked[0], 0.0);

@@ -1,11 +1,9 @@
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "rest/contact_problem.hpp"
 #include "rest/piece_system.hpp"
-#include "rest/solve_counts.hpp"
 
 namespace flying {
 
@@ -20,20 +18,16 @@ public:
     /// Better impulses for a group of any size, of masses of any ratio: allowed ones, whatever they leave. Points whose
     /// bound is -infinity, since they won't close, bear nothing.
     ///
-    /// movers   all bodies; those of the group hold the velocities that they would have without contacts
-    /// members  the group's bodies that can move, ascending
-    /// points   the group's points with impulses to start from, not yet applied; on return those found, applied
+    /// pieces     of the problem; they are soft meanwhile
+    /// problem    with the impulses to start from, and what they leave of slips; on return with those found
     /// tolerance  it ends where no point is moved by more in a round [m/s]
     /// rounds     at most
-    void solve(std::span<Mover> movers, std::span<const int> members, std::span<ContactPoint> points, double tolerance,
-               int rounds, SolveCounts& counts);
+    void solve(PieceSystem& pieces, ContactProblem& problem, double tolerance, int rounds);
 
 private:
-    void start();
-    void go_round(double tolerance, int rounds);
+    void start(PieceSystem& pieces, ContactProblem& problem);
+    void go_round(PieceSystem& pieces, ContactProblem& problem, double tolerance, int rounds);
 
-    ContactProblem problem_;
-    PieceSystem pieces_;
     /// What a point is asked for, normal and tangential: its impulse, less what it was denied.  [N s]
     std::vector<double> asked_;
 };

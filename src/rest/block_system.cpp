@@ -31,21 +31,25 @@ void subtract_product(double* x, const Block& a, const double* y)
     for (int i = 0; i < 3; ++i) x[i] -= (a.at[i][0] * first + a.at[i][1] * second) + a.at[i][2] * third;
 }
 
-/// Replaces a block by its factors: below the diagonal those of the elimination, on and above it what is left. An
-/// explicit inverse would lose what rounding leaves of blocks that hold both masses and stiff points.
+/// Replaces a block by its factors: below the diagonal those of the elimination, on and above it what is left, and
+/// beside each row one over its pivot. An explicit inverse would lose what rounding leaves of blocks that hold both
+/// masses and stiff points.
 [[nodiscard]] bool eliminate(Block& m)
 {
     auto& at = m.at;
     if (!(std::abs(at[0][0]) > 0.0)) return false;
-    at[1][0] /= at[0][0];
-    at[2][0] /= at[0][0];
+    at[0][3] = 1.0 / at[0][0];
+    at[1][0] *= at[0][3];
+    at[2][0] *= at[0][3];
     at[1][1] -= at[1][0] * at[0][1];
     at[1][2] -= at[1][0] * at[0][2];
     at[2][1] -= at[2][0] * at[0][1];
     at[2][2] -= at[2][0] * at[0][2];
     if (!(std::abs(at[1][1]) > 0.0)) return false;
-    at[2][1] /= at[1][1];
+    at[1][3] = 1.0 / at[1][1];
+    at[2][1] *= at[1][3];
     at[2][2] -= at[2][1] * at[1][2];
+    at[2][3] = 1.0 / at[2][2];
     return std::abs(at[2][2]) > 0.0;
 }
 
@@ -55,9 +59,9 @@ void divide_right(Block& a, const Block& m)
     const auto& at = m.at;
     for (int i = 0; i < 3; ++i) {
         double* row = a.at[i];
-        row[0] /= at[0][0];
-        row[1] = (row[1] - row[0] * at[0][1]) / at[1][1];
-        row[2] = ((row[2] - row[0] * at[0][2]) - row[1] * at[1][2]) / at[2][2];
+        row[0] *= at[0][3];
+        row[1] = (row[1] - row[0] * at[0][1]) * at[1][3];
+        row[2] = ((row[2] - row[0] * at[0][2]) - row[1] * at[1][2]) * at[2][3];
         row[1] -= row[2] * at[2][1];
         row[0] = (row[0] - row[1] * at[1][0]) - row[2] * at[2][0];
     }
@@ -69,9 +73,9 @@ void divide_left(const Block& m, double* x)
     const auto& at = m.at;
     x[1] -= at[1][0] * x[0];
     x[2] = (x[2] - at[2][0] * x[0]) - at[2][1] * x[1];
-    x[2] /= at[2][2];
-    x[1] = (x[1] - at[1][2] * x[2]) / at[1][1];
-    x[0] = ((x[0] - at[0][1] * x[1]) - at[0][2] * x[2]) / at[0][0];
+    x[2] *= at[2][3];
+    x[1] = (x[1] - at[1][2] * x[2]) * at[1][3];
+    x[0] = ((x[0] - at[0][1] * x[1]) - at[0][2] * x[2]) * at[0][3];
 }
 
 } // namespace

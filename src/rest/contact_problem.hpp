@@ -13,8 +13,8 @@ struct ContactProblem
     /// Where a point stands in the island.
     struct Seat
     {
-        int a = -1;    ///< number of the body A among the members; -1 where it is static
-        int b = -1;    ///< the same of the body B
+        int a = 0;     ///< number of the body A among the members; as many as there are where it is static
+        int b = 0;     ///< the same of the body B
         int edge = -1; ///< of the block system, where both move
     };
 

@@ -90,7 +90,7 @@ void HeapSweeps::settle(RestData& data, const Island& island, std::span<ContactP
     const double most = rest_tolerance::k_nearly_right * rest;
     if (are_satisfied(points, movers, most)) return;
     take_back(movers, points);
-    turns_.solve(movers, island.members, points, 0.5 * most, rest_tolerance::k_more_sweeps, data.solver.counts());
+    data.solver.solve_by_turns(movers, island.members, points, 0.5 * most, rest_tolerance::k_more_sweeps);
     take_back(movers, points);
     SweepPlan plan;
     plan.sweeps = rest_tolerance::k_few_sweeps;

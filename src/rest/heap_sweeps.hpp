@@ -2,7 +2,6 @@
 
 #include <span>
 
-#include "rest/alternating_directions.hpp"
 #include "rest/island.hpp"
 #include "rest/island_sweeps.hpp"
 
@@ -38,7 +37,6 @@ private:
                               double most) const;
 
     IslandSweeps sweeps_;
-    AlternatingDirections turns_;
 };
 
 } // namespace flying

@@ -34,9 +34,7 @@ bool IslandSolver::solve(std::span<Mover> movers, std::span<const int> members, 
                          double tolerance, Effort effort)
 {
     const Island island{movers, members, points, tolerance};
-    problem_.points = points;
-    problem_.bodies.clear();
-    for (const int member : members) problem_.bodies.push_back(movers[member]);
+    take_problem(island);
 
     // What was right in the step before most often is right still
     if (!is_warm_) forget_impulses(points);
@@ -64,6 +62,25 @@ bool IslandSolver::solve(std::span<Mover> movers, std::span<const int> members, 
     counts_.factorisations += pieces_.factorisations() - before;
     ++(content ? counts_.solved : counts_.unsolved);
     return content;
+}
+
+void IslandSolver::solve_by_turns(std::span<Mover> movers, std::span<const int> members, std::span<ContactPoint> points,
+                                  double tolerance, int rounds)
+{
+    const Island island{movers, members, points, tolerance};
+    take_problem(island);
+    warm_start(points, movers);
+    const std::int64_t before = pieces_.factorisations();
+    pieces_.begin(problem_, members, movers.size());
+    go_by_turns(island, rounds);
+    counts_.factorisations += pieces_.factorisations() - before;
+}
+
+void IslandSolver::take_problem(const Island& island)
+{
+    problem_.points = island.points;
+    problem_.bodies.clear();
+    for (const int member : island.members) problem_.bodies.push_back(island.movers[member]);
 }
 
 /// Impulses that suit this step worse than none go.
@@ -106,8 +123,7 @@ bool IslandSolver::find_pieces(const Island& island, From from)
     case From::here:
         return find_by_newton(pieces_, problem_);
     case From::turns:
-        restore_free(island);
-        turns_.solve(island.movers, island.members, island.points, 0.0, rest_tolerance::k_few_sweeps, counts_);
+        go_by_turns(island, rest_tolerance::k_few_sweeps);
         measure_slips(problem_, island.movers);
         return find_from_here(island);
     case From::nothing:
@@ -118,6 +134,13 @@ bool IslandSolver::find_pieces(const Island& island, From from)
                             rest_tolerance::k_few_rounds * static_cast<int>(island.points.size()));
     }
     return false;
+}
+
+void IslandSolver::go_by_turns(const Island& island, int rounds)
+{
+    measure_slips(problem_, island.movers);
+    turns_.solve(pieces_, problem_, island.tolerance, rounds);
+    take_impulses(island);
 }
 
 /// From impulses that are nearly right.

@@ -44,6 +44,14 @@ public:
     bool solve(std::span<Mover> movers, std::span<const int> members, std::span<ContactPoint> points, double tolerance,
                Effort effort = Effort::full);
 
+    /// Better impulses for a group of any size, by rounds of alternating directions: allowed ones, whatever they leave.
+    ///
+    /// movers, members, points  as above
+    /// tolerance  it ends where no point is moved by more in a round [m/s]
+    /// rounds     at most
+    void solve_by_turns(std::span<Mover> movers, std::span<const int> members, std::span<ContactPoint> points,
+                        double tolerance, int rounds);
+
     [[nodiscard]] const SolveCounts& counts() const { return counts_; }
     [[nodiscard]] SolveCounts& counts() { return counts_; }
     /// Whether to begin with the impulses that the points have; else with none.
@@ -64,6 +72,8 @@ private:
         std::span<ContactPoint> points;
         double tolerance;
     };
+    void take_problem(const Island& island);
+    void go_by_turns(const Island& island, int rounds);
     [[nodiscard]] bool improve(const Island& island, From from);
     [[nodiscard]] bool find_pieces(const Island& island, From from);
     [[nodiscard]] bool find_from_here(const Island& island);

@@ -22,7 +22,7 @@ bool PiecePath::follow(PieceSystem& pieces, ContactProblem& problem, Start start
     shift_.assign(2 * problem.points.size(), 0.0);
     if (start == Start::nothing) shift_from_nothing(problem);
     else shift_from_impulses(problem);
-    double left = start == Start::nothing ? 1.0 : 1.0;
+    double left = 1.0;
     start_springs(pieces, problem, left);
     double first = 1.0;
     Turn last;

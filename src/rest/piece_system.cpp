@@ -1,6 +1,7 @@
 #include "rest/piece_system.hpp"
 
 #include <algorithm>
+#include <bit>
 
 #include "rest/push_lines.hpp"
 #include "rest/rest_tolerance.hpp"
@@ -9,30 +10,35 @@ namespace flying {
 
 using rest_tolerance::k_stiffness;
 
-void PieceSystem::begin(ContactProblem& problem, std::span<const int> members, std::size_t movers, double stiffness)
+void PieceSystem::begin(ContactProblem& problem, std::span<const int> members, std::size_t movers)
 {
-    stiffness_ = stiffness;
-
-    // Number the members, and find which are coupled
-    if (number_.size() < movers) number_.resize(movers, -1);
-    for (std::size_t k = 0; k < members.size(); ++k) number_[members[k]] = static_cast<int>(k);
+    // Number the members, and find which are coupled; all that is static is one more
+    const int ground = static_cast<int>(members.size());
+    number_.resize(movers);
+    for (const ContactPoint& c : problem.points) number_[c.a] = number_[c.b] = ground;
+    for (int k = 0; k < ground; ++k) number_[members[k]] = k;
     edges_.clear();
     problem.seats.clear();
     for (const ContactPoint& c : problem.points) {
         ContactProblem::Seat seat{number_[c.a], number_[c.b], -1};
-        if (seat.a >= 0 && seat.b >= 0) {
+        if (seat.a < ground && seat.b < ground) {
             const bool same = !edges_.empty() && edges_.back().first == seat.a && edges_.back().second == seat.b;
             if (!same) edges_.push_back({seat.a, seat.b});
             seat.edge = static_cast<int>(edges_.size()) - 1;
         }
         problem.seats.push_back(seat);
     }
-    for (const int member : members) number_[member] = -1;
-    blocks_.set_pattern(static_cast<int>(members.size()), edges_);
-    delta_.resize(3 * members.size());
+    blocks_.set_pattern(ground, edges_);
+    delta_.resize(3 * members.size() + 3);
     problem.slip.resize(2 * problem.points.size());
     problem.impulse.resize(2 * problem.points.size());
     modes_.resize(problem.points.size());
+    is_factorised_ = false;
+}
+
+void PieceSystem::set_stiffness(double stiffness)
+{
+    stiffness_ = stiffness;
     is_factorised_ = false;
 }
 
@@ -49,6 +55,7 @@ bool PieceSystem::factorise(const ContactProblem& problem)
 void PieceSystem::assemble(const ContactProblem& problem)
 {
     blocks_.clear();
+    const int ground = static_cast<int>(problem.bodies.size());
     for (std::size_t k = 0; k < problem.bodies.size(); ++k) {
         Block& block = blocks_.diagonal(static_cast<int>(k));
         block.at[0][0] = block.at[1][1] = 1.0 / problem.bodies[k].inv_mass;
@@ -69,10 +76,10 @@ void PieceSystem::assemble(const ContactProblem& problem)
         }
         const double stiffness_n = stiffness_ * c.normal_mass;
         const double stiffness_t = grips ? stiffness_ * c.tangent_mass : 0.0;
-        if (a >= 0) add_product(blocks_.diagonal(a), stiffness_n, left.a, n.a);
-        if (a >= 0 && grips) add_product(blocks_.diagonal(a), stiffness_t, t.a, t.a);
-        if (b >= 0) add_product(blocks_.diagonal(b), stiffness_n, left.b, n.b);
-        if (b >= 0 && grips) add_product(blocks_.diagonal(b), stiffness_t, t.b, t.b);
+        if (a < ground) add_product(blocks_.diagonal(a), stiffness_n, left.a, n.a);
+        if (a < ground && grips) add_product(blocks_.diagonal(a), stiffness_t, t.a, t.a);
+        if (b < ground) add_product(blocks_.diagonal(b), stiffness_n, left.b, n.b);
+        if (b < ground && grips) add_product(blocks_.diagonal(b), stiffness_t, t.b, t.b);
         if (edge < 0) continue;
         const BlockSystem::Place& place = blocks_.place(edge);
         add_product(blocks_.block(place.first_second), stiffness_n, left.a, n.b);
@@ -90,28 +97,34 @@ void PieceSystem::clear_pushes()
 
 void PieceSystem::push(const ContactProblem& problem, std::size_t point, double normal, double tangent)
 {
-    const Line n = normal_line(problem.points[point]);
-    const Line t = tangent_line(problem.points[point]);
-    const auto [a, b, edge] = problem.seats[point];
-    if (a >= 0) {
-        add(&delta_[3 * a], normal, n.a);
-        add(&delta_[3 * a], tangent, t.a);
-    }
-    if (b >= 0) {
-        add(&delta_[3 * b], normal, n.b);
-        add(&delta_[3 * b], tangent, t.b);
-    }
+    const ContactPoint& c = problem.points[point];
+    const double p_x = normal * c.n_x - tangent * c.n_y;
+    const double p_y = normal * c.n_y + tangent * c.n_x;
+    double* a = &delta_[3 * problem.seats[point].a];
+    double* b = &delta_[3 * problem.seats[point].b];
+    a[0] -= p_x;
+    a[1] -= p_y;
+    a[2] -= normal * c.normal_arm_a + tangent * c.tangent_arm_a;
+    b[0] += p_x;
+    b[1] += p_y;
+    b[2] += normal * c.normal_arm_b + tangent * c.tangent_arm_b;
+}
+
+void PieceSystem::solve()
+{
+    blocks_.solve(std::span(delta_).first(delta_.size() - 3));
+    std::fill(delta_.end() - 3, delta_.end(), 0.0); // what is static stays
 }
 
 PieceSystem::Change PieceSystem::change(const ContactProblem& problem, std::size_t point) const
 {
-    static constexpr double k_none[3] = {0.0, 0.0, 0.0};
-    const auto [a, b, edge] = problem.seats[point];
-    const double* of_a = a >= 0 ? &delta_[3 * a] : k_none;
-    const double* of_b = b >= 0 ? &delta_[3 * b] : k_none;
-    const Line n = normal_line(problem.points[point]);
-    const Line t = tangent_line(problem.points[point]);
-    return {along(n.a, of_a) + along(n.b, of_b), along(t.a, of_a) + along(t.b, of_b)};
+    const ContactPoint& c = problem.points[point];
+    const double* a = &delta_[3 * problem.seats[point].a];
+    const double* b = &delta_[3 * problem.seats[point].b];
+    const double x = b[0] - a[0];
+    const double y = b[1] - a[1];
+    return {(c.n_x * x + c.n_y * y) + (b[2] * c.normal_arm_b - a[2] * c.normal_arm_a),
+            (c.n_x * y - c.n_y * x) + (b[2] * c.tangent_arm_b - a[2] * c.tangent_arm_a)};
 }
 
 void measure_slips(ContactProblem& problem, std::span<const Mover> movers)
@@ -209,11 +222,14 @@ struct Wish
 bool find_by_newton(PieceSystem& pieces, ContactProblem& problem)
 {
     guess(pieces, problem);
-    for (int step = 0; step < rest_tolerance::k_quick_rounds; ++step) {
+    std::vector<Mode> met; // an earlier guess; one that comes again would come for ever (Brent 1980)
+    for (int step = 1; step <= rest_tolerance::k_quick_rounds; ++step) {
         if (!pieces.factorise(problem)) return false;
         push_imbalance(pieces, problem);
         pieces.solve();
         if (take_wishes(pieces, problem) == 0) return true;
+        if (pieces.modes() == met) return false;
+        if (std::has_single_bit(static_cast<unsigned>(step))) met = pieces.modes();
     }
     return false;
 }

@@ -31,10 +31,11 @@ public:
     /// problem  with its points and bodies
     /// members  the island's bodies that can move, ascending, as in `problem.bodies`
     /// movers   number of all bodies
-    /// stiffness  of the springs, against the inertia that they move
-    void begin(ContactProblem& problem, std::span<const int> members, std::size_t movers,
-               double stiffness = rest_tolerance::k_stiffness);
+    void begin(ContactProblem& problem, std::span<const int> members, std::size_t movers);
+    /// Of the springs, against the inertia that they move: hard ones, unless said otherwise.
+    void set_stiffness(double stiffness);
 
+    [[nodiscard]] const std::vector<Mode>& modes() const { return modes_; }
     [[nodiscard]] Mode mode(std::size_t point) const { return modes_[point]; }
     void set_mode(std::size_t point, Mode mode) { modes_[point] = mode; }
 
@@ -48,7 +49,7 @@ public:
     void clear_pushes();
     void push(const ContactProblem& problem, std::size_t point, double normal, double tangent);
     /// From pushes to changes of the members' velocities.
-    void solve() { blocks_.solve(delta_); }
+    void solve();
 
     /// What the last solve changes of a point's speeds.
     struct Change
@@ -67,8 +68,8 @@ private:
     std::vector<Mode> modes_factorised_;
     bool is_factorised_ = false;
     std::int64_t factorisations_ = 0;
-    std::vector<double> delta_; // pushes, then changes of the members' velocities
-    std::vector<int> number_;   // of each mover among the members, while points are seated; -1 for all others
+    std::vector<double> delta_; // pushes, then changes of the members' velocities, and of what is static
+    std::vector<int> number_;   // of the movers among the members, while points are seated
     std::vector<BlockSystem::Edge> edges_;
 };
 

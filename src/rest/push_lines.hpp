@@ -22,11 +22,6 @@ struct Line
     return {{c.n_y, -c.n_x, -c.tangent_arm_a}, {-c.n_y, c.n_x, c.tangent_arm_b}};
 }
 
-[[nodiscard]] inline double along(const double* line, const double* motion)
-{
-    return (line[0] * motion[0] + line[1] * motion[1]) + line[2] * motion[2];
-}
-
 inline void add(double* target, double factor, const double* line)
 {
     for (int i = 0; i < 3; ++i) target[i] += factor * line[i];
