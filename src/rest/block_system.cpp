@@ -6,6 +6,8 @@
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCore>
 
+#include "rest/rest_tolerance.hpp"
+
 namespace flying {
 namespace {
 
@@ -86,7 +88,7 @@ void BlockSystem::order(int count, std::span<const Edge> edges)
     body_.resize(count);
 
     // A group of a few needs no search
-    if (count <= 4) {
+    if (count <= rest_tolerance::k_most_in_detail) {
         for (int k = 0; k < count; ++k) rank_[k] = body_[k] = k;
         return;
     }

@@ -228,7 +228,7 @@ void find_contacts(RestData& data, int index, std::vector<ContactPoint>& found)
     double closes_at = std::numeric_limits<double>::infinity();
     bool overlaps = false;
     for (int k = 0; k < manifold.count; ++k)
-        overlaps = overlaps || manifold.contacts[k].separation < -rest_tolerance::k_deep * size;
+        overlaps = overlaps || manifold.contacts[k].separation < -rest_tolerance::k_fair_overlap * size;
     for (int k = 0; k <= rest_tolerance::k_quick_rounds && !overlaps; ++k) {
         const double wait = next_closing(data, pair, ahead, moment, closing);
         if (wait == 0.0) closes_at = moment;

@@ -57,7 +57,7 @@ void HeapSweeps::sweep_large(RestData& data, Island& island)
     plan.tolerance = rest_tolerance::k_blow * field;
     sweeps_.sweep(data.motion.now, members, points, plan, data.solver.counts());
     if (before <= rest_tolerance::k_standing * field) settle(data, island, points, rest);
-    sweep_on(data, island, data.motion.now, points, rest_tolerance::k_deep / data.motion.span);
+    sweep_on(data, island, data.motion.now, points, rest_tolerance::k_fair_overlap / data.motion.span);
 
     // What hardly moves comes to rest
     const double after = greatest_speed(data.motion.now, data.bodies.radius, members);
@@ -140,13 +140,13 @@ void HeapSweeps::set_velocity_bias_swept(const RestData& data, const Island& isl
 void HeapSweeps::sweep_velocities(RestData& data, const Island& island, std::span<Mover> velocities,
                                   std::span<ContactPoint> points)
 {
-    sweep(data, island, velocities, points, rest_tolerance::k_deep / data.motion.span, -1.0);
+    sweep(data, island, velocities, points, rest_tolerance::k_fair_overlap / data.motion.span, -1.0);
 }
 
 void HeapSweeps::sweep_places(RestData& data, const Island& island, std::span<Mover> pushes,
                               std::span<ContactPoint> points, double tolerance)
 {
-    sweep(data, island, pushes, points, rest_tolerance::k_deep, tolerance);
+    sweep(data, island, pushes, points, rest_tolerance::k_fair_overlap, tolerance);
 }
 
 /// tolerance  where no point asks for a greater change, impulses stay as they are; below 0 they never do

@@ -28,7 +28,7 @@ namespace {
 [[nodiscard]] bool comes_nearer(const RestData& data, int a, int b)
 {
     const double nearer = (data.motion.shift[b] - data.motion.shift[a]).norm() + arc_of(data, a) + arc_of(data, b);
-    return nearer > rest_tolerance::k_deep * std::min(data.bodies.radius[a], data.bodies.radius[b]);
+    return nearer > rest_tolerance::k_fair_overlap * std::min(data.bodies.radius[a], data.bodies.radius[b]);
 }
 
 /// A point's gap as the step ends, if its two went straight on.  [m]

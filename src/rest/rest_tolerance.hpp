@@ -48,8 +48,9 @@ inline constexpr double k_landed = 0x1p-28;
 /// other are one, whatever the names of their features.
 inline constexpr double k_watch = 0x1p-6;
 
-/// [sizes] Overlap at the end of a step that is taken off; where it is more, the step is made in halves, and where
-/// these don't help, ways are cut short. A fifth of the hundredth that a user is promised.
+/// [sizes] Overlap that matters: where a step ends with more, it is made in halves; a pair that begins with more is put
+/// right first, without a look ahead; parts that had no point are looked at where two come nearer by more; and sweeps may
+/// add so much in one step. A fifth of the hundredth that a user is promised.
 inline constexpr double k_fair_overlap = 0x1p-9;
 
 /// [sizes] Overlap that a step of a heap, or a meeting that nothing foresaw, may leave; where it is more, the step is
@@ -86,11 +87,6 @@ inline constexpr double k_one_face = 0.75;
 /// [reaches] Room that the box of a body gets: more room, fewer searches and more pairs. A step that leads further is
 /// made in halves.
 inline constexpr double k_room_reaches = 3.0;
-
-// ---- Contacts ahead (find_contacts)
-/// [sizes] Overlap that matters: a pair that has more at the start of a step is put right first, without a look ahead;
-/// parts that had no point are looked at where two come nearer by more; and sweeps may add so much in one step.
-inline constexpr double k_deep = 0x1p-10;
 
 // ---- Curved ways (curved_ways)
 /// [1, or sizes] A line of push that changes by less within a step is straight. Without it rounding would say which
