@@ -34,9 +34,7 @@ bool HeapSweeps::sweep_small(RestData& data, Island& island)
     if (island.member_count() > rest_tolerance::k_most_whole) return false;
     set_free(data, island, data.motion.before, data.motion.span);
     sweep_velocities(data, island, data.motion.now, island.points);
-    return worst_residual(island.points, data.motion.now) <=
-               rest_tolerance::k_nearly_right * field_speed(data, island) &&
-           work_of_contacts(data, island) <= 0.0;
+    return work_of_contacts(data, island) <= 0.0;
 }
 
 void HeapSweeps::sweep_large(RestData& data, Island& island)
@@ -81,13 +79,13 @@ void HeapSweeps::sweep_large(RestData& data, Island& island)
     }
 }
 
-/// A row of bodies moves several times as fast as what each of its points lacks. So in a slow heap no point is left to
-/// lack more than a part of the speed that counts as rest. Alternating directions end what is off over the whole heap,
-/// and sweeps what is off between neighbours.
+/// What each point of a row of bodies lacks adds up along it, and no row of a heap need be longer than the root of how
+/// many bodies it has. So in a slow heap no point is left to lack more than that part of the speed that counts as rest.
+/// Alternating directions end what is off over the whole heap, and sweeps what is off between neighbours.
 void HeapSweeps::settle(RestData& data, const Island& island, std::span<ContactPoint> points, double rest)
 {
     const std::span<Mover> movers = data.motion.now;
-    const double most = rest_tolerance::k_nearly_right * rest;
+    const double most = rest / std::sqrt(static_cast<double>(island.member_count()));
     if (are_satisfied(points, movers, most)) return;
     take_back(movers, points);
     data.solver.solve_by_turns(movers, island.members, points, 0.5 * most, rest_tolerance::k_more_sweeps);

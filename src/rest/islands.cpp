@@ -84,23 +84,24 @@ void Islands::split(const RestData& data, std::span<const int> bodies, std::vect
     }
 }
 
-/// A large island that hardly moves is made of bodies that bear on each other, or come to: one that rolls beside the
-/// others, and touches none, would keep all of them awake.
+/// A large island in which nothing gets further in the step than an overlap that matters is made of bodies that bear on
+/// each other, or come to: one that rolls beside the others, and touches none, would keep all of them awake.
 void Islands::part_slow(const RestData& data, std::span<const int> bodies, std::vector<ContactPoint>& found)
 {
     const StepMotion& motion = data.motion;
     if (static_cast<int>(bodies.size()) <= data.options.most_solved) return;
     for (const int k : bodies) slot_[k] = 0;
     for (const int k : bodies) ++slot_[root_of(k)];
-    double field = 0.0; // [m/s]
     parts_.clear();
     for (const int k : bodies) {
-        if (slot_[root_of(k)] <= data.options.most_solved) continue;
-        parts_.push_back(k);
-        field = std::max(field, motion.span * motion.field_size[k]);
+        if (slot_[root_of(k)] > data.options.most_solved) parts_.push_back(k);
     }
     if (parts_.empty()) return;
-    if (greatest_speed(motion.before, data.bodies.radius, parts_) > rest_tolerance::k_nearly_right * field) return;
+    const auto goes_far = [&](int k) {
+        const double way = motion.span * greatest_speed(motion.before, data.bodies.radius, std::span(&k, 1));
+        return way > rest_tolerance::k_fair_overlap * data.bodies.radius[k];
+    };
+    if (std::any_of(parts_.begin(), parts_.end(), goes_far)) return;
 
     // [rest.islands.holds]
     const auto holds = [&](const ContactPoint& c) {

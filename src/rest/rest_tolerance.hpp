@@ -112,10 +112,6 @@ inline constexpr double k_standing = 4.0;
 inline constexpr int k_most_parts = 256;
 
 // ---- Heaps (heap_sweeps)
-/// [speeds that the field gives in a step] Impulses that sweeps leave no further from right than this are taken for
-/// those of the direct solve; and a large island whose bodies are all slower may part.
-inline constexpr double k_nearly_right = 0.125;
-
 /// [speeds that the field gives in a step] An island that was slower and stays so is at rest: what it was about to do
 /// is the price of its sleep. From rest, what accelerates by no more than this share of the field doesn't start.
 inline constexpr double k_rest_speed = 0x1p-8;
