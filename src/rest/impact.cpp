@@ -50,8 +50,9 @@ struct PairOfBodies
 }
 
 /// Strikes a pair, if one of its points arrives fast enough. Whether it did.
+/// places  the points, as the law of two bodies wants them
 bool strike(const PairOfBodies& pair, std::span<Mover> velocities, std::span<const ContactPoint> points,
-            std::span<const double> slowest)
+            std::span<const ImpactPoint> places, std::span<const double> slowest)
 {
     Mover& a = velocities[pair.a];
     Mover& b = velocities[pair.b];
@@ -59,8 +60,7 @@ bool strike(const PairOfBodies& pair, std::span<Mover> velocities, std::span<con
     for (std::size_t k = pair.first; k < pair.end && !arrives; ++k)
         arrives = normal_speed(points[k], a, b) < -slowest[k];
     if (!arrives) return false;
-    std::vector<ImpactPoint> of_pair;
-    for (std::size_t k = pair.first; k < pair.end; ++k) of_pair.push_back(impact_point(points[k]));
+    const std::span<const ImpactPoint> of_pair = places.subspan(pair.first, pair.end - pair.first);
     const ContactPoint& one = points[pair.first];
     const ImpactResult after = resolve_impact(impact_body(a), impact_body(b), of_pair, {one.restitution, one.friction});
     if (!after.any_push) return false;
@@ -94,12 +94,14 @@ int throw_back(std::span<Mover> velocities, std::span<const ContactPoint> points
     // nothing is lost, a blow that runs to and fro in a packed pit comes to its end after more than a few rounds;
     // elsewhere what is left then is no rebound any more
     const std::vector<PairOfBodies> pairs = pairs_of(points);
+    std::vector<ImpactPoint> places;
+    for (const ContactPoint& c : points) places.push_back(impact_point(c));
     const int rounds =
         any_elastic(points) ? rest_tolerance::k_patience * rest_tolerance::k_patience : rest_tolerance::k_patience;
     const int most = rounds * static_cast<int>(pairs.size());
     int impacts = 0;
     for (std::size_t k = 0; k < pairs.size() && impacts < most;) {
-        if (strike(pairs[k], velocities, points, slowest)) {
+        if (strike(pairs[k], velocities, points, places, slowest)) {
             ++impacts;
             k = first_with(pairs, k, velocities);
         } else ++k;
