@@ -14,13 +14,13 @@ using rest_tolerance::k_soft_stiffness;
 /// Stiffness of a point's spring along its normal.  [kg]
 [[nodiscard]] double stiffness_n(const ContactPoint& c)
 {
-    return std::isfinite(c.bound) ? k_soft_stiffness * c.normal_mass : 0.0;
+    return k_soft_stiffness * c.normal_mass;
 }
 
 /// The same along its tangent.  [kg]
 [[nodiscard]] double stiffness_t(const ContactPoint& c)
 {
-    return std::isfinite(c.bound) && c.friction > 0.0 ? k_soft_stiffness * c.tangent_mass : 0.0;
+    return c.friction > 0.0 ? k_soft_stiffness * c.tangent_mass : 0.0;
 }
 
 } // namespace
@@ -77,6 +77,7 @@ void AlternatingDirections::go_round(PieceSystem& pieces, ContactProblem& proble
         // Each point takes what it may of what its spring asks for
         moved = 0.0;
         for (std::size_t k = 0; k < problem.points.size(); ++k) {
+            if (pieces.mode(k) == PieceSystem::Mode::apart) continue;
             const ContactPoint& c = problem.points[k];
             const PieceSystem::Change change = pieces.change(problem, k);
             double* j = &problem.impulse[2 * k];
