@@ -276,8 +276,8 @@ TEST_CASE("all at once, a body on some points is pushed as often as it has point
 
 TEST_CASE("a round by turns leaves so much of what impulses lack")
 {
-    constexpr double k_kappa = rest_tolerance::k_soft_stiffness;
-    constexpr double k_alpha = rest_tolerance::k_over_relaxation;
+    const double kappa = rest_tolerance::k_soft_stiffness;
+    const double alpha = rest_tolerance::k_over_relaxation;
     const double fall = k_gravity / 60.0;
     for (int k = 1; k <= 5; ++k) {
         for (const double lacks : {0.1, 0.5, 0.9}) {
@@ -288,13 +288,13 @@ TEST_CASE("a round by turns leaves so much of what impulses lack")
             double sum = 0.0;
             for (const ContactPoint& c : body.points) sum += c.normal;
             const double left = 1.0 - sum / fall;
-            const double paper = lacks * (1.0 - k_alpha * k * k_kappa / (1.0 + k * k_kappa));
-            CHECK_EQUATION("heaps.turn", left, paper, 1e-13, {"k", k}, {"\\varepsilon", lacks}, {"\\kappa", k_kappa},
-                           {"\\alpha", k_alpha});
-            CHECK_TWIN("heaps.turn", left, lacks * (1.0 - k * k_kappa / (1.0 + k * k_kappa)), 1e-13);
+            const double paper = lacks * (1.0 - alpha * k * kappa / (1.0 + k * kappa));
+            CHECK_EQUATION("heaps.turn", left, paper, 1e-13, {"k", k}, {"\\varepsilon", lacks}, {"\\kappa", kappa},
+                           {"\\alpha", alpha});
+            CHECK_TWIN("heaps.turn", left, lacks * (1.0 - k * kappa / (1.0 + k * kappa)), 1e-13);
         }
     }
-    RECORD_VALUE("heaps.turn.kappa", k_kappa);
+    RECORD_VALUE("heaps.turn.kappa", kappa);
 }
 
 TEST_CASE("by turns, a point that won't close bears nothing, and the others bear for it")

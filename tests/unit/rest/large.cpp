@@ -152,7 +152,7 @@ TEST_CASE("what a look remembers changes no bit of what follows, and saves looks
 TEST_CASE("a block system that is used again has the bits of a new one, whether bodies touch as they did or not")
 {
     // More bodies than are eliminated as they come
-    constexpr int k_count = 2 * rest_tolerance::k_most_in_detail;
+    constexpr int k_count = 24;
     using Edges = std::vector<BlockSystem::Edge>;
     Edges ring = {{0, k_count - 1}};
     Edges ladder;

@@ -62,7 +62,7 @@ Jumble jumble(Random& random)
 /// The same eight steps from the same first guess, whether guesses come again or not. No point has a past.
 bool find_in_eight_steps(PieceSystem& pieces, ContactProblem& problem)
 {
-    constexpr double k_stiffness = rest_tolerance::k_stiffness;
+    const double stiffness = rest_tolerance::k_stiffness;
     for (std::size_t k = 0; k < problem.points.size(); ++k)
         pieces.set_mode(k, problem.slip[2 * k] <= 0.0 ? Mode::stuck : Mode::apart);
     for (int step = 0; step < rest_tolerance::k_quick_rounds; ++step) {
@@ -71,8 +71,8 @@ bool find_in_eight_steps(PieceSystem& pieces, ContactProblem& problem)
         for (std::size_t k = 0; k < problem.points.size(); ++k) {
             const ContactPoint& c = problem.points[k];
             const Mode mode = pieces.mode(k);
-            const double bears = mode == Mode::apart ? 0.0 : -(k_stiffness * c.normal_mass) * problem.slip[2 * k];
-            double tangent = mode == Mode::stuck ? -(k_stiffness * c.tangent_mass) * problem.slip[2 * k + 1] : 0.0;
+            const double bears = mode == Mode::apart ? 0.0 : -(stiffness * c.normal_mass) * problem.slip[2 * k];
+            double tangent = mode == Mode::stuck ? -(stiffness * c.tangent_mass) * problem.slip[2 * k + 1] : 0.0;
             if (mode == Mode::slips_backwards) tangent = c.friction * bears;
             if (mode == Mode::slips_forwards) tangent = -c.friction * bears;
             pieces.push(problem, k, bears, tangent);
@@ -82,8 +82,8 @@ bool find_in_eight_steps(PieceSystem& pieces, ContactProblem& problem)
         for (std::size_t k = 0; k < problem.points.size(); ++k) {
             const ContactPoint& c = problem.points[k];
             const PieceSystem::Change change = pieces.change(problem, k);
-            const double normal = -(k_stiffness * c.normal_mass) * (problem.slip[2 * k] + change.normal);
-            const double tangent = -(k_stiffness * c.tangent_mass) * (problem.slip[2 * k + 1] + change.tangent);
+            const double normal = -(stiffness * c.normal_mass) * (problem.slip[2 * k] + change.normal);
+            const double tangent = -(stiffness * c.tangent_mass) * (problem.slip[2 * k + 1] + change.tangent);
             const double most = c.friction * normal;
             Mode mode = Mode::stuck;
             if (!(normal > 0.0)) mode = Mode::apart;
