@@ -50,7 +50,7 @@ inline constexpr double k_watch = 0x1p-6;
 
 /// [sizes] Overlap that matters: where a step ends with more, it is made in halves; a pair that begins with more is put
 /// right first, without a look ahead; parts that had no point are looked at where two come nearer by more; and sweeps may
-/// add so much in one step. A fifth of the hundredth that a user is promised.
+/// add half as much in one step. A fifth of the hundredth that a user is promised.
 inline constexpr double k_fair_overlap = 0x1p-9;
 
 /// [sizes] Overlap that a step of a heap, or a meeting that nothing foresaw, may leave; where it is more, the step is
