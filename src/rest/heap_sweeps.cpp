@@ -14,7 +14,10 @@ namespace {
 
 /// [sizes] What sweeps may add to an overlap in one step: with all that is fair, projection would have to take it off
 /// in the same step, and a pile of a thousand bodies takes twice the time.
-constexpr double k_added_overlap = 0.5 * rest_tolerance::k_fair_overlap;
+[[nodiscard]] double most_added()
+{
+    return 0.5 * rest_tolerance::k_fair_overlap;
+}
 
 /// What free fall through one step brings, from rest, twice over; infinite without a field, where nothing presses on.
 [[nodiscard]] double energy_of_fall(const RestData& data, const Island& island)
@@ -59,7 +62,7 @@ void HeapSweeps::sweep_large(RestData& data, Island& island)
     plan.tolerance = rest_tolerance::k_blow * field;
     sweeps_.sweep(data.motion.now, members, points, plan, data.solver.counts());
     if (before <= rest_tolerance::k_standing * field) settle(data, island, points, rest);
-    sweep_on(data, island, data.motion.now, points, k_added_overlap / data.motion.span);
+    sweep_on(data, island, data.motion.now, points, most_added() / data.motion.span);
 
     // What hardly moves comes to rest
     const double after = greatest_speed(data.motion.now, data.bodies.radius, members);
@@ -142,13 +145,13 @@ void HeapSweeps::set_velocity_bias_swept(const RestData& data, const Island& isl
 void HeapSweeps::sweep_velocities(RestData& data, const Island& island, std::span<Mover> velocities,
                                   std::span<ContactPoint> points)
 {
-    sweep(data, island, velocities, points, k_added_overlap / data.motion.span, -1.0);
+    sweep(data, island, velocities, points, most_added() / data.motion.span, -1.0);
 }
 
 void HeapSweeps::sweep_places(RestData& data, const Island& island, std::span<Mover> pushes,
                               std::span<ContactPoint> points, double tolerance)
 {
-    sweep(data, island, pushes, points, k_added_overlap, tolerance);
+    sweep(data, island, pushes, points, most_added(), tolerance);
 }
 
 /// tolerance  where no point asks for a greater change, impulses stay as they are; below 0 they never do
