@@ -43,32 +43,53 @@ struct ContactPoint
     double closing_speed = 0.0;                  ///< with which it is expected to do so [m/s]
 };
 
-/// Normal velocity of B relative to A.  [m/s]
+/// Normal velocity of B relative to A, from that of their centres and from both spins.  [m/s]
+[[nodiscard]] inline double normal_speed(const ContactPoint& c, double v_x, double v_y, double spin_a, double spin_b)
+{
+    return (c.n_x * v_x + c.n_y * v_y) + (spin_b * c.normal_arm_b - spin_a * c.normal_arm_a);
+}
 [[nodiscard]] inline double normal_speed(const ContactPoint& c, const Mover& a, const Mover& b)
 {
-    const double shift = c.n_x * (b.v_x - a.v_x) + c.n_y * (b.v_y - a.v_y);
-    return shift + (b.spin * c.normal_arm_b - a.spin * c.normal_arm_a);
+    return normal_speed(c, b.v_x - a.v_x, b.v_y - a.v_y, a.spin, b.spin);
 }
 
 /// Tangential velocity of B relative to A.  [m/s]
+[[nodiscard]] inline double tangent_speed(const ContactPoint& c, double v_x, double v_y, double spin_a, double spin_b)
+{
+    return (c.n_x * v_y - c.n_y * v_x) + (spin_b * c.tangent_arm_b - spin_a * c.tangent_arm_a);
+}
 [[nodiscard]] inline double tangent_speed(const ContactPoint& c, const Mover& a, const Mover& b)
 {
-    const double shift = c.n_x * (b.v_y - a.v_y) - c.n_y * (b.v_x - a.v_x);
-    return shift + (b.spin * c.tangent_arm_b - a.spin * c.tangent_arm_a);
+    return tangent_speed(c, b.v_x - a.v_x, b.v_y - a.v_y, a.spin, b.spin);
+}
+
+/// What a push does to both bodies; A gets as much the other way.
+struct PushOnBoth
+{
+    double x = 0.0;        ///< on B [N s]
+    double y = 0.0;        ///< on B [N s]
+    double moment_a = 0.0; ///< to be taken from A [N m s]
+    double moment_b = 0.0; ///< on B [N m s]
+};
+
+/// A push by j along the normal and q along the tangent.  [N s]
+[[nodiscard]] inline PushOnBoth push_on_both(const ContactPoint& c, double j, double q)
+{
+    return {j * c.n_x - q * c.n_y, j * c.n_y + q * c.n_x, j * c.normal_arm_a + q * c.tangent_arm_a,
+            j * c.normal_arm_b + q * c.tangent_arm_b};
 }
 
 /// Push B by j along the normal and q along the tangent, and A by as much the other
 /// way.  [N s]
 inline void push(const ContactPoint& c, double j, double q, Mover& a, Mover& b)
 {
-    const double p_x = j * c.n_x - q * c.n_y;
-    const double p_y = j * c.n_y + q * c.n_x;
-    a.v_x -= a.inv_mass * p_x;
-    a.v_y -= a.inv_mass * p_y;
-    a.spin -= a.inv_moment * (j * c.normal_arm_a + q * c.tangent_arm_a);
-    b.v_x += b.inv_mass * p_x;
-    b.v_y += b.inv_mass * p_y;
-    b.spin += b.inv_moment * (j * c.normal_arm_b + q * c.tangent_arm_b);
+    const PushOnBoth p = push_on_both(c, j, q);
+    a.v_x -= a.inv_mass * p.x;
+    a.v_y -= a.inv_mass * p.y;
+    a.spin -= a.inv_moment * p.moment_a;
+    b.v_x += b.inv_mass * p.x;
+    b.v_y += b.inv_mass * p.y;
+    b.spin += b.inv_moment * p.moment_b;
 }
 
 } // namespace flying

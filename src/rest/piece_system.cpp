@@ -97,17 +97,15 @@ void PieceSystem::clear_pushes()
 
 void PieceSystem::push(const ContactProblem& problem, std::size_t point, double normal, double tangent)
 {
-    const ContactPoint& c = problem.points[point];
-    const double p_x = normal * c.n_x - tangent * c.n_y;
-    const double p_y = normal * c.n_y + tangent * c.n_x;
+    const PushOnBoth p = push_on_both(problem.points[point], normal, tangent);
     double* a = &delta_[3 * problem.seats[point].a];
     double* b = &delta_[3 * problem.seats[point].b];
-    a[0] -= p_x;
-    a[1] -= p_y;
-    a[2] -= normal * c.normal_arm_a + tangent * c.tangent_arm_a;
-    b[0] += p_x;
-    b[1] += p_y;
-    b[2] += normal * c.normal_arm_b + tangent * c.tangent_arm_b;
+    a[0] -= p.x;
+    a[1] -= p.y;
+    a[2] -= p.moment_a;
+    b[0] += p.x;
+    b[1] += p.y;
+    b[2] += p.moment_b;
 }
 
 void PieceSystem::solve()
@@ -123,8 +121,7 @@ PieceSystem::Change PieceSystem::change(const ContactProblem& problem, std::size
     const double* b = &delta_[3 * problem.seats[point].b];
     const double x = b[0] - a[0];
     const double y = b[1] - a[1];
-    return {(c.n_x * x + c.n_y * y) + (b[2] * c.normal_arm_b - a[2] * c.normal_arm_a),
-            (c.n_x * y - c.n_y * x) + (b[2] * c.tangent_arm_b - a[2] * c.tangent_arm_a)};
+    return {normal_speed(c, x, y, a[2], b[2]), tangent_speed(c, x, y, a[2], b[2])};
 }
 
 void measure_slips(ContactProblem& problem, std::span<const Mover> movers)

@@ -14,7 +14,7 @@
 using namespace flying;
 using namespace flying::testing;
 
-TEST_CASE("most heaps of masses over 1 : 1e4 sleep within 20 s, none has sunk, and none creeps")
+TEST_CASE("nearly all heaps of masses over 1 : 1e4 sleep within 20 s, none has sunk, and none creeps")
 {
     int asleep = 0;
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
@@ -35,5 +35,5 @@ TEST_CASE("most heaps of masses over 1 : 1e4 sleep within 20 s, none has sunk, a
         std::sort(ways.begin(), ways.end(), std::greater<>());
         CHECK(ways[2] <= 5e-5); // a disc or two may roll
     }
-    CHECK(asleep >= 5); // none at first; of 180 others 161 do, and in most of the rest one disc rolls on
+    CHECK(asleep >= 7); // none at first; of 180 others nine in ten, and in most of the rest one disc rolls on
 }

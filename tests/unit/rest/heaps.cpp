@@ -81,14 +81,13 @@ double mean_overlap(const RestEngine& engine)
 
 TEST_CASE("heaps that are swept fall asleep once they have settled: then steps are no work, and a blow wakes them")
 {
-    // A disc may find a bowl of others to roll in, where nothing brakes it: in 7 of 24 heaps of discs one to three do so
-    // for 20 s
-    std::vector<double> after; // so long all but three were asleep, or the longest that was waited [s]
-    int struck = 0;            // heaps of which all were
-    int lying = 0;             // balls that fell into these and lie still
-    for (int number = 0; number < 8; ++number) {
+    // A disc may find a bowl of others to roll in, where nothing brakes it: in 7 of 24 heaps of discs one to three do
+    // so for 20 s. So three quarters are to sleep by then, and as many balls to lie
+    std::vector<double> after; // so long they were asleep, or the longest that was waited [s]
+    int lying = 0;             // balls that fell in and lie still
+    for (int number = 0; number < 16; ++number) {
         const int counts[] = {98, 126, 110, 133};
-        const int count = counts[number / 2];
+        const int count = counts[number / 2 % 4];
         const bool discs = number % 2 == 0;
         CAPTURE(discs);
         CAPTURE(count);
@@ -103,12 +102,10 @@ TEST_CASE("heaps that are swept fall asleep once they have settled: then steps a
             return asleep;
         };
         int steps = 0;
-        for (; steps < 60 * 20 && sleepers() < count - 3; ++steps) engine.step();
+        for (; steps < 60 * 20 && sleepers() < count; ++steps) engine.step();
         after.push_back(steps / 60.0);
         CHECK(sleepers() >= count - 3);
-        for (int k = 0; k < 60 * 10 && sleepers() < count; ++k) engine.step();
         if (sleepers() < count) continue;
-        ++struck;
 
         // Nothing is looked at, solved or moved any more
         const RestCounts before = engine.counts();
@@ -131,15 +128,14 @@ TEST_CASE("heaps that are swept fall asleep once they have settled: then steps a
             woke = woke || sleepers() < count;
         }
         CHECK(woke);
-        CHECK(engine.state(ball).position.y() > 4.5 * count / 294);
+        CHECK(engine.state(ball).position.y() > 5.0 * count / 294);
         lying += engine.state(ball).velocity.norm() < 1e-2 ? 1 : 0;
     }
     std::sort(after.begin(), after.end());
-    MESSAGE("asleep after " << after[3] << " s in the median, " << after[6] << " s all but one");
-    CHECK(after[3] < 10.0);
-    CHECK(after[6] < 15.0);
-    CHECK(struck >= 4);
-    CHECK(lying >= struck - 2);
+    MESSAGE("asleep after " << after[7] << " s in the median, " << after[11] << " s, " << lying << " lying");
+    CHECK(after[7] < 10.0);
+    CHECK(after[11] < 15.0);
+    CHECK(lying >= 12);
 }
 
 TEST_CASE("sleep changes no bit of a heap that is swept")
@@ -177,8 +173,8 @@ TEST_CASE("a heap that is swept has no more energy than it began with, and lies 
 
 TEST_CASE("a tall heap that lands goes on to move until it lies, and isn't crushed")
 {
-    // Sweeps that go on from the impulses of the landing bear too much. All motion was taken to pay for what they lifted,
-    // step after step, and the heap hung as it was, unfinished, for seconds
+    // Sweeps that go on from the impulses of the landing bear too much. All motion was taken to pay for what they
+    // lifted, step after step, and the heap hung as it was, unfinished, for seconds
     RestOptions options;
     options.sleeps = false;
     RestEngine engine(heap(1400, false), options);
@@ -199,7 +195,8 @@ TEST_CASE("a tall heap that lands goes on to move until it lies, and isn't crush
     CHECK(mean_overlap(engine) < 0.003);
 }
 
-TEST_CASE("small heaps of discs and boxes win no energy, keep apart, and none lies still to the bit for long and doesn't sleep")
+TEST_CASE("small heaps of discs and boxes win no energy, keep apart, and none lies still to the bit for long and "
+          "doesn't sleep")
 {
     // In some a disc goes on to roll, and keeps those awake on which it lies
     int awake = 0;
