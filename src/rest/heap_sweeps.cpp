@@ -12,11 +12,12 @@
 namespace flying {
 namespace {
 
-/// [sizes] What sweeps may add to an overlap in one step: with all that is fair, projection would have to take it off
-/// in the same step, and a pile of a thousand bodies takes twice the time.
-[[nodiscard]] double most_added()
+/// [sizes] What sweeps may add to an overlap in one step. What lands loses enough energy to pay for lifting bodies
+/// apart again. What stands has none to spend, and once it is asked to lift itself in every step it never comes to
+/// rest.
+[[nodiscard]] double most_added(bool is_standing)
 {
-    return 0.5 * rest_tolerance::k_fair_overlap;
+    return is_standing ? 0.5 * rest_tolerance::k_fair_overlap : rest_tolerance::k_most_overlap;
 }
 
 /// What free fall through one step brings, from rest, twice over; infinite without a field, where nothing presses on.
@@ -61,8 +62,9 @@ void HeapSweeps::sweep_large(RestData& data, Island& island)
     plan.enough = rest_tolerance::k_enough * energy_of_fall(data, island);
     plan.tolerance = rest_tolerance::k_blow * field;
     sweeps_.sweep(data.motion.now, members, points, plan, data.solver.counts());
-    if (before <= rest_tolerance::k_standing * field) settle(data, island, points, rest);
-    sweep_on(data, island, data.motion.now, points, most_added() / data.motion.span);
+    const bool is_standing = before <= rest_tolerance::k_standing * field;
+    if (is_standing) settle(data, island, points, rest);
+    sweep_on(data, island, data.motion.now, points, most_added(is_standing) / data.motion.span);
 
     // What hardly moves comes to rest
     const double after = greatest_speed(data.motion.now, data.bodies.radius, members);
@@ -145,13 +147,13 @@ void HeapSweeps::set_velocity_bias_swept(const RestData& data, const Island& isl
 void HeapSweeps::sweep_velocities(RestData& data, const Island& island, std::span<Mover> velocities,
                                   std::span<ContactPoint> points)
 {
-    sweep(data, island, velocities, points, most_added() / data.motion.span, -1.0);
+    sweep(data, island, velocities, points, most_added(false) / data.motion.span, -1.0);
 }
 
 void HeapSweeps::sweep_places(RestData& data, const Island& island, std::span<Mover> pushes,
                               std::span<ContactPoint> points, double tolerance)
 {
-    sweep(data, island, pushes, points, most_added(), tolerance);
+    sweep(data, island, pushes, points, most_added(true), tolerance);
 }
 
 /// tolerance  where no point asks for a greater change, impulses stay as they are; below 0 they never do

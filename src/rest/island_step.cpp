@@ -83,7 +83,7 @@ void IslandStep::find(RestData& data, Island& island, bool may_be_parted)
         return;
     }
     // Strike, or end the part where the first impact comes; small islands go on from there with another look
-    island.in_turn = !is_heap(island) && may_be_parted;
+    island.in_turn = may_be_parted;
     bool is_struck = impacts_.strike(data, island, sweeps_);
     if (island.in_turn) island.cut_at = is_struck ? data.motion.span : first_impact(data, island);
     if (island.cut_at > 0.0) return;

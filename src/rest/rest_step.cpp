@@ -204,16 +204,14 @@ void RestEngine::finish_islands(int depth, std::span<const int> pairs)
 /// There may be more parts of its step.
 bool RestEngine::may_be_parted(const Island& island, int depth) const
 {
-    const int most = is_heap(island) ? rest_tolerance::k_quick_rounds : rest_tolerance::k_most_parts;
-    return depth < rest_tolerance::k_most_parts && parts_.made < most;
+    return !is_heap(island) && depth < rest_tolerance::k_most_parts && parts_.made < rest_tolerance::k_most_parts;
 }
 
 /// The same where nothing says where to part it; the step of a small island, however many impacts it had.
 bool RestEngine::may_be_halved(const Island& island, int depth) const
 {
-    if (is_heap(island)) return may_be_parted(island, depth);
-    return depth < rest_tolerance::k_most_parts &&
-           data_.motion.span * rest_tolerance::k_most_parts > data_.options.step;
+    const int most = is_heap(island) ? rest_tolerance::k_quick_rounds : rest_tolerance::k_most_parts;
+    return depth < rest_tolerance::k_most_parts && data_.motion.span * most > data_.options.step;
 }
 
 void RestEngine::find_pairs_of(Again& again, std::span<const int> pairs)

@@ -50,11 +50,11 @@ inline constexpr double k_watch = 0x1p-6;
 
 /// [sizes] Overlap that matters: where a step ends with more, it is made in halves; a pair that begins with more is put
 /// right first, without a look ahead; parts that had no point are looked at where two come nearer by more; and sweeps may
-/// add half as much in one step. A fifth of the hundredth that a user is promised.
+/// add half as much in one step of a heap that stands. A fifth of the hundredth that a user is promised.
 inline constexpr double k_fair_overlap = 0x1p-9;
 
-/// [sizes] Overlap that a step of a heap, or a meeting that nothing foresaw, may leave; where it is more, the step is
-/// made in parts. Three quarters of what a user is promised.
+/// [sizes] Overlap that a step of a heap, or a meeting that nothing foresaw, may leave, and sweeps may add where a heap
+/// moves; where it is more, the step is made in parts. Three quarters of what a user is promised.
 inline constexpr double k_most_overlap = 0x1p-7;
 
 /// [energies, distances, speeds] Rise that rounding explains; and by how much separations, or approaches, that are
@@ -67,7 +67,7 @@ inline constexpr int k_patience = 64;
 
 /// Rounds of what is right after one or two, or after many: Newton's steps; looks at a pair that closes, each at the
 /// moment that the last one foresaw; lines along curved ways; halvings of a step until all slips last; and the parts of
-/// a step of many bodies.
+/// equal length into which the step of a heap may fall.
 inline constexpr int k_quick_rounds = 8;
 
 /// Rounds of what is near after two or three: pushes that take off overlap, each of which leaves about the square of
