@@ -13,11 +13,16 @@ namespace flying {
 namespace {
 
 /// [sizes] What sweeps may add to an overlap in one step. What lands loses enough energy to pay for lifting bodies
-/// apart again. What stands has none to spend, and once it is asked to lift itself in every step it never comes to
-/// rest.
-[[nodiscard]] double most_added(bool is_standing)
+/// apart again. What stands has none to spend, and if it had to lift itself in every step it would never come to rest.
+[[nodiscard]] double most_added(bool is_landing)
 {
-    return is_standing ? 0.5 * rest_tolerance::k_fair_overlap : rest_tolerance::k_most_overlap;
+    return is_landing ? rest_tolerance::k_most_overlap : 0.5 * rest_tolerance::k_fair_overlap;
+}
+
+/// Of a small one each sweep costs little, and none is worth an overlap.
+[[nodiscard]] bool is_large(const Island& island)
+{
+    return island.member_count() > rest_tolerance::k_most_whole;
 }
 
 /// What free fall through one step brings, from rest, twice over; infinite without a field, where nothing presses on.
@@ -39,7 +44,7 @@ void take_back(std::span<Mover> movers, std::span<const ContactPoint> points)
 
 bool HeapSweeps::sweep_small(RestData& data, Island& island)
 {
-    if (island.member_count() > rest_tolerance::k_most_whole) return false;
+    if (is_large(island)) return false;
     set_free(data, island, data.motion.before, data.motion.span);
     sweep_velocities(data, island, data.motion.now, island.points);
     return work_of_contacts(data, island) <= 0.0;
@@ -64,7 +69,7 @@ void HeapSweeps::sweep_large(RestData& data, Island& island)
     sweeps_.sweep(data.motion.now, members, points, plan, data.solver.counts());
     const bool is_standing = before <= rest_tolerance::k_standing * field;
     if (is_standing) settle(data, island, points, rest);
-    sweep_on(data, island, data.motion.now, points, most_added(is_standing) / data.motion.span);
+    sweep_on(data, island, data.motion.now, points, {data.options.step, !is_standing && is_large(island)});
 
     // What hardly moves comes to rest
     const double after = greatest_speed(data.motion.now, data.bodies.radius, members);
@@ -106,19 +111,21 @@ void HeapSweeps::settle(RestData& data, const Island& island, std::span<ContactP
 }
 
 /// Sweeps take the longer the more masses differ: ever more of them, as long as any point misses its bound by too much;
-/// and where the most of them leave that, the direct solve, if it can.
+/// and where the most of them leave that, the direct solve, if it can. What lands is given one round like what stands,
+/// or errors of standing parts would sum up from step to step.
 void HeapSweeps::sweep_on(RestData& data, const Island& island, std::span<Mover> movers, std::span<ContactPoint> points,
-                          double most)
+                          const Aim& aim)
 {
     SweepPlan plan;
     plan.sweeps = rest_tolerance::k_more_sweeps;
     plan.tolerance = 0.0;
+    const double most = most_added(aim.is_landing) / aim.span;
     for (int round = 0; round < rest_tolerance::k_few_rounds; ++round, plan.sweeps *= 2) {
-        if (!misses(data, movers, points, most)) return;
+        if (!misses(data, movers, points, round == 0 ? most_added(false) / aim.span : most)) return;
         take_back(movers, points);
         sweeps_.sweep(movers, island.members, points, plan, data.solver.counts());
     }
-    if (island.member_count() > rest_tolerance::k_most_whole || !misses(data, movers, points, most)) return;
+    if (is_large(island) || !misses(data, movers, points, most)) return;
     take_back(movers, points);
     (void)data.solver.solve(movers, island.members, points, rest_tolerance::k_residual * top_speed(data, island));
 }
@@ -147,25 +154,25 @@ void HeapSweeps::set_velocity_bias_swept(const RestData& data, const Island& isl
 void HeapSweeps::sweep_velocities(RestData& data, const Island& island, std::span<Mover> velocities,
                                   std::span<ContactPoint> points)
 {
-    sweep(data, island, velocities, points, most_added(false) / data.motion.span, -1.0);
+    sweep(data, island, velocities, points, {data.options.step, is_large(island)}, -1.0);
 }
 
 void HeapSweeps::sweep_places(RestData& data, const Island& island, std::span<Mover> pushes,
                               std::span<ContactPoint> points, double tolerance)
 {
-    sweep(data, island, pushes, points, most_added(true), tolerance);
+    sweep(data, island, pushes, points, {1.0, false}, tolerance);
 }
 
 /// tolerance  where no point asks for a greater change, impulses stay as they are; below 0 they never do
 void HeapSweeps::sweep(RestData& data, const Island& island, std::span<Mover> movers, std::span<ContactPoint> points,
-                       double most, double tolerance)
+                       const Aim& aim, double tolerance)
 {
     SweepPlan plan;
     plan.is_warm = data.options.warm_starts;
     plan.sweeps = rest_tolerance::k_few_sweeps;
     plan.tolerance = tolerance;
     sweeps_.sweep(movers, island.members, points, plan, data.solver.counts());
-    sweep_on(data, island, movers, points, most);
+    sweep_on(data, island, movers, points, aim);
 }
 
 } // namespace flying

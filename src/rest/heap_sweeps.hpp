@@ -26,13 +26,20 @@ public:
                       double tolerance);
 
 private:
+    /// How near sweeps must come.
+    struct Aim
+    {
+        double span = 1.0;       ///< for so long what points miss sums up [s]; 1 where places are swept
+        bool is_landing = false; ///< energy is lost that pays for taking off overlap
+    };
+
     void set_velocity_bias_swept(const RestData& data, const Island& island, bool is_calm) const;
     void settle(RestData& data, const Island& island, std::span<ContactPoint> points, double rest);
-    /// most  by which a point may miss its least normal velocity [sizes/s], or [sizes] where places are swept
     void sweep(RestData& data, const Island& island, std::span<Mover> movers, std::span<ContactPoint> points,
-               double most, double tolerance);
+               const Aim& aim, double tolerance);
     void sweep_on(RestData& data, const Island& island, std::span<Mover> movers, std::span<ContactPoint> points,
-                  double most);
+                  const Aim& aim);
+    /// most  by which a point may miss its least normal velocity [sizes/s], or [sizes] where places are swept
     [[nodiscard]] bool misses(const RestData& data, std::span<const Mover> movers, std::span<const ContactPoint> points,
                               double most) const;
 
