@@ -68,7 +68,9 @@ void HeapSweeps::sweep_large(RestData& data, Island& island)
     plan.tolerance = rest_tolerance::k_blow * field;
     sweeps_.sweep(data.motion.now, members, points, plan, data.solver.counts());
     const bool is_standing = before <= rest_tolerance::k_standing * field;
-    if (is_standing) settle(data, island, points, rest);
+    // What stood, and will be brought to rest again, need not be settled any better
+    const bool rests = before == 0.0 && greatest_speed(data.motion.now, data.bodies.radius, members) <= rest;
+    if (is_standing && !rests) settle(data, island, points, rest);
     sweep_on(data, island, data.motion.now, points, {data.options.step, !is_standing && is_large(island)});
 
     // What hardly moves comes to rest
