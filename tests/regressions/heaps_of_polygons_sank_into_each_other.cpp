@@ -13,7 +13,9 @@ using namespace flying::testing;
 
 namespace {
 
-constexpr double k_smallest = 0.25; // bounding radius [m]
+// Bounding radii  [m]
+constexpr double k_smallest = 0.25;
+constexpr double k_largest = 0.4;
 
 /// Bodies that turn, rained into a narrow box: regular polygons of so many corners, or of 3 to 7 where that is 0.
 Scene rain(int count, int corners, double restitution, double friction, std::uint64_t seed)
@@ -27,7 +29,7 @@ Scene rain(int count, int corners, double restitution, double friction, std::uin
     for (int k = 0; k < count; ++k) {
         BodyDef body;
         body.shape = RegularDef{corners != 0 ? corners : 3 + static_cast<int>(random.uniform(0.0, 5.0)),
-                                random.uniform(k_smallest, 0.4)};
+                                random.uniform(k_smallest, k_largest)};
         body.position = {0.5 + (k % 6) + random.uniform(-0.05, 0.05), 0.5 + 1.0 * (k / 6)};
         body.angle = random.uniform(0.0, 6.0);
         body.spin = random.uniform(-8.0, 8.0);
@@ -66,4 +68,5 @@ TEST_CASE("polygons that fall in a heap keep apart by a hundredth of their size 
     std::sort(on_the_way.begin(), on_the_way.end());
     CHECK(on_the_way[2] < 0.005);
     CHECK(on_the_way[4] < 0.01);
+    CHECK(on_the_way[5] < 0.01 * k_largest / k_smallest);
 }

@@ -14,10 +14,10 @@
 using namespace flying;
 using namespace flying::testing;
 
-TEST_CASE("most heaps of masses over 1 : 1e4 sleep within 20 s, none has sunk, and none creeps")
+TEST_CASE("nearly all heaps of masses over 1 : 1e4 sleep within 20 s, none has sunk, and none creeps")
 {
     int asleep = 0;
-    for (std::uint64_t seed = 1; seed <= 16; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
         CAPTURE(seed);
         World world = world_of(heap_of_unequal_masses(100, 1e4, seed));
         run(world, 19.0);
@@ -35,5 +35,5 @@ TEST_CASE("most heaps of masses over 1 : 1e4 sleep within 20 s, none has sunk, a
         std::sort(ways.begin(), ways.end(), std::greater<>());
         CHECK(ways[2] <= 5e-5); // a disc or two may roll
     }
-    CHECK(asleep >= 11); // none at first; of 144 others seven in eight, and in the rest a disc or two roll on
+    CHECK(asleep >= 7); // none at first; of 180 others nine in ten, and in most of the rest one disc rolls on
 }
