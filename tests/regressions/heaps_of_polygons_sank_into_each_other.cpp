@@ -14,8 +14,8 @@ using namespace flying::testing;
 namespace {
 
 // Bounding radii  [m]
-constexpr double k_smallest = 0.25;
-constexpr double k_largest = 0.4;
+constexpr double k_least_radius = 0.25;
+constexpr double k_most_radius = 0.4;
 
 /// Bodies that turn, rained into a narrow box: regular polygons of so many corners, or of 3 to 7 where that is 0.
 Scene rain(int count, int corners, double restitution, double friction, std::uint64_t seed)
@@ -29,7 +29,7 @@ Scene rain(int count, int corners, double restitution, double friction, std::uin
     for (int k = 0; k < count; ++k) {
         BodyDef body;
         body.shape = RegularDef{corners != 0 ? corners : 3 + static_cast<int>(random.uniform(0.0, 5.0)),
-                                random.uniform(k_smallest, k_largest)};
+                                random.uniform(k_least_radius, k_most_radius)};
         body.position = {0.5 + (k % 6) + random.uniform(-0.05, 0.05), 0.5 + 1.0 * (k / 6)};
         body.angle = random.uniform(0.0, 6.0);
         body.spin = random.uniform(-8.0, 8.0);
@@ -63,10 +63,10 @@ TEST_CASE("polygons that fall in a heap keep apart by a hundredth of their size 
             REQUIRE_FALSE(world.advance(k / 20.0).has_value());
             CHECK(deepest_overlap(world) < 0.01);
         }
-        on_the_way.push_back(world.report().max_overlap / k_smallest);
+        on_the_way.push_back(world.report().max_overlap / k_least_radius);
     }
     std::sort(on_the_way.begin(), on_the_way.end());
     CHECK(on_the_way[2] < 0.005);
     CHECK(on_the_way[4] < 0.01);
-    CHECK(on_the_way[5] < 0.01 * k_largest / k_smallest);
+    CHECK(on_the_way[5] < 0.01 * k_most_radius / k_least_radius);
 }
