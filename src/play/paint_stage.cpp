@@ -1,6 +1,7 @@
 #include "play/paint_stage.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <system_error>
 #include <vector>
 
@@ -36,6 +37,26 @@ void paint_stage(cairo_t* cairo, const Stage& stage, SurfaceSize size)
     cairo_restore(cairo);
 }
 
+namespace {
+
+/// Orders of the colours within a pixel. Letters in shades of grey look the same in all of them.
+constexpr cairo_subpixel_order_t k_orders[] = {CAIRO_SUBPIXEL_ORDER_RGB, CAIRO_SUBPIXEL_ORDER_BGR,
+                                               CAIRO_SUBPIXEL_ORDER_VRGB, CAIRO_SUBPIXEL_ORDER_VBGR};
+constexpr int k_most_bands = static_cast<int>(std::size(k_orders));
+
+/// Gives a band fonts of its own. Cairo (1.16) keeps a font by its options for all threads; when one gives it back,
+/// Cairo asserts that it isn't in use, but by then another may have taken it up.
+void use_own_fonts(cairo_t* cairo, int band)
+{
+    cairo_font_options_t* options = cairo_font_options_create();
+    cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
+    cairo_font_options_set_subpixel_order(options, k_orders[band]);
+    cairo_set_font_options(cairo, options);
+    cairo_font_options_destroy(options);
+}
+
+} // namespace
+
 std::jthread start_thread(const std::function<void(int)>& paint_band, int band)
 {
     return std::jthread(paint_band, band);
@@ -43,6 +64,7 @@ std::jthread start_thread(const std::function<void(int)>& paint_band, int band)
 
 void paint_stage(cairo_surface_t* image, const Stage& stage, SurfaceSize size, int bands, StartThread* start)
 {
+    bands = std::clamp(bands, 1, k_most_bands);
     cairo_surface_flush(image);
     unsigned char* pixels = cairo_image_surface_get_data(image);
     if (!pixels) return; // there was no memory for it
@@ -55,6 +77,7 @@ void paint_stage(cairo_surface_t* image, const Stage& stage, SurfaceSize size, i
                                                                     CAIRO_FORMAT_RGB24, size.width, rows, stride);
         cairo_surface_set_device_offset(part, 0.0, -top);
         cairo_t* cairo = cairo_create(part);
+        use_own_fonts(cairo, band);
         paint_stage(cairo, stage, size);
         cairo_destroy(cairo);
         cairo_surface_destroy(part);
@@ -74,7 +97,7 @@ void paint_stage(cairo_surface_t* image, const Stage& stage, SurfaceSize size, i
 
 int usual_bands()
 {
-    return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 4);
+    return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, k_most_bands);
 }
 
 } // namespace flying

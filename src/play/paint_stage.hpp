@@ -17,7 +17,7 @@ using StartThread = std::jthread(const std::function<void(int)>& paint_band, int
 
 /// The same on an image of that size, in so many bands, one above the other, by as many threads at once; where one
 /// can't be had, the present one paints what is left. What one thread paints differs only at the border of two bands,
-/// and there by less than can be seen: edges are rounded where they are cut. image  in memory, RGB24;  bands  >= 1
+/// and there by less than can be seen: edges are rounded where they are cut. image  in memory, RGB24;  bands  1 to 4
 void paint_stage(cairo_surface_t* image, const Stage& stage, SurfaceSize size, int bands,
                  StartThread* start = start_thread);
 /// As many bands as this machine has processors, four at most.
