@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "rest/energy_limit.hpp"
 #include "rest/impacts.hpp"
 #include "rest/rest_tolerance.hpp"
 #include "rest/step_field.hpp"
@@ -64,25 +65,34 @@ void find_impulses(RestData& data, Island& island, std::span<const Mover> start,
                                          rest_tolerance::k_residual * top_speed(data, island), effort);
 }
 
+namespace {
+
+/// What moves with next to no energy, and gets no faster, as a disc that has rolled out. (What has only just begun to
+/// fall does.)
+[[nodiscard]] bool has_rolled_out(const RestData& data, const Island& island)
+{
+    const double before = kinetic_energy(island, data.motion.before);
+    const double after = kinetic_energy(island, data.motion.now);
+    return is_next_to_nothing(data, island, after) && after - before <= rest_tolerance::k_rounding * before;
+}
+
+} // namespace
+
 void calm(RestData& data, const Island& island)
 {
     const double rounding = solve_rounding(island);
     // Where impulses have grown beyond all bounds, as in a row that fits between two walls to the last digit, what
     // their rounding explains may be faster than anything is
     const double still = std::min(still_speed(data, island), rest_tolerance::k_blow * top_speed(data, island));
-    bool all_still = true;
-    for (const int member : island.members) {
-        const Mover& mover = data.motion.now[member];
-        const double turn = std::abs(mover.spin) * data.bodies.radius[member];
-        const double speed = std::max({std::abs(mover.v_x), std::abs(mover.v_y), turn});
-        all_still = all_still && speed <= still;
-    }
+    const bool is_still = greatest_speed(data.motion.now, data.bodies.radius, island.members) <= still;
+    const bool rests = is_still || has_rolled_out(data, island);
 
     // What slides on a level floor neither sinks nor turns, where the solve could not tell what it does from nothing
     for (const int member : island.members) {
         Mover& mover = data.motion.now[member];
         const double top = std::max(std::abs(mover.v_x), std::abs(mover.v_y));
-        const double limit = all_still ? still : std::min(rounding, rest_tolerance::k_still * top);
+        const double limit =
+            rests ? std::numeric_limits<double>::infinity() : std::min(rounding, rest_tolerance::k_still * top);
         if (std::abs(mover.v_x) <= limit) mover.v_x = 0.0;
         if (std::abs(mover.v_y) <= limit) mover.v_y = 0.0;
         if (std::abs(mover.spin) * data.bodies.radius[member] <= limit) mover.spin = 0.0;

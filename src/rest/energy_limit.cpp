@@ -39,6 +39,14 @@ double kinetic_energy(const Island& island, std::span<const Mover> movers)
     return sum;
 }
 
+bool is_next_to_nothing(const RestData& data, const Island& island, double energy)
+{
+    double lift = 0.0; // [J]
+    for (const int member : island.members)
+        lift += data.motion.field_size[member] * data.bodies.radius[member] / data.motion.now[member].inv_mass;
+    return energy <= rest_tolerance::k_rounding * lift;
+}
+
 double work_of_contacts(const RestData& data, const Island& island)
 {
     double work = 0.0;
@@ -112,6 +120,9 @@ struct RigidMotion
     Vec2 centre = Vec2::Zero();   ///< [m]
     Vec2 velocity = Vec2::Zero(); ///< of the centre [m/s]
     double spin = 0.0;            ///< [rad/s]
+
+    /// Its velocity at a place.  [m/s]
+    [[nodiscard]] Vec2 at(const Vec2& place) const { return velocity + cross(spin, Vec2(place - centre)); }
 };
 
 /// The motion of an island as one rigid body that no contact with something static resists. Slowing an island down
@@ -154,23 +165,32 @@ struct RigidMotion
     return {after.centre, 0.5 * (before.velocity + after.velocity), 0.5 * (before.spin + after.spin)};
 }
 
+/// Energy of an island's motion relative to a rigid one.
+struct RelativeEnergy
+{
+    double own = 0.0;   ///< [J]
+    double mixed = 0.0; ///< what changes with the relative motion beside its own energy [J]
+};
+
+[[nodiscard]] RelativeEnergy relative_energy(const RestData& data, const Island& island, const RigidMotion& rigid,
+                                             std::span<const Mover> velocities)
+{
+    RelativeEnergy energy;
+    for (const int member : island.members) {
+        const Mover& now = velocities[member];
+        const Vec2 common = rigid.at(data.bodies.list[member].state.position);
+        const Vec2 own = Vec2(now.v_x, now.v_y) - common;
+        const double spin = now.spin - rigid.spin;
+        energy.own += 0.5 * (own.squaredNorm() / now.inv_mass + spin * spin / now.inv_moment);
+        energy.mixed += common.dot(own) / now.inv_mass + rigid.spin * spin / now.inv_moment;
+    }
+    return energy;
+}
+
 /// Takes energy out of an island's motion relative to a rigid one, as much as there is. What remains to be taken.  [J]
 [[nodiscard]] double slow_down(RestData& data, const Island& island, const RigidMotion& rigid, double by)
 {
-    const std::span<const int> members = island.members;
-    const auto velocity_of = [&](int member) {
-        return Vec2(rigid.velocity + cross(rigid.spin, Vec2(data.bodies.list[member].state.position - rigid.centre)));
-    };
-    double energy = 0.0;
-    double mixed = 0.0; // what changes with the relative motion beside its own energy [J]
-    for (const int member : members) {
-        const Mover& now = data.motion.now[member];
-        const Vec2 common = velocity_of(member);
-        const Vec2 own = Vec2(now.v_x, now.v_y) - common;
-        const double spin = now.spin - rigid.spin;
-        energy += 0.5 * (own.squaredNorm() / now.inv_mass + spin * spin / now.inv_moment);
-        mixed += common.dot(own) / now.inv_mass + rigid.spin * spin / now.inv_moment;
-    }
+    const auto [energy, mixed] = relative_energy(data, island, rigid, data.motion.now);
     // [rest.energy.share]
     // With a share s of the relative motion its energy is  energy s^2 + mixed s
     const double left = energy + mixed - by;
@@ -178,9 +198,9 @@ struct RigidMotion
     const double share =
         energy > 0.0 && root > 0.0 ? std::clamp((std::sqrt(root) - mixed) / (2.0 * energy), 0.0, 1.0) : 0.0;
     // [rest.energy.share]
-    for (const int member : members) {
+    for (const int member : island.members) {
         Mover& now = data.motion.now[member];
-        const Vec2 common = velocity_of(member);
+        const Vec2 common = rigid.at(data.bodies.list[member].state.position);
         now.v_x = common.x() + share * (now.v_x - common.x());
         now.v_y = common.y() + share * (now.v_y - common.y());
         now.spin = rigid.spin + share * (now.spin - rigid.spin);
@@ -195,8 +215,7 @@ struct RigidMotion
 [[nodiscard]] double rise_less(RestData& data, const Island& island, const RigidMotion& rigid, double by)
 {
     const auto way_of = [&](int member) {
-        const Vec2 arm = data.bodies.list[member].state.position - rigid.centre;
-        return Vec2(data.motion.span * (rigid.velocity + cross(rigid.spin, arm)));
+        return Vec2(data.motion.span * rigid.at(data.bodies.list[member].state.position));
     };
     double lift = 0.0;
     for (const int member : island.members) {
@@ -215,6 +234,13 @@ struct RigidMotion
 }
 
 } // namespace
+
+double energy_to_spare(const RestData& data, const Island& island, std::span<const Mover> velocities)
+{
+    const RigidMotion rigid = free_motion(data, island, velocities);
+    const RelativeEnergy relative = relative_energy(data, island, rigid, velocities);
+    return relative.own + relative.mixed;
+}
 
 void limit_energy(RestData& data, const Island& island)
 {

@@ -17,6 +17,10 @@ struct EnergyGain
 /// Kinetic energy of an island's bodies with some velocities.  [J]
 [[nodiscard]] double kinetic_energy(const Island& island, std::span<const Mover> movers);
 
+/// An energy isn't worth what rounding leaves of the energy that would lift an island's bodies by their own size.
+/// energy  [J]
+[[nodiscard]] bool is_next_to_nothing(const RestData& data, const Island& island, double energy);
+
 /// The work of the contacts' forces on an island whose bodies move by the mean of their velocities before and after.  [J]
 [[nodiscard]] double work_of_contacts(const RestData& data, const Island& island);
 
@@ -41,6 +45,9 @@ void take_share(const RestData& data, const Island& island, std::span<const Move
 
 /// Counts what a step has nevertheless taken from such an island, after its impacts and besides what the field did.
 void count_elastic_loss(RestData& data, const Island& island);
+
+/// Energy that the limit may take from the motion of an island's bodies without changing momentum of its own.  [J]
+[[nodiscard]] double energy_to_spare(const RestData& data, const Island& island, std::span<const Mover> velocities);
 
 /// The one limit of energy: what a step has gained beyond the field's work is taken from the motion of bodies relative
 /// to the one that nothing outside resists, and where there is too little, from the way that they rise relative to it.

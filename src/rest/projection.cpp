@@ -236,8 +236,7 @@ void Projection::put_apart(RestData& data, const Island& island, double overlap,
         }
         // [rest.projection.round]
         find_pushes(data, island, 0.125 * touch, sweeps);
-        // A heap hangs in the air if all its motion goes to lift it
-        const bool is_free = !is_heap(island) || overlap > rest_tolerance::k_most_overlap;
+        const bool is_free = is_heap(island) && overlap > rest_tolerance::k_most_overlap;
         const double share = is_free ? 1.0 : share_that_is_paid(data, island);
         for (const int member : members) {
             const Mover& push = pushes_[member];
@@ -257,7 +256,19 @@ void Projection::put_apart(RestData& data, const Island& island, double overlap,
     }
 }
 
-/// How much of the pushes the energy pays for that the step has taken.
+/// A small island's motion pays for its pushes. (A heap would hang in the air if all its motion went to lift it.) What
+/// is all but still has none, nor has what slides too slowly for so much of a lift: the limit of energy would take back
+/// the step's own ways with the pushes, the same in every step.
+///
+/// lift  what the pushes cost [J]
+bool Projection::may_pay(const RestData& data, const Island& island, double lift) const
+{
+    const double energy = kinetic_energy(island, data.motion.before);
+    if (is_heap(island) || is_next_to_nothing(data, island, energy)) return false;
+    return energy >= lift || energy_to_spare(data, island, data.motion.before) > rest_tolerance::k_rounding * energy;
+}
+
+/// How much of the pushes is paid for: all, or as much as the energy that the step has taken.
 double Projection::share_that_is_paid(const RestData& data, const Island& island) const
 {
     double lift = 0.0; // [J]
@@ -265,7 +276,8 @@ double Projection::share_that_is_paid(const RestData& data, const Island& island
         const Mover& push = pushes_[member];
         lift -= data.motion.field[member].dot(Vec2(push.v_x, push.v_y)) / data.motion.now[member].inv_mass;
     }
-    return lift > 0.0 ? std::clamp(-gain_of(data, island).gained / lift, 0.0, 1.0) : 1.0;
+    if (!(lift > 0.0) || may_pay(data, island, lift)) return 1.0;
+    return std::clamp(-gain_of(data, island).gained / lift, 0.0, 1.0);
 }
 
 /// Pushes that take off overlap. Where something static bears, they are those of bodies of the same mass: what is heavy
