@@ -67,13 +67,16 @@ void find_impulses(RestData& data, Island& island, std::span<const Mover> start,
 
 namespace {
 
-/// What moves with next to no energy, and gets no faster, as a disc that has rolled out. (What has only just begun to
-/// fall does.)
-[[nodiscard]] bool has_rolled_out(const RestData& data, const Island& island)
+/// Bodies that are all but still and get no faster, as a disc that has rolled out. (What has only just begun to fall
+/// does.)
+[[nodiscard]] bool have_rolled_out(const RestData& data, const Island& island)
 {
-    const double before = kinetic_energy(island, data.motion.before);
-    const double after = kinetic_energy(island, data.motion.now);
-    return is_next_to_nothing(data, island, after) && after - before <= rest_tolerance::k_rounding * before;
+    return std::all_of(island.members.begin(), island.members.end(), [&](int member) {
+        const Mover& now = data.motion.now[member];
+        const double before = kinetic_energy(data.motion.before[member]);
+        return is_all_but_still(data, member, now) &&
+               kinetic_energy(now) - before <= rest_tolerance::k_rounding * before;
+    });
 }
 
 } // namespace
@@ -85,7 +88,7 @@ void calm(RestData& data, const Island& island)
     // their rounding explains may be faster than anything is
     const double still = std::min(still_speed(data, island), rest_tolerance::k_blow * top_speed(data, island));
     const bool is_still = greatest_speed(data.motion.now, data.bodies.radius, island.members) <= still;
-    const bool rests = is_still || has_rolled_out(data, island);
+    const bool rests = is_still || have_rolled_out(data, island);
 
     // What slides on a level floor neither sinks nor turns, where the solve could not tell what it does from nothing
     for (const int member : island.members) {

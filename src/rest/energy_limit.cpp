@@ -14,10 +14,8 @@ EnergyGain gain_of(const RestData& data, const Island& island)
     for (const int member : island.members) {
         const Mover& old = data.motion.before[member];
         const Mover& now = data.motion.now[member];
-        const double before =
-            0.5 * ((old.v_x * old.v_x + old.v_y * old.v_y) / old.inv_mass + old.spin * old.spin / old.inv_moment);
-        const double after =
-            0.5 * ((now.v_x * now.v_x + now.v_y * now.v_y) / now.inv_mass + now.spin * now.spin / now.inv_moment);
+        const double before = kinetic_energy(old);
+        const double after = kinetic_energy(now);
         const double work = work_of_field(data, member) / now.inv_mass;
         gain.gained += (after - before) - work;
         const Vec2& field = data.motion.field[member];
@@ -29,22 +27,22 @@ EnergyGain gain_of(const RestData& data, const Island& island)
     return gain;
 }
 
+double kinetic_energy(const Mover& m)
+{
+    return 0.5 * ((m.v_x * m.v_x + m.v_y * m.v_y) / m.inv_mass + m.spin * m.spin / m.inv_moment);
+}
+
 double kinetic_energy(const Island& island, std::span<const Mover> movers)
 {
     double sum = 0.0;
-    for (const int member : island.members) {
-        const Mover& m = movers[member];
-        sum += 0.5 * ((m.v_x * m.v_x + m.v_y * m.v_y) / m.inv_mass + m.spin * m.spin / m.inv_moment);
-    }
+    for (const int member : island.members) sum += kinetic_energy(movers[member]);
     return sum;
 }
 
-bool is_next_to_nothing(const RestData& data, const Island& island, double energy)
+bool is_all_but_still(const RestData& data, int body, const Mover& mover)
 {
-    double lift = 0.0; // [J]
-    for (const int member : island.members)
-        lift += data.motion.field_size[member] * data.bodies.radius[member] / data.motion.now[member].inv_mass;
-    return energy <= rest_tolerance::k_rounding * lift;
+    const double lift = data.motion.field_size[body] * data.bodies.radius[body] / mover.inv_mass; // [J]
+    return kinetic_energy(mover) <= rest_tolerance::k_rounding * lift;
 }
 
 double work_of_contacts(const RestData& data, const Island& island)

@@ -14,12 +14,12 @@ struct EnergyGain
 };
 [[nodiscard]] EnergyGain gain_of(const RestData& data, const Island& island);
 
-/// Kinetic energy of an island's bodies with some velocities.  [J]
+/// Kinetic energy of a body, and of an island's bodies with some velocities.  [J]
+[[nodiscard]] double kinetic_energy(const Mover& mover);
 [[nodiscard]] double kinetic_energy(const Island& island, std::span<const Mover> movers);
 
-/// An energy isn't worth what rounding leaves of the energy that would lift an island's bodies by their own size.
-/// energy  [J]
-[[nodiscard]] bool is_next_to_nothing(const RestData& data, const Island& island, double energy);
+/// A body's motion isn't worth what rounding leaves of the energy that would lift it by its own size.
+[[nodiscard]] bool is_all_but_still(const RestData& data, int body, const Mover& mover);
 
 /// The work of the contacts' forces on an island whose bodies move by the mean of their velocities before and after.  [J]
 [[nodiscard]] double work_of_contacts(const RestData& data, const Island& island);

@@ -263,9 +263,12 @@ void Projection::put_apart(RestData& data, const Island& island, double overlap,
 /// lift  what the pushes cost [J]
 bool Projection::may_pay(const RestData& data, const Island& island, double lift) const
 {
-    const double energy = kinetic_energy(island, data.motion.before);
-    if (is_heap(island) || is_next_to_nothing(data, island, energy)) return false;
-    return energy >= lift || energy_to_spare(data, island, data.motion.before) > rest_tolerance::k_rounding * energy;
+    const std::span<const int> members = island.members;
+    const std::span<const Mover> before = data.motion.before;
+    const auto is_still = [&](int member) { return is_all_but_still(data, member, before[member]); };
+    if (is_heap(island) || std::all_of(members.begin(), members.end(), is_still)) return false;
+    const double energy = kinetic_energy(island, before);
+    return energy >= lift || energy_to_spare(data, island, before) > rest_tolerance::k_rounding * energy;
 }
 
 /// How much of the pushes is paid for: all, or as much as the energy that the step has taken.

@@ -54,3 +54,19 @@ TEST_CASE("a disc that rolls with less than a hair of energy stops, and with mor
         }
     }
 }
+
+TEST_CASE("a light ball that rolls slowly on a heavy slab rolls on")
+{
+    for (const double heavy : {1.0, 1e3, 1e6}) {
+        CAPTURE(heavy);
+        const Material material{0.0, 0.5};
+        const RestBody slab = box(4.0, 1.0, Vec2(0.0, 0.5), heavy, material);
+        RestBody ball = disc(0.5, Vec2(0.0, 1.5), 1.0, material);
+        const double speed = 1e-4;
+        ball.state.velocity = Vec2(speed, 0.0);
+        ball.state.spin = -speed / 0.5;
+        RestEngine engine({wall(Vec2(0.0, 1.0), 0.0, material), slab, ball});
+        for (int step = 0; step < 60; ++step) engine.step();
+        CHECK(engine.state(2).velocity.x() == doctest::Approx(speed).epsilon(1e-9));
+    }
+}
