@@ -4,8 +4,8 @@
 #include <cmath>
 #include <map>
 
-#include "math/random.hpp"
 #include "chapters/support/lying_bodies.hpp"
+#include "math/random.hpp"
 
 using namespace flying;
 using namespace flying::test;
@@ -219,8 +219,8 @@ TEST_CASE("energy never rises as boxes fall on each other and come to rest")
 
 TEST_CASE("a box that is put down askew comes to lie, whatever its sides, its tilt and its motion")
 {
-    // Some rocked on from step to step for ever: an impact that took the push of the other corner for a load threw the box
-    // up, and what that cost was paid by stopping it in the air
+    // Some rocked on from step to step for ever: an impact that took the push of the other corner for a load threw the
+    // box up, and what that cost was paid by stopping it in the air
     Random random(1);
     for (int k = 0; k < 1500; ++k) {
         const double width = random.uniform(0.4, 0.9);
@@ -241,5 +241,43 @@ TEST_CASE("a box that is put down askew comes to lie, whatever its sides, its ti
         CHECK(engine.is_asleep(1));
         CHECK(std::abs(engine.state(1).position.y() - 0.5 * height) < 1e-9);
         CHECK(std::abs(engine.state(1).angle) < 1e-9);
+    }
+}
+
+TEST_CASE("a disc that rolls with less than a hair of energy stops, and with more rolls on as fast")
+{
+    Random random(32);
+    for (int k = 0; k < 50; ++k) {
+        const double radius = std::pow(10.0, random.uniform(-1.5, 1.0));
+        // The energy 3/4 m v^2 against the lift by its own size, m g r
+        const double edge = std::sqrt(0x1p-46 * k_gravity * radius / 0.75);
+        for (const double share : {0.5, 2.0}) {
+            CAPTURE(k);
+            CAPTURE(share);
+            const Material material{0.0, 0.5};
+            RestBody body = disc(radius, Vec2(0.0, radius), 1.0, material);
+            body.state.velocity = Vec2(share * edge, 0.0);
+            body.state.spin = -share * edge / radius;
+            RestEngine engine({wall(Vec2(0.0, 1.0), 0.0, material), body});
+            for (int step = 0; step < 60; ++step) engine.step();
+            CHECK(engine.is_asleep(1) == (share < 1.0));
+            if (share > 1.0) CHECK(engine.state(1).velocity.x() == doctest::Approx(share * edge).epsilon(1e-12));
+        }
+    }
+}
+
+TEST_CASE("a light ball that rolls slowly on a heavy slab rolls on")
+{
+    for (const double heavy : {1.0, 1e3, 1e6}) {
+        CAPTURE(heavy);
+        const Material material{0.0, 0.5};
+        const RestBody slab = box(4.0, 1.0, Vec2(0.0, 0.5), heavy, material);
+        RestBody ball = disc(0.5, Vec2(0.0, 1.5), 1.0, material);
+        const double speed = 1e-4;
+        ball.state.velocity = Vec2(speed, 0.0);
+        ball.state.spin = -speed / 0.5;
+        RestEngine engine({wall(Vec2(0.0, 1.0), 0.0, material), slab, ball});
+        for (int step = 0; step < 60; ++step) engine.step();
+        CHECK(engine.state(2).velocity.x() == doctest::Approx(speed).epsilon(1e-9));
     }
 }
