@@ -39,9 +39,10 @@ double way_since(const RestData& data, const BodyBefore& before, int body)
     return (now.position - before.state.position).norm() + arc;
 }
 
-Meetings find_meetings(const RestData& data, std::span<const BodyBefore> before, const BodySet& moved)
+bool find_meetings(const RestData& data, std::span<const BodyBefore> before, const BodySet& moved, Meetings& met)
 {
-    Meetings meetings{data.motion.span, {}};
+    double first = data.motion.span;
+    const std::size_t islands_before = met.islands.size();
     const auto is_thrown = [&](int body) {
         return moved.has(body) && way_since(data, before[body], body) > before[body].reach;
     };
@@ -64,13 +65,16 @@ Meetings find_meetings(const RestData& data, std::span<const BodyBefore> before,
             const double gap = lowest_point(data, pair, state_before(pair.a), state_before(pair.b), size).separation;
             when = (gap > 0.0 ? gap / (gap + depth) : 0.5) * data.motion.span;
         }
-        meetings.first = std::min(meetings.first, when);
+        first = std::min(first, when);
         for (const int body : {pair.a, pair.b}) {
-            if (moved.has(body)) meetings.islands.push_back(before[body].island);
+            if (moved.has(body)) met.islands.push_back(before[body].island);
+            else if (!data.bodies.list[body].is_static) met.sleepers.push_back(body);
         }
     }
-    std::sort(meetings.islands.begin(), meetings.islands.end());
-    return meetings;
+    if (met.islands.size() == islands_before) return false;
+    std::sort(met.islands.begin(), met.islands.end());
+    met.moments.insert(std::upper_bound(met.moments.begin(), met.moments.end(), first), first);
+    return true;
 }
 
 } // namespace flying

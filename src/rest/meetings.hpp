@@ -14,7 +14,7 @@ struct BodyBefore
     BodyState state;
     Vec2 pull = Vec2::Zero();
     double expected_angular_acceleration = 0.0;
-    double reach = 0.0; ///< how far it was thought to get [m]
+    double reach = 0.0; ///< how far it was thought to get; 0 once a part took it further than was thought of that [m]
     int island = 0;     ///< its lowest body
     char in_large_island = 0;
 };
@@ -26,10 +26,13 @@ struct BodyBefore
 /// they were not thought to meet.
 struct Meetings
 {
-    double first = 0.0;       ///< the first of them, after the start of the step [s]
-    std::vector<int> islands; ///< the lowest bodies of the islands that met, ascending, some more than once
+    std::vector<double> moments; ///< after the start of the step, ascending [s]
+    std::vector<int> islands;    ///< the lowest bodies of the islands that met, ascending, some more than once
+    std::vector<int> sleepers;   ///< bodies that were met in their sleep
 };
+/// Adds those that there are now, and the first of their moments. True where there are any.
 /// before  of each body that the step has moved
-[[nodiscard]] Meetings find_meetings(const RestData& data, std::span<const BodyBefore> before, const BodySet& moved);
+[[nodiscard]] bool find_meetings(const RestData& data, std::span<const BodyBefore> before, const BodySet& moved,
+                                 Meetings& met);
 
 } // namespace flying

@@ -11,6 +11,7 @@
 #include "rest/rest_data.hpp"
 #include "rest/rest_way.hpp"
 #include "rest/sleepers.hpp"
+#include "rest/stopwatch.hpp"
 
 namespace flying {
 
@@ -183,7 +184,10 @@ private:
     [[nodiscard]] bool may_be_halved(const Island& island, int depth) const;
     void find_pairs_of(Again& again, std::span<const int> pairs);
     void make_parts(int depth, std::span<const double> cuts);
-    [[nodiscard]] bool go_back(std::vector<double>& met);
+    [[nodiscard]] bool try_step(Stopwatch& watch);
+    [[nodiscard]] bool go_back(Meetings& met);
+    void put_back(int body);
+    [[nodiscard]] bool wake_met(const Meetings& met);
     void scale_loads_awake(double factor);
     [[nodiscard]] bool stood_alike(int member) const;
     void move_island(const Island& island);

@@ -88,6 +88,8 @@ void RestEngine::move_island(const Island& island)
         const Mover& now = data_.motion.now[member];
         const Vec2& way = data_.motion.shift[member];
         const BodyState old = state;
+        const double arc = std::abs(data_.motion.turn[member]) * data_.bodies.turning[member];
+        if (way.norm() + arc > data_.motion.reach[member]) before_[member].reach = 0.0;
         state.position += way;
         state.angle += data_.motion.turn[member];
         same = same && state.position == old.position && state.angle == old.angle && now.v_x == 0.0 && now.v_y == 0.0 &&

@@ -32,6 +32,14 @@ void RestEngine::step()
         ++data_.counts.steps;
         return;
     }
+    while (!try_step(watch)) begin_awake();
+    ++steps_;
+    ++data_.counts.steps;
+}
+
+/// False where what moves has met what slept, which is awake now: all others are as before the step.
+bool RestEngine::try_step(Stopwatch& watch)
+{
     (void)list_pairs();
     watch.stop(seconds_.pairs);
 
@@ -54,11 +62,13 @@ void RestEngine::step()
     watch.stop(seconds_.solve);
     finish_islands(0, {});
     make_parts(0, {});
-    std::vector<double> met; // when islands met that were not thought to  [s]
-    for (int round = 0; round < rest_tolerance::k_quick_rounds && go_back(met); ++round) make_parts(0, met);
+    Meetings met;
+    for (int round = 0; round < rest_tolerance::k_quick_rounds && go_back(met); ++round) {
+        if (wake_met(met)) return false;
+        make_parts(0, met.moments);
+    }
     watch.stop(seconds_.move);
-    ++steps_;
-    ++data_.counts.steps;
+    return true;
 }
 
 /// Puts right the list of those that are awake, and the pairs of theirs, where any fell asleep, woke, came or went.
@@ -292,8 +302,8 @@ void RestEngine::make_parts(int depth, std::span<const double> cuts)
 /// Islands that met, and were not thought to, go back, to make their step in parts that begin whenever any of them has
 /// met: as a part begins, all is looked at again. True where there are any.
 ///
-/// met  those moments, ascending: one more where there are any  [s]
-bool RestEngine::go_back(std::vector<double>& met)
+/// met  of the step so far: those that went back before do it again, or they would be met where they no longer are
+bool RestEngine::go_back(Meetings& met)
 {
     bool any = false;
     for (const int k : moved_) {
@@ -304,27 +314,40 @@ bool RestEngine::go_back(std::vector<double>& met)
     }
     if (!any) return false;
     (void)list_pairs();
-    const Meetings meetings = find_meetings(data_, before_, awake_);
-    if (meetings.islands.empty()) return false;
+    if (!find_meetings(data_, before_, awake_, met)) return false;
     Again& again = parts_.at[0];
     again.parts.assign(1, {});
-    met.insert(std::upper_bound(met.begin(), met.end(), meetings.first), meetings.first);
     again.members.clear();
     for (const int k : moved_) {
-        const BodyBefore& old = before_[k];
-        if (!std::binary_search(meetings.islands.begin(), meetings.islands.end(), old.island)) continue;
-        sleepers_.wake(sleepers_.island_of(k));
-        data_.bodies.list[k].state = old.state;
-        data_.bodies.set_pose(k, pose_of(old.state));
-        data_.bodies.in_large_island[k] = old.in_large_island;
-        data_.motion.pull[k] = old.pull;
-        data_.motion.expected_angular_acceleration[k] = old.expected_angular_acceleration;
-        if (legs_) (*legs_)[data_.bodies.order[k]].clear();
+        if (!std::binary_search(met.islands.begin(), met.islands.end(), before_[k].island)) continue;
+        put_back(k);
         again.members.push_back(k);
         parts_.of[k] = 0;
     }
     again.parts[0].member_count = static_cast<int>(again.members.size());
     find_pairs_of(again, {});
+    return true;
+}
+
+/// A body is as it was before the step.
+void RestEngine::put_back(int body)
+{
+    const BodyBefore& old = before_[body];
+    sleepers_.wake(sleepers_.island_of(body));
+    data_.bodies.list[body].state = old.state;
+    data_.bodies.set_pose(body, pose_of(old.state));
+    data_.bodies.in_large_island[body] = old.in_large_island;
+    data_.motion.pull[body] = old.pull;
+    data_.motion.expected_angular_acceleration[body] = old.expected_angular_acceleration;
+    if (legs_) (*legs_)[data_.bodies.order[body]].clear();
+}
+
+/// Wakes what slept, and was met; true where there was any, and all that have moved are put back.
+bool RestEngine::wake_met(const Meetings& met)
+{
+    if (met.sleepers.empty()) return false;
+    for (const int body : met.sleepers) sleepers_.wake(sleepers_.island_of(body));
+    for (const int k : moved_) put_back(k);
     return true;
 }
 
