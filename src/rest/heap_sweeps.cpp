@@ -35,6 +35,14 @@ namespace {
     return sum > 0.0 ? sum : std::numeric_limits<double>::infinity();
 }
 
+/// How fast bodies move as a step begins, turning included.  [m/s]
+[[nodiscard]] double mean_speed(const RestData& data, std::span<const int> members)
+{
+    double sum = 0.0;
+    for (const int member : members) sum += greatest_speed(data.motion.before, data.bodies.radius, {&member, 1});
+    return sum / static_cast<double>(members.size());
+}
+
 void take_back(std::span<Mover> movers, std::span<const ContactPoint> points)
 {
     for (const ContactPoint& c : points) push(c, -c.normal, -c.tangent, movers[c.a], movers[c.b]);
@@ -70,7 +78,7 @@ void HeapSweeps::sweep_large(RestData& data, Island& island)
     const bool is_standing = before <= rest_tolerance::k_standing * field;
     // What stood, and will be brought to rest again, need not be settled any better
     const bool rests = before == 0.0 && greatest_speed(data.motion.now, data.bodies.radius, members) <= rest;
-    if (is_standing && !rests) settle(data, island, points, rest);
+    if (is_standing && !rests) settle(data, island, points, std::max(rest, mean_speed(data, members)));
     sweep_on(data, island, data.motion.now, points, {data.options.step, !is_standing && is_large(island)});
 
     // What hardly moves comes to rest
@@ -96,12 +104,15 @@ void HeapSweeps::sweep_large(RestData& data, Island& island)
 }
 
 /// What each point of a row of bodies lacks adds up along it, and no row of a heap need be longer than the root of how
-/// many bodies it has. So in a slow heap no point is left to lack more than that part of the speed that counts as rest.
-/// Alternating directions end what is off over the whole heap, and sweeps what is off between neighbours.
-void HeapSweeps::settle(RestData& data, const Island& island, std::span<ContactPoint> points, double rest)
+/// many bodies it has. So in a slow heap no point is left to lack more than that part of how fast bodies move, or of
+/// the speed that counts as rest. Alternating directions end what is off over the whole heap, and sweeps what is off
+/// between neighbours.
+///
+/// speed  of the bodies, or that of rest [m/s]
+void HeapSweeps::settle(RestData& data, const Island& island, std::span<ContactPoint> points, double speed)
 {
     const std::span<Mover> movers = data.motion.now;
-    const double most = rest / std::sqrt(static_cast<double>(island.member_count()));
+    const double most = speed / std::sqrt(static_cast<double>(island.member_count()));
     if (are_satisfied(points, movers, most)) return;
     take_back(movers, points);
     data.solver.solve_by_turns(movers, island.members, points, 0.5 * most, rest_tolerance::k_more_sweeps);
@@ -112,34 +123,32 @@ void HeapSweeps::settle(RestData& data, const Island& island, std::span<ContactP
     sweeps_.sweep(movers, island.members, points, plan, data.solver.counts());
 }
 
-/// Sweeps take the longer the more masses differ: ever more of them, as long as any point misses its bound by too much;
-/// and where the most of them leave that, the direct solve, if it can. What lands is given one round like what stands,
-/// or errors of standing parts would sum up from step to step.
+/// Sweeps go on where more is left: a blow to a heap is felt all through it, but few points still miss their bounds by
+/// too much after the first sweeps. What lands is given some of them until it adds no more than what stands, or errors
+/// of standing parts would sum up from step to step. Where even the most of them leave too much, the direct solve finds
+/// the rest, if it can.
 void HeapSweeps::sweep_on(RestData& data, const Island& island, std::span<Mover> movers, std::span<ContactPoint> points,
                           const Aim& aim)
 {
-    SweepPlan plan;
-    plan.sweeps = rest_tolerance::k_more_sweeps;
-    plan.tolerance = 0.0;
-    const double most = most_added(aim.is_landing) / aim.span;
-    for (int round = 0; round < rest_tolerance::k_few_rounds; ++round, plan.sweeps *= 2) {
-        if (!misses(data, movers, points, round == 0 ? most_added(false) / aim.span : most)) return;
-        take_back(movers, points);
-        sweeps_.sweep(movers, island.members, points, plan, data.solver.counts());
-    }
-    if (is_large(island) || !misses(data, movers, points, most)) return;
+    const auto suffice = [&](bool is_landing, int times) {
+        allow(data, points, most_added(is_landing) / aim.span);
+        return local_.sweep(movers, points, allowed_, times * static_cast<int>(points.size()));
+    };
+    if (suffice(false, aim.is_landing ? rest_tolerance::k_quick_rounds : rest_tolerance::k_more_sweeps)) return;
+    if (aim.is_landing && suffice(true, rest_tolerance::k_more_sweeps)) return;
+    if (is_large(island)) return;
     take_back(movers, points);
     (void)data.solver.solve(movers, island.members, points, rest_tolerance::k_residual * top_speed(data, island));
 }
 
-/// A point misses the least normal velocity that it may end with by more than so much.
-bool HeapSweeps::misses(const RestData& data, std::span<const Mover> movers, std::span<const ContactPoint> points,
-                        double most) const
+/// By how much each point may miss its least normal velocity.
+///
+/// most  [sizes/s], or [sizes] where places are swept
+void HeapSweeps::allow(const RestData& data, std::span<const ContactPoint> points, double most)
 {
-    return std::any_of(points.begin(), points.end(), [&](const ContactPoint& c) {
-        const double size = std::min(data.bodies.radius[c.a], data.bodies.radius[c.b]);
-        return c.bound - normal_speed(c, movers[c.a], movers[c.b]) > most * size;
-    });
+    allowed_.clear();
+    for (const ContactPoint& c : points)
+        allowed_.push_back(most * std::min(data.bodies.radius[c.a], data.bodies.radius[c.b]));
 }
 
 void HeapSweeps::set_velocity_bias_swept(const RestData& data, const Island& island, bool is_calm) const

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "rest/island.hpp"
 #include "rest/island_sweeps.hpp"
+#include "rest/local_sweeps.hpp"
 
 namespace flying {
 
@@ -34,16 +36,16 @@ private:
     };
 
     void set_velocity_bias_swept(const RestData& data, const Island& island, bool is_calm) const;
-    void settle(RestData& data, const Island& island, std::span<ContactPoint> points, double rest);
+    void settle(RestData& data, const Island& island, std::span<ContactPoint> points, double speed);
     void sweep(RestData& data, const Island& island, std::span<Mover> movers, std::span<ContactPoint> points,
                const Aim& aim, double tolerance);
     void sweep_on(RestData& data, const Island& island, std::span<Mover> movers, std::span<ContactPoint> points,
                   const Aim& aim);
-    /// most  by which a point may miss its least normal velocity [sizes/s], or [sizes] where places are swept
-    [[nodiscard]] bool misses(const RestData& data, std::span<const Mover> movers, std::span<const ContactPoint> points,
-                              double most) const;
+    void allow(const RestData& data, std::span<const ContactPoint> points, double most);
 
     IslandSweeps sweeps_;
+    LocalSweeps local_;
+    std::vector<double> allowed_; // for each point: by how much it may miss its bound [m/s], or [m]
 };
 
 } // namespace flying

@@ -95,6 +95,18 @@ double missed_impact(const RestData& data, const Island& island)
     return first < data.motion.span ? std::max(first, rest_tolerance::k_at_once * data.motion.span) : 0.0;
 }
 
+/// It turns them by about the way that is left to go once the gap is closed, in sizes. Half the square of that angle is
+/// what a corner sinks by that should have gone round.
+bool turns_too_far(const RestData& data, const Island& island)
+{
+    const double most = std::sqrt(2.0 * rest_tolerance::k_most_overlap); // [1]
+    return std::any_of(island.points.begin(), island.points.end(), [&](const ContactPoint& c) {
+        const double u = normal_speed(c, data.motion.before[c.a], data.motion.before[c.b]);
+        const double past = -(c.gap + data.motion.span * u);
+        return past > most * size_of(data, c) && data.bodies.turning[c.a] + data.bodies.turning[c.b] > 0.0;
+    });
+}
+
 /// Impacts of an island, at the moment at which the step, or the part of one, begins: first those that throw back, then
 /// the rest of the approaches, all at once and without rebound. True where there were any; `before` is what they
 /// leave. Where impacts have no moments of their own, all that closes within the step counts as closed.

@@ -15,6 +15,8 @@ class HeapSweeps;
 /// When an impact comes that was not foreseen, since bodies sped up otherwise than they did before: the first moment at
 /// which a gap closes on the ways that were found; 0 where none does.  [s]
 [[nodiscard]] double missed_impact(const RestData& data, const Island& island);
+/// A blow to a heap turns what it strikes too far for one step, so that too much overlap would be left.
+[[nodiscard]] bool turns_too_far(const RestData& data, const Island& island);
 
 /// Ends the approaches of an island with which the step, or the part of one, begins.
 class Impacts

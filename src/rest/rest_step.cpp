@@ -183,7 +183,11 @@ void RestEngine::solve_islands(int depth)
 {
     data_.counts.groups += static_cast<std::int64_t>(islands_.all().size());
     data_.counts.points += static_cast<std::int64_t>(islands_.point_count());
-    for (Island& island : islands_.all()) island_step_.find(data_, island, may_be_parted(island, depth));
+    for (Island& island : islands_.all()) {
+        const bool is_short = !is_heap(island) || !may_be_halved(island, depth) || !turns_too_far(data_, island);
+        if (is_short) island_step_.find(data_, island, may_be_parted(island, depth));
+        else island.cut_at = 0.5 * data_.motion.span;
+    }
 }
 
 void RestEngine::finish_islands(int depth, std::span<const int> pairs)

@@ -66,13 +66,13 @@ inline constexpr double k_rounding = 0x1p-46;
 inline constexpr int k_patience = 64;
 
 /// Rounds of what is right after one or two, or after many: Newton's steps; looks at a pair that closes, each at the
-/// moment that the last one foresaw; lines along curved ways; halvings of a step until all slips last; and the parts of
-/// equal length into which the step of a heap may fall.
+/// moment that the last one foresaw; lines along curved ways; halvings of a step until all slips last; the parts of
+/// equal length into which the step of a heap may fall; and sweeps that what lands may take to add no more overlap than
+/// what stands.
 inline constexpr int k_quick_rounds = 8;
 
 /// Rounds of what is near after two or three: pushes that take off overlap, each of which leaves about the square of
-/// what it found; ends of slips in one step; sweeps that go on, each time with twice as many; and, for each point,
-/// pieces of a path that begins with nothing.
+/// what it found; ends of slips in one step; and, for each point, pieces of a path that begins with nothing.
 inline constexpr int k_few_rounds = 4;
 
 /// Points, or bodies, of the largest island that is followed in detail: the end of each slip, the moment of each
@@ -127,7 +127,7 @@ inline constexpr double k_soft_stiffness = 64.0;
 /// usual (Boyd et al. 2011, 3.4.3).
 inline constexpr double k_over_relaxation = 1.6;
 
-/// Sweeps that go on where more is left, twice as many in each round; and rounds of alternating directions.
+/// Sweeps that go on where more is left, as many pairs as these would sweep; and rounds of alternating directions.
 inline constexpr int k_more_sweeps = 128;
 
 /// Sweeps that end the impacts of a heap, and that take off its overlap; rounds of alternating directions before a

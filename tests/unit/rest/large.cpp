@@ -4,11 +4,13 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <numeric>
 
 #include "chapters/support/lying_bodies.hpp"
 #include "math/random.hpp"
 #include "rest/block_system.hpp"
+#include "rest/local_sweeps.hpp"
 #include "rest/sweep_batches.hpp"
 #include "rest/sweeps.hpp"
 
@@ -73,6 +75,74 @@ bool same_bits(double x, double y)
 }
 
 } // namespace
+
+TEST_CASE("sweeps where something is missed: where all points miss, the bits of the plain sweep")
+{
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        CAPTURE(seed);
+        Tangle t = tangle(seed, 30, 100);
+        Tangle plain = t;
+        const std::vector<double> allowed(t.points.size(), -std::numeric_limits<double>::infinity());
+        int pairs = 0;
+        for (std::size_t k = 0; k < t.points.size(); ++k)
+            pairs += k == 0 || t.points[k].pair != t.points[k - 1].pair ? 1 : 0;
+        LocalSweeps local;
+        CHECK_FALSE(local.sweep(t.movers, t.points, allowed, pairs));
+        sweep(plain.points, plain.movers);
+        for (std::size_t k = 0; k < t.points.size(); ++k) {
+            CHECK(same_bits(t.points[k].normal, plain.points[k].normal));
+            CHECK(same_bits(t.points[k].tangent, plain.points[k].tangent));
+        }
+    }
+}
+
+TEST_CASE("sweeps where something is missed end where nothing is, with impulses that friction allows")
+{
+    constexpr double k_allowed = 1e-6; // [m/s]
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        CAPTURE(seed);
+        Tangle t = tangle(seed, 30, 30);
+        for (ContactPoint& c : t.points) c.bound = -std::abs(c.bound); // so that there is an answer: stand still
+        std::vector<Mover> pushed = t.movers;
+        LocalSweeps local;
+        CHECK(local.sweep(t.movers, t.points, std::vector<double>(t.points.size(), k_allowed), 10'000'000));
+        for (const ContactPoint& c : t.points) {
+            CHECK(c.bound - normal_speed(c, t.movers[c.a], t.movers[c.b]) <= k_allowed);
+            CHECK(c.normal >= 0.0);
+            CHECK(std::abs(c.tangent) <= c.friction * c.normal);
+            push(c, c.normal, c.tangent, pushed[c.a], pushed[c.b]);
+        }
+        for (const int member : t.members) {
+            const double size = 1.0 + std::abs(pushed[member].v_x);
+            CHECK(t.movers[member].v_x == doctest::Approx(pushed[member].v_x).epsilon(1e-9 * size));
+        }
+    }
+}
+
+TEST_CASE("sweeps where something is missed leave alone what a blow doesn't get to")
+{
+    // Of a row of balls that lie loosely, the first rolls against the second. Each hands on half, and keeps half
+    constexpr int k_balls = 200;
+    std::vector<Mover> movers(k_balls, Mover{0.0, 0.0, 0.0, 1.0, 2.0});
+    movers[0].v_x = 1.0;
+    std::vector<ContactPoint> points;
+    for (int k = 0; k + 1 < k_balls; ++k) {
+        ContactPoint c;
+        c.a = c.pair = k;
+        c.b = k + 1;
+        c.n_x = 1.0;
+        c.normal_mass = 0.5;
+        c.tangent_mass = 0.5;
+        points.push_back(c);
+    }
+    LocalSweeps local;
+    CHECK(local.sweep(movers, points, std::vector<double>(points.size(), 0.01), 100'000));
+    double momentum = 0.0;
+    for (const Mover& mover : movers) momentum += mover.v_x;
+    CHECK(momentum == doctest::Approx(1.0).epsilon(1e-12));
+    CHECK(movers[5].v_x > 0.0);
+    for (int k = 60; k < k_balls; ++k) CHECK(movers[k].v_x == 0.0);
+}
 
 TEST_CASE("sweeps over batches find the bits of the plain sweep, whichever contacts share bodies")
 {
