@@ -70,7 +70,7 @@ void AlternatingDirections::go_round(PieceSystem& pieces, ContactProblem& proble
             pieces.push(problem, k, (2.0 * j[0] - asked_[2 * k]) - (c.normal + stiffness_n(c) * u[0]),
                         (2.0 * j[1] - asked_[2 * k + 1]) - (c.tangent + stiffness_t(c) * u[1]));
         }
-        pieces.solve();
+        pieces.solve_stuck();
         // [rest.alternate.together]
 
         // [rest.alternate.alone]

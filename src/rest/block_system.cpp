@@ -33,6 +33,15 @@ void subtract_product(double* x, const Block& a, const double* y)
     for (int i = 0; i < 3; ++i) x[i] -= (a.at[i][0] * first + a.at[i][1] * second) + a.at[i][2] * third;
 }
 
+/// x -= a^T y, of four numbers at once, as a row has
+void subtract_transposed(double (&x)[4], const Block& a, const double* y)
+{
+    const double first = y[0];
+    const double second = y[1];
+    const double third = y[2];
+    for (int j = 0; j < 4; ++j) x[j] -= (a.at[0][j] * first + a.at[1][j] * second) + a.at[2][j] * third;
+}
+
 /// Replaces a block by its factors: below the diagonal those of the elimination, on and above it what is left, and
 /// beside each row one over its pivot. An explicit inverse would lose what rounding leaves of blocks that hold both
 /// masses and stiff points.
@@ -153,7 +162,8 @@ void BlockSystem::set_pattern(int count, std::span<const Edge> edges)
     order(count, edges);
     fill_in(count, edges);
     diagonal_.resize(count);
-    blocks_.resize(2 * row_.size());
+    lower_.resize(row_.size());
+    upper_.resize(row_.size());
     work_.resize(3 * static_cast<std::size_t>(count));
     places_.clear();
     for (const Edge& edge : edges) {
@@ -169,7 +179,8 @@ void BlockSystem::set_pattern(int count, std::span<const Edge> edges)
 void BlockSystem::clear()
 {
     std::fill(diagonal_.begin(), diagonal_.end(), Block{});
-    std::fill(blocks_.begin(), blocks_.end(), Block{});
+    std::fill(lower_.begin(), lower_.end(), Block{});
+    std::fill(upper_.begin(), upper_.end(), Block{});
 }
 
 bool BlockSystem::factorise()
@@ -177,17 +188,17 @@ bool BlockSystem::factorise()
     const int count = static_cast<int>(diagonal_.size());
     for (int k = 0; k < count; ++k) {
         if (!eliminate(diagonal_[k])) return false;
-        for (int i = start_[k]; i < start_[k + 1]; ++i) divide_right(blocks_[2 * i], diagonal_[k]);
+        for (int i = start_[k]; i < start_[k + 1]; ++i) divide_right(lower_[i], diagonal_[k]);
         for (int i = start_[k]; i < start_[k + 1]; ++i) {
             const int row = row_[i];
-            subtract_product(diagonal_[row], blocks_[2 * i], blocks_[2 * i + 1]);
+            subtract_product(diagonal_[row], lower_[i], upper_[i]);
 
             // Walk down this column and that of the row together: the first is part of the second
             int target = start_[row];
             for (int j = i + 1; j < start_[k + 1]; ++j) {
                 while (row_[target] != row_[j]) ++target;
-                subtract_product(blocks_[2 * target + 1], blocks_[2 * i], blocks_[2 * j + 1]);
-                subtract_product(blocks_[2 * target], blocks_[2 * j], blocks_[2 * i + 1]);
+                subtract_product(upper_[target], lower_[i], upper_[j]);
+                subtract_product(lower_[target], lower_[j], upper_[i]);
             }
         }
     }
@@ -203,30 +214,50 @@ double BlockSystem::orientation() const
     return is_negative ? -1.0 : 1.0;
 }
 
-void BlockSystem::solve(std::span<double> x)
+/// Downwards: take off what those before have found.
+void BlockSystem::go_down(std::span<const double> x)
 {
     const int count = static_cast<int>(diagonal_.size());
     for (int k = 0; k < count; ++k) {
         for (int i = 0; i < 3; ++i) work_[3 * k + i] = x[3 * body_[k] + i];
     }
-
-    // Downwards: take off what those before have found
     for (int k = 0; k < count; ++k) {
-        for (int i = start_[k]; i < start_[k + 1]; ++i) {
-            subtract_product(&work_[3 * row_[i]], blocks_[2 * i], &work_[3 * k]);
-        }
+        const double own[3] = {work_[3 * k], work_[3 * k + 1], work_[3 * k + 2]};
+        for (int i = start_[k]; i < start_[k + 1]; ++i) subtract_product(&work_[3 * row_[i]], lower_[i], own);
     }
+}
 
-    // Upwards: take off what those after have found, and divide
-    for (int k = count - 1; k >= 0; --k) {
-        for (int i = start_[k]; i < start_[k + 1]; ++i) {
-            subtract_product(&work_[3 * k], blocks_[2 * i + 1], &work_[3 * row_[i]]);
-        }
-        divide_left(diagonal_[k], &work_[3 * k]);
-    }
+void BlockSystem::take_unknowns(std::span<double> x) const
+{
+    const int count = static_cast<int>(diagonal_.size());
     for (int k = 0; k < count; ++k) {
         for (int i = 0; i < 3; ++i) x[3 * body_[k] + i] = work_[3 * k + i];
     }
+}
+
+void BlockSystem::solve(std::span<double> x)
+{
+    go_down(x);
+    // Upwards: take off what those after have found, and divide
+    for (int k = static_cast<int>(diagonal_.size()) - 1; k >= 0; --k) {
+        for (int i = start_[k]; i < start_[k + 1]; ++i) subtract_product(&work_[3 * k], upper_[i], &work_[3 * row_[i]]);
+        divide_left(diagonal_[k], &work_[3 * k]);
+    }
+    take_unknowns(x);
+}
+
+void BlockSystem::solve_symmetric(std::span<double> x)
+{
+    go_down(x);
+    // Upwards: divide, and take off what those after have found. A block above the diagonal is the eliminated one on
+    // it times the transpose of the one below
+    for (int k = static_cast<int>(diagonal_.size()) - 1; k >= 0; --k) {
+        double own[4] = {work_[3 * k], work_[3 * k + 1], work_[3 * k + 2], 0.0};
+        divide_left(diagonal_[k], own);
+        for (int i = start_[k]; i < start_[k + 1]; ++i) subtract_transposed(own, lower_[i], &work_[3 * row_[i]]);
+        std::copy(own, own + 3, &work_[3 * k]);
+    }
+    take_unknowns(x);
 }
 
 } // namespace flying

@@ -40,13 +40,15 @@ public:
 
     void clear();
     [[nodiscard]] Block& diagonal(int body) { return diagonal_[rank_[body]]; }
-    [[nodiscard]] Block& block(int index) { return blocks_[index]; }
+    [[nodiscard]] Block& block(int index) { return (index % 2 == 0 ? lower_ : upper_)[index / 2]; }
 
     /// False where a block on the diagonal is singular.
     [[nodiscard]] bool factorise();
 
     /// Replaces right-hand sides, three numbers for each body, by the unknowns.
     void solve(std::span<double> x);
+    /// The same where each block is the transpose of the one across the diagonal: half of them need not be read.
+    void solve_symmetric(std::span<double> x);
 
     /// Sign of the determinant of what was factorised: 1 or -1.
     [[nodiscard]] double orientation() const;
@@ -59,19 +61,22 @@ private:
     void fill_in(int count, std::span<const Edge> edges);
     [[nodiscard]] int find(int column, int row) const;
 
-    // Everything below is in order of elimination. Column k holds rows row_[start_[k]] ... , sorted; block 2 i of
-    // `blocks_` is (row_[i], k) and block 2 i + 1 is (k, row_[i])
+    void go_down(std::span<const double> x);
+    void take_unknowns(std::span<double> x) const;
+
+    // Everything below is in order of elimination. Column k holds rows row_[start_[k]] ... , sorted; block i of
+    // `lower_` is (row_[i], k), and that of `upper_` is (k, row_[i])
     std::vector<Edge> edges_;
     std::vector<int> rank_;
     std::vector<int> body_;
     std::vector<int> start_;
     std::vector<int> row_;
     std::vector<Block> diagonal_;
-    std::vector<Block> blocks_;
+    std::vector<Block> lower_;
+    std::vector<Block> upper_;
     std::vector<Place> places_;
     std::vector<double> work_;
     std::vector<std::vector<int>> columns_; // workspace of the symbolic part
-    std::vector<int> mark_;
 };
 
 } // namespace flying

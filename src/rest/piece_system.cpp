@@ -114,6 +114,12 @@ void PieceSystem::solve()
     std::fill(delta_.end() - 3, delta_.end(), 0.0); // what is static stays
 }
 
+void PieceSystem::solve_stuck()
+{
+    blocks_.solve_symmetric(std::span(delta_).first(delta_.size() - 3));
+    std::fill(delta_.end() - 3, delta_.end(), 0.0);
+}
+
 PieceSystem::Change PieceSystem::change(const ContactProblem& problem, std::size_t point) const
 {
     const ContactPoint& c = problem.points[point];

@@ -50,6 +50,8 @@ public:
     void push(const ContactProblem& problem, std::size_t point, double normal, double tangent);
     /// From pushes to changes of the members' velocities.
     void solve();
+    /// The same where no point of any friction slips.
+    void solve_stuck();
 
     /// What the last solve changes of a point's speeds.
     struct Change
