@@ -11,7 +11,6 @@
 #include "rest/rest_data.hpp"
 #include "rest/rest_way.hpp"
 #include "rest/sleepers.hpp"
-#include "rest/stopwatch.hpp"
 
 namespace flying {
 
@@ -173,6 +172,7 @@ private:
 
     void list_awake();
     void begin_awake();
+    void begin(std::span<const int> bodies);
     void measure_reach(std::span<const int> bodies);
     [[nodiscard]] bool list_pairs();
     [[nodiscard]] bool list_what_impacts_reach();
@@ -184,10 +184,8 @@ private:
     [[nodiscard]] bool may_be_halved(const Island& island, int depth) const;
     void find_pairs_of(Again& again, std::span<const int> pairs);
     void make_parts(int depth, std::span<const double> cuts);
-    [[nodiscard]] bool try_step(Stopwatch& watch);
     [[nodiscard]] bool go_back(Meetings& met);
-    void put_back(int body);
-    [[nodiscard]] bool wake_met(const Meetings& met);
+    void wake_met(Meetings& met);
     void scale_loads_awake(double factor);
     [[nodiscard]] bool stood_alike(int member) const;
     void move_island(const Island& island);

@@ -32,14 +32,6 @@ void RestEngine::step()
         ++data_.counts.steps;
         return;
     }
-    while (!try_step(watch)) begin_awake();
-    ++steps_;
-    ++data_.counts.steps;
-}
-
-/// False where what moves has met what slept, which is awake now: all others are as before the step.
-bool RestEngine::try_step(Stopwatch& watch)
-{
     (void)list_pairs();
     watch.stop(seconds_.pairs);
 
@@ -63,12 +55,10 @@ bool RestEngine::try_step(Stopwatch& watch)
     finish_islands(0, {});
     make_parts(0, {});
     Meetings met;
-    for (int round = 0; round < rest_tolerance::k_quick_rounds && go_back(met); ++round) {
-        if (wake_met(met)) return false;
-        make_parts(0, met.moments);
-    }
+    for (int round = 0; round < rest_tolerance::k_quick_rounds && go_back(met); ++round) make_parts(0, met.moments);
     watch.stop(seconds_.move);
-    return true;
+    ++steps_;
+    ++data_.counts.steps;
 }
 
 /// Puts right the list of those that are awake, and the pairs of theirs, where any fell asleep, woke, came or went.
@@ -98,14 +88,20 @@ void RestEngine::begin_awake()
     list_awake();
     data_.counts.asleep += sleepers_.count();
     moved_.assign(awake_.list().begin(), awake_.list().end());
-    for (const int k : moved_) {
-        before_[k] = {
-            data_.bodies.list[k].state,     data_.motion.pull[k], data_.motion.expected_angular_acceleration[k], 0.0, k,
-            data_.bodies.in_large_island[k]};
-    }
-    measure_reach(moved_);
-    for (const int k : moved_) {
-        before_[k].reach = data_.motion.reach[k];
+    begin(moved_);
+}
+
+/// Remembers bodies as they are before the step, each as an island of its own, and how far each may get.
+void RestEngine::begin(std::span<const int> bodies)
+{
+    measure_reach(bodies);
+    for (const int k : bodies) {
+        before_[k] = {data_.bodies.list[k].state,
+                      data_.motion.pull[k],
+                      data_.motion.expected_angular_acceleration[k],
+                      data_.motion.reach[k],
+                      k,
+                      data_.bodies.in_large_island[k]};
         farthest_[k] = data_.motion.reach[k];
     }
 }
@@ -319,12 +315,20 @@ bool RestEngine::go_back(Meetings& met)
     if (!any) return false;
     (void)list_pairs();
     if (!find_meetings(data_, before_, awake_, met)) return false;
+    wake_met(met);
     Again& again = parts_.at[0];
     again.parts.assign(1, {});
     again.members.clear();
     for (const int k : moved_) {
         if (!std::binary_search(met.islands.begin(), met.islands.end(), before_[k].island)) continue;
-        put_back(k);
+        const BodyBefore& old = before_[k];
+        sleepers_.wake(sleepers_.island_of(k));
+        data_.bodies.list[k].state = old.state;
+        data_.bodies.set_pose(k, pose_of(old.state));
+        data_.bodies.in_large_island[k] = old.in_large_island;
+        data_.motion.pull[k] = old.pull;
+        data_.motion.expected_angular_acceleration[k] = old.expected_angular_acceleration;
+        if (legs_) (*legs_)[data_.bodies.order[k]].clear();
         again.members.push_back(k);
         parts_.of[k] = 0;
     }
@@ -333,26 +337,27 @@ bool RestEngine::go_back(Meetings& met)
     return true;
 }
 
-/// A body is as it was before the step.
-void RestEngine::put_back(int body)
+/// What slept and was met is awake, and goes back with the others: a step that had left it as it was is what it has
+/// made so far.
+void RestEngine::wake_met(Meetings& met)
 {
-    const BodyBefore& old = before_[body];
-    sleepers_.wake(sleepers_.island_of(body));
-    data_.bodies.list[body].state = old.state;
-    data_.bodies.set_pose(body, pose_of(old.state));
-    data_.bodies.in_large_island[body] = old.in_large_island;
-    data_.motion.pull[body] = old.pull;
-    data_.motion.expected_angular_acceleration[body] = old.expected_angular_acceleration;
-    if (legs_) (*legs_)[data_.bodies.order[body]].clear();
-}
-
-/// Wakes what slept, and was met; true where there was any, and all that have moved are put back.
-bool RestEngine::wake_met(const Meetings& met)
-{
-    if (met.sleepers.empty()) return false;
-    for (const int body : met.sleepers) sleepers_.wake(sleepers_.island_of(body));
-    for (const int k : moved_) put_back(k);
-    return true;
+    std::vector<int> woken;
+    for (const int body : met.sleepers) {
+        const int island = sleepers_.island_of(body);
+        const std::vector<int> members = sleepers_.members(island);
+        if (!sleepers_.wake(island)) continue;
+        begin(members);
+        for (const int k : members) before_[k].island = island;
+        met.islands.push_back(island);
+        woken.insert(woken.end(), members.begin(), members.end());
+    }
+    met.sleepers.clear();
+    if (woken.empty()) return;
+    std::sort(met.islands.begin(), met.islands.end());
+    moved_.insert(moved_.end(), woken.begin(), woken.end());
+    std::sort(moved_.begin(), moved_.end());
+    moved_.erase(std::unique(moved_.begin(), moved_.end()), moved_.end());
+    list_awake();
 }
 
 } // namespace flying

@@ -25,6 +25,13 @@ public:
         ++count_;
         changed_.push_back(body);
     }
+    /// Those of a sleeping island, in any order; none where island < 0.
+    [[nodiscard]] std::vector<int> members(int island) const
+    {
+        std::vector<int> members;
+        for (int body = island < 0 ? -1 : first_[island]; body >= 0; body = next_[body]) members.push_back(body);
+        return members;
+    }
     /// True where any of it slept.
     bool wake(int island)
     {

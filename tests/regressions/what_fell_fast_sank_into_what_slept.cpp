@@ -25,7 +25,7 @@ enum class Kind
 };
 
 /// Rows of bodies between two walls, the upper half of them falling already.
-RestEngine rows_of(Kind kind, int count, double speed, std::uint64_t seed)
+RestEngine rows_of(Kind kind, int count, double speed, std::uint64_t seed, bool sleeps = true)
 {
     Random random(seed);
     const Material material{0.0, 0.5};
@@ -39,7 +39,9 @@ RestEngine rows_of(Kind kind, int count, double speed, std::uint64_t seed)
         else bodies.push_back(box(side, side, place, radius * radius, material));
         if (k >= count / 2) bodies.back().state.velocity = {0.0, -speed};
     }
-    return RestEngine(bodies);
+    RestOptions options;
+    options.sleeps = sleeps;
+    return RestEngine(bodies, options);
 }
 
 /// The deepest that any step begins with, in radii of the smallest.
@@ -62,5 +64,21 @@ TEST_CASE("what falls fast onto bodies at rest overlaps none of them by more tha
     for (const int seed : {7, 12, 24}) {
         CAPTURE(seed);
         CHECK(overlap_of(Kind::discs, 240, 30.0, seed) <= 0.01);
+    }
+}
+
+TEST_CASE("what falls fast onto sleepers does what it would do if they were awake")
+{
+    for (const Kind kind : {Kind::discs, Kind::boxes}) {
+        for (int seed = 1; seed <= 4; ++seed) {
+            CAPTURE(seed);
+            RestEngine sleeps = rows_of(kind, 120, 40.0, seed, true);
+            RestEngine wakes = rows_of(kind, 120, 40.0, seed, false);
+            for (int step = 0; step < 30; ++step) {
+                sleeps.step();
+                wakes.step();
+                REQUIRE(sleeps.hash() == wakes.hash());
+            }
+        }
     }
 }
