@@ -34,7 +34,8 @@ private:
                  std::span<const double> allowed);
 
     std::vector<Run> runs_;
-    std::vector<int> first_of_; // of each body, and one more: where the runs of those that move begin in of_body_
+    std::vector<int> number_;   // of each body that a point is of: 0 if it can't move
+    std::vector<int> first_of_; // of each number, and one more: where the runs of that body begin in of_body_
     std::vector<int> of_body_;
     std::vector<int> queue_; // of runs
 };
