@@ -83,12 +83,12 @@ namespace {
 
 void calm(RestData& data, const Island& island)
 {
-    const double rounding = solve_rounding(island);
     // Where impulses have grown beyond all bounds, as in a row that fits between two walls to the last digit, what
     // their rounding explains may be faster than anything is
     const double still = std::min(still_speed(data, island), rest_tolerance::k_blow * top_speed(data, island));
     const bool is_still = greatest_speed(data.motion.now, data.bodies.radius, island.members) <= still;
     const bool rests = is_still || have_rolled_out(data, island);
+    const double rounding = rests ? 0.0 : solve_rounding(island);
 
     // What slides on a level floor neither sinks nor turns, where the solve could not tell what it does from nothing
     for (const int member : island.members) {

@@ -112,26 +112,37 @@ bool turns_too_far(const RestData& data, const Island& island)
 /// leave. Where impacts have no moments of their own, all that closes within the step counts as closed.
 bool Impacts::strike(RestData& data, Island& island, HeapSweeps& sweeps)
 {
+    const auto approach_of = [&](const ContactPoint& c) {
+        return -normal_speed(c, data.motion.before[c.a], data.motion.before[c.b]);
+    };
+    if (std::none_of(island.points.begin(), island.points.end(), [&](auto& c) { return approach_of(c) > 0.0; }))
+        return false;
     // [rest.impacts.closed]
     // Find what is closed, or closes; what lands is closed a little early
     const ApproachSpeeds speeds(data, island);
+    const double within = island.in_turn ? rest_tolerance::k_at_once * data.motion.span : data.motion.span;
+    const auto is_open = [&](const ContactPoint& c, double approach, double rebound) {
+        if (!(c.gap - within * approach > 0.0)) return false;
+        const double landed = speeds.lands(approach, rebound) ? rest_tolerance::k_landed * size_of(data, c) : 0.0;
+        return c.gap > std::max(data.bodies.touch_gap(c.a, c.b), landed);
+    };
+    const auto is_blow = [&](const ContactPoint& c) {
+        const double approach = approach_of(c);
+        const double rebound = slowest_rebound(data, c);
+        return approach > speeds.slowest_blow(rebound) && !is_open(c, approach, rebound);
+    };
+    if (std::none_of(island.points.begin(), island.points.end(), is_blow)) return false;
     struck_.clear();
     rebounds_.clear();
     blows_.clear();
-    bool any = false;
-    const double within = island.in_turn ? rest_tolerance::k_at_once * data.motion.span : data.motion.span;
     for (const ContactPoint& c : island.points) {
-        const double u = normal_speed(c, data.motion.before[c.a], data.motion.before[c.b]);
         const double rebound = slowest_rebound(data, c);
-        const double landed = speeds.lands(-u, rebound) ? rest_tolerance::k_landed * size_of(data, c) : 0.0;
-        if (c.gap > std::max(data.bodies.touch_gap(c.a, c.b), landed) && c.gap + within * u > 0.0) continue;
+        if (is_open(c, approach_of(c), rebound)) continue;
         struck_.push_back(c);
         struck_.back().bound = struck_.back().normal = struck_.back().tangent = 0.0;
         blows_.push_back(speeds.slowest_blow(rebound));
         rebounds_.push_back(std::max(blows_.back(), rebound));
-        any = any || u < -blows_.back();
     }
-    if (!any) return false;
     // [rest.impacts.closed]
 
     data.counts.impacts += throw_back(data.motion.before, struck_, rebounds_);

@@ -16,6 +16,12 @@ namespace {
     return std::abs(data.motion.turn[body]) * data.bodies.turning[body];
 }
 
+/// The step leads it nowhere.
+[[nodiscard]] bool stays(const RestData& data, int body)
+{
+    return data.motion.shift[body].isZero(0.0) && data.motion.turn[body] == 0.0;
+}
+
 [[nodiscard]] bool may_overlap(const RestData& data, const ContactPoint& c)
 {
     // A gap along a fixed normal is never more than the distance; turning may bring anything along it by its whole arc
@@ -63,8 +69,10 @@ namespace {
 [[nodiscard]] bool may_be_unfair(const RestData& data, std::span<const ContactPoint> points)
 {
     const ContactPoint& c = points.front();
-    if ((data.bodies.has_cuts(c.a) || data.bodies.has_cuts(c.b)) && comes_nearer(data, c.a, c.b)) return true;
     const double fair = rest_tolerance::k_fair_overlap * std::min(data.bodies.radius[c.a], data.bodies.radius[c.b]);
+    if (stays(data, c.a) && stays(data, c.b))
+        return std::any_of(points.begin(), points.end(), [&](const ContactPoint& point) { return point.gap < -fair; });
+    if ((data.bodies.has_cuts(c.a) || data.bodies.has_cuts(c.b)) && comes_nearer(data, c.a, c.b)) return true;
     // Corners that are no points were further away, by all that the two were thought to reach where there is one point
     double next = points.size() > 1 ? 0.0 : data.motion.reach[c.a] + data.motion.reach[c.b];
     for (const ContactPoint& point : points) {
@@ -135,25 +143,36 @@ double Projection::measure_overlap(RestData& data, const Island& island)
 /// Only pairs that may overlap more than is fair are looked at: of the others it is known well enough where they end.
 double Projection::measure_overlap_of_heap(RestData& data, const Island& island)
 {
-    set_end_poses(data, island);
     list_pairs_of(data, island.points);
+    // The points of each, which stand in the same order; those of parts that have none come with their bodies' others
+    const auto for_each = [&](auto&& visit) {
+        std::size_t first = 0;
+        for (const int pair : pairs_near_) {
+            std::size_t end = first;
+            while (end < island.points.size() && island.points[end].pair == pair) ++end;
+            visit(pair, island.points.subspan(first, end - first));
+            first = end;
+        }
+    };
+    bool is_fair = true;
+    for_each([&](int, std::span<const ContactPoint> points) {
+        is_fair = is_fair && !points.empty() && !may_be_unfair(data, points);
+    });
+    if (is_fair) return 0.0;
+
+    set_end_poses(data, island);
     double worst = 0.0;
-    std::size_t first = 0;
-    for (const int pair : pairs_near_) {
-        std::size_t end = first;
-        while (end < island.points.size() && island.points[end].pair == pair) ++end;
-        const std::span<const ContactPoint> points = island.points.subspan(first, end - first);
-        first = end;
+    for_each([&](int pair, std::span<const ContactPoint> points) {
         if (points.empty() || may_be_unfair(data, points)) {
             worst = std::max(worst, find_overlap_of_pair(data, pair));
-            continue;
+            return;
         }
         for (const ContactPoint& c : points) {
             ContactPoint& point = points_.emplace_back(c);
             point.bound = -gap_at_end(data, c);
             point.normal = point.tangent = point.friction = 0.0;
         }
-    }
+    });
     return worst > rest_tolerance::k_fair_overlap ? worst : 0.0;
 }
 

@@ -1,7 +1,5 @@
 #include "rest/step_motion.hpp"
 
-#include "response/push_line.hpp"
-
 namespace flying {
 Mover mover_of(const RestBody& body)
 {
@@ -25,24 +23,6 @@ StepMotion::StepMotion(const RestBodies& bodies, double length) : span(length)
     reach.assign(count, 0.0);
     pull.assign(count, Vec2::Zero());
     expected_angular_acceleration.assign(count, 0.0);
-}
-
-void StepMotion::set_arms(ContactPoint& c, const Vec2& n, const Vec2& r_a, const Vec2& r_b) const
-{
-    const Mover& a = now[c.a];
-    const Mover& b = now[c.b];
-    c.n_x = n.x();
-    c.n_y = n.y();
-    c.normal_arm_a = normal_arm(r_a, n);
-    c.normal_arm_b = normal_arm(r_b, n);
-    c.tangent_arm_a = r_a.dot(n);
-    c.tangent_arm_b = r_b.dot(n);
-    const double mass = a.inv_mass + b.inv_mass;
-    c.normal_mass =
-        1.0 /
-        (mass + (a.inv_moment * (c.normal_arm_a * c.normal_arm_a) + b.inv_moment * (c.normal_arm_b * c.normal_arm_b)));
-    c.tangent_mass = 1.0 / (mass + (a.inv_moment * (c.tangent_arm_a * c.tangent_arm_a) +
-                                    b.inv_moment * (c.tangent_arm_b * c.tangent_arm_b)));
 }
 
 } // namespace flying

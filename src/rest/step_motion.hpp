@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "math/rotation.hpp"
+#include "response/push_line.hpp"
 #include "rest/contact_point.hpp"
 #include "rest/rest_bodies.hpp"
 
@@ -53,5 +54,25 @@ struct StepMotion
     /// r_a, r_b  from the centres of the two bodies to it [m]
     void set_arms(ContactPoint& c, const Vec2& normal, const Vec2& r_a, const Vec2& r_b) const;
 };
+
+// [rest.contacts.arms]
+inline void StepMotion::set_arms(ContactPoint& c, const Vec2& n, const Vec2& r_a, const Vec2& r_b) const
+{
+    const Mover& a = now[c.a];
+    const Mover& b = now[c.b];
+    c.n_x = n.x();
+    c.n_y = n.y();
+    c.normal_arm_a = normal_arm(r_a, n);
+    c.normal_arm_b = normal_arm(r_b, n);
+    c.tangent_arm_a = r_a.dot(n);
+    c.tangent_arm_b = r_b.dot(n);
+    const double mass = a.inv_mass + b.inv_mass;
+    c.normal_mass =
+        1.0 /
+        (mass + (a.inv_moment * (c.normal_arm_a * c.normal_arm_a) + b.inv_moment * (c.normal_arm_b * c.normal_arm_b)));
+    c.tangent_mass = 1.0 / (mass + (a.inv_moment * (c.tangent_arm_a * c.tangent_arm_a) +
+                                    b.inv_moment * (c.tangent_arm_b * c.tangent_arm_b)));
+}
+// [rest.contacts.arms]
 
 } // namespace flying
