@@ -126,9 +126,16 @@ double next_closing(const RestData& data, const RestPair& pair, const Manifold& 
     return farthest[pair.a] + farthest[pair.b] + rest_tolerance::k_watch * size;
 }
 
+[[nodiscard]] bool stands(const RestData& data, int body)
+{
+    const BodyState& s = data.bodies.list[body].state;
+    return data.bodies.list[body].is_static || (s.velocity.isZero(0.0) && s.spin == 0.0);
+}
+
 /// Where a body is when a step or a part of one begins: what the last such look has found may answer.
 Manifold find_from_memory(RestData& data, RestPair& pair, double margin)
 {
+    if (!may_touch(data, pair, data.motion.reach)) return {};
     NearMemory& memory = pair.memory;
     const double shift = data.bodies.travel[pair.a].shift + data.bodies.travel[pair.b].shift;
     const double turn = data.bodies.travel[pair.a].turn + data.bodies.travel[pair.b].turn;
@@ -148,10 +155,9 @@ Manifold find_from_memory(RestData& data, RestPair& pair, double margin)
     return data.looks.find_cached(data.bodies, data.pairs, pair, margin);
 }
 
-void add_points(RestData& data, int index, const Manifold& manifold, double closes_at, double closing_speed,
-                std::vector<ContactPoint>& found)
+/// The points of a pair bear what those bore that they continue.
+void recall_loads(const RestData& data, RestPair& pair, const Manifold& manifold)
 {
-    RestPair& pair = data.pairs.pairs()[index];
     const int own = data.motion.is_moved(pair.a) ? pair.a : pair.b;
     const double size = std::min(data.bodies.radius[pair.a], data.bodies.radius[pair.b]);
     const Rotation own_from_world = inverse(data.bodies.poses[own].rotation);
@@ -159,14 +165,40 @@ void add_points(RestData& data, int index, const Manifold& manifold, double clos
     now.count = manifold.count;
     for (int k = 0; k < manifold.count; ++k) {
         const Contact& contact = manifold.contacts[k];
-        const Vec2 r_a = contact.point - data.bodies.poses[pair.a].position;
-        const Vec2 r_b = contact.point - data.bodies.poses[pair.b].position;
-        const Vec2 place = own_from_world * (own == pair.a ? r_a : r_b);
+        const Vec2 place = own_from_world * Vec2(contact.point - data.bodies.poses[own].position);
         const int known = known_point(pair, contact.feature, place, rest_tolerance::k_watch * size);
         now.feature[k] = contact.feature;
         now.place[k] = place;
         now.normal[k] = known >= 0 ? pair.normal[known] : 0.0;
         now.tangent[k] = known >= 0 ? pair.tangent[known] : 0.0;
+    }
+    static_cast<PairLoads&>(pair) = now;
+}
+
+/// The points at which the pair touches, or might, as a step or a part of one begins. Two that stand, and have not
+/// moved by a bit since the last such look, touch as they did. room  for what is found, where it isn't remembered
+const Manifold& look_at_start(RestData& data, RestPair& pair, double margin, Manifold& room)
+{
+    // [rest.contacts.same]
+    LastLook& last = pair.last_look;
+    const bool stand = stands(data, pair.a) && stands(data, pair.b);
+    const std::int64_t moves = data.bodies.moves[pair.a] + data.bodies.moves[pair.b];
+    if (stand && last.moves == moves && last.margin == margin) return last.manifold;
+    // [rest.contacts.same]
+    last.moves = stand ? moves : -1;
+    last.margin = margin;
+    Manifold& found = stand ? last.manifold : room;
+    found = find_from_memory(data, pair, margin);
+    recall_loads(data, pair, found);
+    return found;
+}
+
+void add_points(const RestData& data, int index, const Manifold& manifold, double closes_at, double closing_speed,
+                std::vector<ContactPoint>& found)
+{
+    const RestPair& pair = data.pairs.pairs()[index];
+    for (int k = 0; k < pair.count; ++k) {
+        const Contact& contact = manifold.contacts[k];
         found.push_back({.a = pair.a,
                          .b = pair.b,
                          .pair = index,
@@ -174,13 +206,14 @@ void add_points(RestData& data, int index, const Manifold& manifold, double clos
                          .friction = pair.friction,
                          .restitution = pair.restitution,
                          .gap = contact.separation,
-                         .normal = now.normal[k],
-                         .tangent = now.tangent[k],
+                         .normal = pair.normal[k],
+                         .tangent = pair.tangent[k],
                          .closes_at = closes_at,
                          .closing_speed = closing_speed});
+        const Vec2 r_a = contact.point - data.bodies.poses[pair.a].position;
+        const Vec2 r_b = contact.point - data.bodies.poses[pair.b].position;
         data.motion.set_arms(found.back(), contact.normal, r_a, r_b);
     }
-    static_cast<PairLoads&>(pair) = now;
 }
 
 } // namespace
@@ -212,12 +245,9 @@ void find_contacts(RestData& data, int index, std::vector<ContactPoint>& found)
     // Leave out those too far from each other for this step
     const double size = std::min(data.bodies.radius[pair.a], data.bodies.radius[pair.b]);
     const double margin = margin_of(data, pair, data.motion.reach);
-    Manifold manifold;
-    if (may_touch(data, pair, data.motion.reach)) manifold = find_from_memory(data, pair, margin);
-    if (manifold.count == 0) {
-        pair.count = 0;
-        return;
-    }
+    Manifold room;
+    const Manifold& manifold = look_at_start(data, pair, margin, room);
+    if (manifold.count == 0) return;
 
     // A gap that would close within the step is looked at when it does; bodies turn, so that one look may not do
     const Pose& pose_a = data.bodies.poses[pair.a];

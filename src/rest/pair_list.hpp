@@ -32,6 +32,16 @@ struct PairLoads
     }
 };
 
+/// What the last look at two parts has found when a step, or a part of one, began and neither of the bodies had any
+/// motion. As long as that is so, neither was put elsewhere, and the margin is the same, another look finds the same.
+/// (Of what passes them, neighbours may hide points that lie flush with theirs.)
+struct LastLook
+{
+    std::int64_t moves = -1; ///< of both bodies by then, in all; -1 where they had motion
+    double margin = 0.0;     ///< [m]
+    Manifold manifold;
+};
+
 /// Two convex parts of two bodies that are near each other.
 struct RestPair : PairLoads
 {
@@ -44,6 +54,7 @@ struct RestPair : PairLoads
     NearMemory memory;  ///< of the last look from where the bodies were when a step began
     double shift = 0.0; ///< that the two had made by then, in all [m]
     double turn = 0.0;
+    LastLook last_look;
 };
 
 /// Which pairs may touch soon, kept from step to step. Every body has a box with room to spare, and with the same room

@@ -43,18 +43,24 @@ RestBodies::RestBodies(std::vector<RestBody> bodies, std::vector<int> numbers, d
         radius.push_back(bounding_radius(body.shape));
         turning.push_back(body.is_static || std::holds_alternative<Disc>(body.shape) ? 0.0 : radius.back());
         poses.push_back(pose_of(body.state));
+        angles.push_back(body.state.angle);
     }
     travel.assign(list.size(), Travel{});
+    moves.assign(list.size(), 0);
     in_large_island.assign(list.size(), 0);
 }
 
-void RestBodies::set_pose(int body, const Pose& pose)
+void RestBodies::set_pose(int body, const BodyState& state)
 {
     const Pose& old = poses[body];
+    if (old.position == state.position && angles[body] == state.angle) return;
+    const Pose pose = pose_of(state);
     travel[body].shift += (pose.position - old.position).cwiseAbs().sum();
     travel[body].turn +=
         std::abs(pose.rotation.cosine - old.rotation.cosine) + std::abs(pose.rotation.sine - old.rotation.sine);
     poses[body] = pose;
+    angles[body] = state.angle;
+    ++moves[body];
 }
 
 Vec2 RestBodies::velocity_of(int body, const Vec2& point) const

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "collide/separation.hpp"
@@ -16,8 +17,8 @@ struct RestBodies
     RestBodies(std::vector<RestBody> bodies, std::vector<int> order, double time);
 
     [[nodiscard]] int count() const { return static_cast<int>(list.size()); }
-    /// Where a body is from now on.
-    void set_pose(int body, const Pose& pose);
+    /// A body is where this state says from now on.
+    void set_pose(int body, const BodyState& state);
     /// The body is cut into parts.
     [[nodiscard]] bool has_cuts(int body) const { return shapes[body].parts.size() > 1; }
     /// Velocity of a body's point.  [m/s]
@@ -34,9 +35,11 @@ struct RestBodies
     std::vector<Outline> outlines;
     /// Of each body and part: for each edge, whether it is a side of the body and no cut; empty where all are.
     std::vector<std::vector<std::vector<char>>> real_edges;
-    std::vector<double> radius;  ///< bounding radii [m]
-    std::vector<double> turning; ///< how far a turn may bring any point of each: the radius, 0 for discs [m]
-    std::vector<Pose> poses;     ///< as the step, or a part of one, begins
+    std::vector<double> radius;      ///< bounding radii [m]
+    std::vector<double> turning;     ///< how far a turn may bring any point of each: the radius, 0 for discs [m]
+    std::vector<Pose> poses;         ///< as the step, or a part of one, begins
+    std::vector<double> angles;      ///< of the poses [rad]
+    std::vector<std::int64_t> moves; ///< how often each was put elsewhere, by as little as a bit
 
     /// How far each has moved, and turned any point at distance 1, at most, in all.
     struct Travel

@@ -24,7 +24,7 @@ RestEngine::RestEngine(std::vector<RestBody> bodies, const RestOptions& options,
       still_(data_.bodies.list.size(), 0),
       awake_(data_.bodies.count()),
       before_(data_.bodies.list.size()),
-      clear_(data_.bodies.list.size(), 0)
+      marks_(data_.bodies.list.size(), 0)
 {
     parts_.of.assign(data_.bodies.list.size(), -1);
     for (int k = 0; k < data_.bodies.count(); ++k) {
@@ -45,7 +45,7 @@ void RestEngine::set_state(int number, const BodyState& state)
     const int body = data_.bodies.place[number];
     data_.bodies.list[body].state = state;
     data_.bodies.list[body].state.time = time();
-    data_.bodies.set_pose(body, pose_of(state));
+    data_.bodies.set_pose(body, state);
     data_.motion.end_poses[body] = data_.bodies.poses[body];
     expect_flight(data_, body, state.position);
     data_.pairs.invalidate();
@@ -178,17 +178,17 @@ std::vector<int> RestEngine::find_clear(double within)
     // The list was made for the last step, and that may have been a short one
     for (const int k : awake_.list()) farthest_[k] = reach_of(data_, k, within);
     (void)list_pairs();
-    for (const int k : awake_.list()) clear_[k] = 1;
+    for (const int k : awake_.list()) marks_[k] = 1;
     for (const RestPair& pair : data_.pairs.pairs()) {
-        if (!clear_[pair.a] && !clear_[pair.b]) continue;
+        if (!marks_[pair.a] && !marks_[pair.b]) continue;
         double load = 0.0;
         for (int k = 0; k < pair.count; ++k) load += pair.normal[k];
-        if ((load > 0.0 || !stays_apart(pair, within)) && !bounces(pair, load)) clear_[pair.a] = clear_[pair.b] = 0;
+        if ((load > 0.0 || !stays_apart(pair, within)) && !bounces(pair, load)) marks_[pair.a] = marks_[pair.b] = 0;
     }
     std::vector<int> clear;
     for (const int k : awake_.list()) {
-        if (clear_[k]) clear.push_back(data_.bodies.order[k]);
-        clear_[k] = 0;
+        if (marks_[k]) clear.push_back(data_.bodies.order[k]);
+        marks_[k] = 0;
     }
     std::sort(clear.begin(), clear.end());
     return clear;
@@ -308,7 +308,7 @@ void RestEngine::go_on_from(const Memory& memory)
         stirred_.push_back(static_cast<int>(k));
         data_.bodies.in_large_island[k] = body.in_large_island ? 1 : 0;
         still_[k] = body.sleep_island >= 0 ? 1 : 0;
-        data_.bodies.set_pose(static_cast<int>(k), pose_of(body.state));
+        data_.bodies.set_pose(static_cast<int>(k), body.state);
         data_.motion.end_poses[k] = data_.bodies.poses[k];
         if (data_.bodies.list[k].is_static) continue;
         Mover& mover = data_.motion.now[k];
@@ -328,7 +328,10 @@ void RestEngine::go_on_from(const Memory& memory)
     }
     list_awake();
     std::vector<RestPair> pairs = memory.pairs;
-    for (RestPair& pair : pairs) pair.memory = {}; // ways are counted from another beginning
+    for (RestPair& pair : pairs) { // ways, and moves, are counted from another beginning
+        pair.memory = {};
+        pair.last_look = {};
+    }
     data_.pairs.remember(std::move(pairs), data_.bodies.list, awake_);
 }
 

@@ -208,7 +208,7 @@ private:
     BodySet awake_;                  // and can move
     std::vector<int> moved_;         // those that the last step was for, ascending
     std::vector<BodyBefore> before_; // of those
-    std::vector<char> clear_;        // of each body, while those are found; else 0
+    std::vector<char> marks_;        // of each body, while some are marked; else 0
     Parts parts_;
     RestSeconds seconds_;
     std::vector<std::vector<Leg>>* legs_ = nullptr; // of each body, as it is known outside, while they are noted

@@ -140,7 +140,7 @@ void RestEngine::measure_reach(std::span<const int> bodies)
         aim_field(data_, k);
         motion.now[k] = mover_of(body);
         motion.before[k] = motion.now[k];
-        data_.bodies.set_pose(k, pose_of(body.state));
+        data_.bodies.set_pose(k, body.state);
         motion.shift[k] = Vec2::Zero();
         motion.turn[k] = 0.0;
     }
@@ -324,7 +324,7 @@ bool RestEngine::go_back(Meetings& met)
         const BodyBefore& old = before_[k];
         sleepers_.wake(sleepers_.island_of(k));
         data_.bodies.list[k].state = old.state;
-        data_.bodies.set_pose(k, pose_of(old.state));
+        data_.bodies.set_pose(k, old.state);
         data_.bodies.in_large_island[k] = old.in_large_island;
         data_.motion.pull[k] = old.pull;
         data_.motion.expected_angular_acceleration[k] = old.expected_angular_acceleration;

@@ -5,6 +5,7 @@
 
 #include "collide/separation.hpp"
 #include "rest/near_points.hpp"
+#include "rest/rest_engine.hpp"
 #include "stages.hpp"
 #include "support/random_polygons.hpp"
 
@@ -162,4 +163,62 @@ TEST_CASE("bodies that are cut into parts have their nearest point among the poi
         CHECK(std::abs(lowest - between) <= 1e-12);
     }
     CHECK(apart > 100);
+}
+
+TEST_CASE("what stands and hasn't moved is not looked at again, with the bits of an engine that looks in every step")
+{
+    // Two loose tiles lie flush on the ground with a box on them both; beside them a tower of three, and two that no
+    // more than half a step brings within reach of each other
+    std::vector<RestBody> bodies = {ground(),           box_at({0.0, 0.5}), box_at({1.0, 0.5}),
+                                    box_at({0.4, 1.5}), box_at({5.0, 0.5}), box_at({5.0, 1.5}),
+                                    box_at({5.0, 2.5}), box_at({8.0, 0.5}), box_at({9.037, 0.5})};
+    RestOptions options;
+    options.sleeps = false;
+    RestEngine remembers(bodies, options);
+    RestEngine forgets(bodies, options);
+    double length = options.step;
+    const auto both_step = [&](int steps) {
+        bool same = true;
+        for (int k = 0; k < steps; ++k) {
+            forgets.go_on_from(forgets.memory());
+            for (RestEngine* engine : {&forgets, &remembers}) engine->step_by(length, engine->time() + length);
+            same = same && forgets.hash() == remembers.hash() && forgets.counts().points == remembers.counts().points;
+        }
+        CHECK(same);
+    };
+    const auto looks_in = [&](int steps) {
+        const std::int64_t before = remembers.counts().manifolds;
+        both_step(steps);
+        return remembers.counts().manifolds - before;
+    };
+    both_step(5);
+    CHECK(looks_in(20) == 0);
+
+    const auto throw_both = [&](int body, const Vec2& velocity, double spin, double lift = 0.0) {
+        for (RestEngine* engine : {&remembers, &forgets}) {
+            BodyState state = engine->state(body);
+            state.position.y() += lift;
+            state.velocity = velocity;
+            state.spin = spin;
+            engine->set_state(body, state);
+        }
+    };
+    length *= 0.5;
+    both_step(2);
+    length *= 2.0;
+    both_step(2);
+    // From where it stood, so that places alone don't tell: the box slides over the seam, and is not tripped
+    throw_both(3, Vec2(3.0, 0.0), 0.0);
+    CHECK(looks_in(1) > 0);
+    CHECK(std::abs(remembers.state(3).spin) <= 1e-12);
+    CHECK(remembers.state(3).velocity.x() > 2.5);
+    both_step(60);
+    // By its last digit, by a turn, and by a fall
+    throw_both(5, Vec2::Zero(), 0.0, 0x1p-52);
+    CHECK(looks_in(1) > 0);
+    throw_both(4, Vec2::Zero(), 2.0);
+    both_step(60);
+    throw_both(6, Vec2(-4.0, -1.0), -3.0);
+    both_step(240);
+    CHECK(looks_in(20) == 0);
 }
