@@ -1,6 +1,8 @@
 #include <cmath>
 #include <doctest/doctest.h>
 
+#include <initializer_list>
+
 #include FLYING_ANSWER
 
 TEST_CASE("a fault in every second case is seen within five tries, but for one chance in twenty")
