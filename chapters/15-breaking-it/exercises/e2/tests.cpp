@@ -1,6 +1,5 @@
 #include <cmath>
 #include <doctest/doctest.h>
-
 #include <initializer_list>
 
 #include FLYING_ANSWER
