@@ -135,7 +135,6 @@ double next_closing(const RestData& data, const RestPair& pair, const Manifold& 
 /// Where a body is when a step or a part of one begins: what the last such look has found may answer.
 Manifold find_from_memory(RestData& data, RestPair& pair, double margin)
 {
-    if (!may_touch(data, pair, data.motion.reach)) return {};
     NearMemory& memory = pair.memory;
     const double shift = data.bodies.travel[pair.a].shift + data.bodies.travel[pair.b].shift;
     const double turn = data.bodies.travel[pair.a].turn + data.bodies.travel[pair.b].turn;
@@ -176,20 +175,22 @@ void recall_loads(const RestData& data, RestPair& pair, const Manifold& manifold
 }
 
 /// The points at which the pair touches, or might, as a step or a part of one begins. Two that stand, and have not
-/// moved by a bit since the last such look, touch as they did. room  for what is found, where it isn't remembered
+/// moved by a bit since the last such look, touch as they did.
+///
+/// room  for what is found, where it isn't remembered
 const Manifold& look_at_start(RestData& data, RestPair& pair, double margin, Manifold& room)
 {
-    // [rest.contacts.same]
     LastLook& last = pair.last_look;
     const bool stand = stands(data, pair.a) && stands(data, pair.b);
     const std::int64_t moves = data.bodies.moves[pair.a] + data.bodies.moves[pair.b];
     if (stand && last.moves == moves && last.margin == margin) return last.manifold;
-    // [rest.contacts.same]
     last.moves = stand ? moves : -1;
     last.margin = margin;
     Manifold& found = stand ? last.manifold : room;
-    found = find_from_memory(data, pair, margin);
-    recall_loads(data, pair, found);
+    found.count = 0;
+    if (may_touch(data, pair, data.motion.reach)) found = find_from_memory(data, pair, margin);
+    if (found.count > 0) recall_loads(data, pair, found);
+    else pair.count = 0;
     return found;
 }
 

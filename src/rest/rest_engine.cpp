@@ -176,7 +176,10 @@ std::vector<int> RestEngine::find_clear(double within)
 {
     list_awake();
     // The list was made for the last step, and that may have been a short one
-    for (const int k : awake_.list()) farthest_[k] = reach_of(data_, k, within);
+    for (const int k : awake_.list()) {
+        farthest_[k] = reach_of(data_, k, within);
+        data_.bodies.set_pose(k, data_.bodies.list[k].state);
+    }
     (void)list_pairs();
     for (const int k : awake_.list()) marks_[k] = 1;
     for (const RestPair& pair : data_.pairs.pairs()) {
@@ -212,8 +215,8 @@ bool RestEngine::bounces(const RestPair& pair, double load) const
     };
     const RestBody& a = data_.bodies.list[pair.a];
     const RestBody& b = data_.bodies.list[pair.b];
-    const Pose pose_a = pose_of(a.state);
-    const Pose pose_b = pose_of(b.state);
+    const Pose& pose_a = data_.bodies.poses[pair.a];
+    const Pose& pose_b = data_.bodies.poses[pair.b];
     const Vec2 fall = pull(pair.b) - pull(pair.a);
     const double press = std::max(step * fall.norm(), push);
     const double least = rest_tolerance::k_blow * press;
@@ -253,8 +256,8 @@ bool RestEngine::stays_apart(const RestPair& pair, double within) const
     // Look at the points that are near
     const ConvexPart& part_a = data_.bodies.shapes[pair.a].parts[pair.part_a];
     const ConvexPart& part_b = data_.bodies.shapes[pair.b].parts[pair.part_b];
-    const Pose pose_a = pose_of(a.state);
-    const Pose pose_b = pose_of(b.state);
+    const Pose& pose_a = data_.bodies.poses[pair.a];
+    const Pose& pose_b = data_.bodies.poses[pair.b];
     const double far = part_a.radius + part_b.radius + margin;
     const Vec2 way =
         (pose_b.position - pose_a.position) + (pose_b.rotation * part_b.centre - pose_a.rotation * part_a.centre);
