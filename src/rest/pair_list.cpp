@@ -42,16 +42,35 @@ void move_pairs(std::vector<RestPair>& from, std::vector<RestPair>& to, Belongs&
     return height <= wall.offset;
 }
 
+/// The box of a body that may get so far, and beyond it the gap within which others are watched.
+/// radius  of its bounding circle; 0 where it is static: the others have such room [m]
+[[nodiscard]] Aabb roomy_box(const Shape& shape, const Pose& pose, double radius, double farthest)
+{
+    const double room = farthest + rest_tolerance::k_watch * radius;
+    const Aabb box = bounding_box(shape, pose);
+    return {box.min - Vec2(room, room), box.max + Vec2(room, room)};
+}
+
 } // namespace
 
+bool may_meet(const Reacher& a, const Reacher& b)
+{
+    const auto* wall = std::get_if<HalfPlane>(&a.shape);
+    const Reacher& other = wall ? b : a;
+    const Aabb box = roomy_box(other.shape, other.pose, other.radius, other.farthest);
+    if (wall) return overlap(box, *wall);
+    if (const auto* other_wall = std::get_if<HalfPlane>(&b.shape)) return overlap(box, *other_wall);
+    return overlap(box, roomy_box(b.shape, b.pose, b.radius, b.farthest));
+}
+
 bool PairList::all_inside(std::span<const RestBody> bodies, std::span<const double> radius,
-                          std::span<const double> reach, const BodySet& awake) const
+                          std::span<const double> farthest, const BodySet& awake) const
 {
     for (const int k : awake.list()) {
         const RestBody& body = bodies[k];
         const double moved = (body.state.position - homes_[k].position).norm();
         const double turned = std::abs(body.state.angle - homes_[k].angle) * radius[k];
-        if (moved + turned + reach[k] > homes_[k].room) return false;
+        if (moved + turned + farthest[k] > homes_[k].room) return false;
     }
     return true;
 }
@@ -94,9 +113,9 @@ std::vector<RestPair> PairList::all() const
 }
 
 int PairList::update(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes,
-                     std::span<const double> radius, std::span<const double> reach, const BodySet& awake)
+                     std::span<const double> radius, const PairReach& reach, const BodySet& awake)
 {
-    if (!is_new_ && is_valid_ && all_inside(bodies, radius, reach, awake)) return 0;
+    if (!is_new_ && is_valid_ && all_inside(bodies, radius, reach.farthest, awake)) return 0;
     boxes_sorted_ = 0;
     if (is_new_) {
         search_all(bodies, shapes, radius, reach);
@@ -107,7 +126,7 @@ int PairList::update(std::span<const RestBody> bodies, std::span<const Collision
 
 /// For the pairs of all that move, those that sleep too.
 void PairList::search_all(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes,
-                          std::span<const double> radius, std::span<const double> reach)
+                          std::span<const double> radius, const PairReach& reach)
 {
     const int count = static_cast<int>(bodies.size());
     homes_.resize(bodies.size());
@@ -121,7 +140,7 @@ void PairList::search_all(std::span<const RestBody> bodies, std::span<const Coll
     for (int k = 0; k < count; ++k) {
         const RestBody& body = bodies[k];
         if (std::holds_alternative<HalfPlane>(body.shape)) walls_.push_back(k);
-        if (body.is_static) make_box(body, shapes[k], k, 0.0);
+        if (body.is_static) make_box(body, shapes[k], k, 0.0, 0.0);
         else if (body.is_active) movers.push_back(k);
     }
     BodySet all(count);
@@ -137,15 +156,17 @@ void PairList::search_all(std::span<const RestBody> bodies, std::span<const Coll
 
 /// For the pairs of some, among which are all that may have left their boxes; all pairs of theirs are known as `pairs`.
 void PairList::search(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes,
-                      std::span<const double> radius, std::span<const double> reach, const BodySet& movers)
+                      std::span<const double> radius, const PairReach& reach, const BodySet& movers)
 {
     // What was searched for last has another box by now than when the others were sorted
     const auto is_other = [&](int k) { return bodies[k].is_active && !movers.has(k); };
     if (std::any_of(searched_.begin(), searched_.end(), is_other)) sort_others(bodies, movers);
     searched_.assign(movers.list().begin(), movers.list().end());
 
-    for (const int k : movers.list())
-        make_box(bodies[k], shapes[k], k, rest_tolerance::k_room_reaches * reach[k]);
+    for (const int k : movers.list()) {
+        const double room = std::max(rest_tolerance::k_room_reaches * reach.usual[k], reach.farthest[k]);
+        make_box(bodies[k], shapes[k], k, radius[k], room);
+    }
     find_partners(bodies, movers);
     awake_.clear_index(static_cast<int>(bodies.size()));
     add_pairs(bodies, radius);
@@ -153,15 +174,14 @@ void PairList::search(std::span<const RestBody> bodies, std::span<const Collisio
     is_valid_ = true;
 }
 
-/// room  by which it is larger than the body [m]
-void PairList::make_box(const RestBody& body, const CollisionShape& shape, int k, double room)
+/// room  that the body has in it [m]
+void PairList::make_box(const RestBody& body, const CollisionShape& shape, int k, double radius, double room)
 {
     const Pose pose = pose_of(body.state);
     homes_[k] = {body.state.position, body.state.angle, room};
     int circle = first_circle_[k];
     for (const ConvexPart& part : shape.parts) circles_[circle++] = {pose * part.centre, part.radius};
-    const Aabb box = bounding_box(body.shape, pose);
-    boxes_[k] = {box.min - Vec2(room, room), box.max + Vec2(room, room)};
+    boxes_[k] = roomy_box(body.shape, pose, radius, room);
 }
 
 void PairList::sort_others(std::span<const RestBody> bodies, const BodySet& movers)

@@ -57,6 +57,27 @@ struct RestPair : PairLoads
     LastLook last_look;
 };
 
+/// How far bodies get.
+struct PairReach
+{
+    std::span<const double>
+        farthest; ///< of each, in the coming step or in what is foreseen, whatever turns or pushes it [m]
+    std::span<const double> usual; ///< in a step: a box that is made anew has room for several of these [m]
+};
+
+/// A body and how far it gets.
+struct Reacher
+{
+    const Shape& shape;
+    const Pose& pose;
+    double radius;   ///< of its bounding circle; 0 where it is static [m]
+    double farthest; ///< [m]
+};
+
+/// The boxes of two bodies, with room for how far they get, overlap. Of two that do a list holds the pair if it was
+/// updated for that; of others it depends on when its boxes were made.
+[[nodiscard]] bool may_meet(const Reacher& a, const Reacher& b);
+
 /// Which pairs may touch soon, kept from step to step. Every body has a box with room to spare, and with the same room
 /// the parts of one that is cut have circles; as long as all stay within their boxes, the list stays as it is. Pairs
 /// are in the order of (a, b, part of a, part of b), and those of which no body is awake lie apart: a step doesn't
@@ -64,13 +85,12 @@ struct RestPair : PairLoads
 class PairList
 {
 public:
-    /// reach   how far each body may get in the coming step, whatever it turns or is pushed [m]
     /// radius  of each body's bounding circle; infinite for half-planes [m]
     /// awake   as `separate` was told last
     /// Searches again only where a body that is awake has left its box, or `invalidate` was called, and then only for
     /// the pairs of those that are awake. How many boxes it sorted for that; 0 where it didn't search.
     int update(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes, std::span<const double> radius,
-               std::span<const double> reach, const BodySet& awake);
+               const PairReach& reach, const BodySet& awake);
 
     /// Some body that is awake, or no longer takes part, was put elsewhere.
     void invalidate() { is_valid_ = false; }
@@ -127,16 +147,16 @@ private:
     {
         Vec2 position = Vec2::Zero(); ///< where the body was when its box was made
         double angle = 0.0;
-        double room = 0.0; ///< by which the box is larger than the body [m]
+        double room = 0.0; ///< that the body has in its box [m]
     };
 
     [[nodiscard]] bool all_inside(std::span<const RestBody> bodies, std::span<const double> radius,
-                                  std::span<const double> reach, const BodySet& awake) const;
+                                  std::span<const double> farthest, const BodySet& awake) const;
     void search_all(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes,
-                    std::span<const double> radius, std::span<const double> reach);
+                    std::span<const double> radius, const PairReach& reach);
     void search(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes,
-                std::span<const double> radius, std::span<const double> reach, const BodySet& movers);
-    void make_box(const RestBody& body, const CollisionShape& shape, int k, double room);
+                std::span<const double> radius, const PairReach& reach, const BodySet& movers);
+    void make_box(const RestBody& body, const CollisionShape& shape, int k, double radius, double room);
     void sort_others(std::span<const RestBody> bodies, const BodySet& movers);
     void find_partners(std::span<const RestBody> bodies, const BodySet& movers);
     void find_parts_near(const RestBody& other, double radius, int body, double room, std::vector<int>& parts) const;

@@ -150,8 +150,8 @@ void RestEngine::measure_reach(std::span<const int> bodies)
 /// is another now.
 bool RestEngine::list_pairs()
 {
-    const int boxes =
-        data_.pairs.update(data_.bodies.list, data_.bodies.shapes, data_.bodies.radius, farthest_, awake_);
+    const PairReach reach{farthest_, data_.motion.reach};
+    const int boxes = data_.pairs.update(data_.bodies.list, data_.bodies.shapes, data_.bodies.radius, reach, awake_);
     data_.counts.looks += boxes > 0 ? 1 : 0;
     data_.counts.boxes += boxes;
     return boxes > 0;
@@ -227,7 +227,7 @@ bool RestEngine::may_be_halved(const Island& island, int depth) const
 void RestEngine::find_pairs_of(Again& again, std::span<const int> pairs)
 {
     // A pair belongs to the part that both its bodies belong to, or the one that moves. The list may hold more than
-    // those that may touch, which depends on when it was made
+    // those that may meet, which depends on when it was made
     const bool is_first = pairs.empty();
     const auto part_of = [&](const RestPair& pair) {
         const int a = parts_.of[pair.a];
@@ -236,13 +236,20 @@ void RestEngine::find_pairs_of(Again& again, std::span<const int> pairs)
         if (data_.bodies.list[pair.b].is_static) return a;
         return a == b ? a : -1;
     };
+    const auto reacher = [&](int body) {
+        const RestBody& one = data_.bodies.list[body];
+        return Reacher{one.shape, data_.bodies.poses[body], one.is_static ? 0.0 : data_.bodies.radius[body],
+                       farthest_[body]};
+    };
+    const auto is_listed = [&](const RestPair& pair) {
+        return may_touch(data_, pair, farthest_) && may_meet(reacher(pair.a), reacher(pair.b));
+    };
     const auto each = [&](auto&& act) {
         const int count = static_cast<int>(is_first ? data_.pairs.pairs().size() : pairs.size());
         for (int k = 0; k < count; ++k) {
             const int pair = is_first ? k : pairs[k];
             const int part = part_of(data_.pairs.pairs()[pair]);
-            if (part >= 0 && (!is_first || may_touch(data_, data_.pairs.pairs()[pair], farthest_)))
-                act(pair, again.parts[part]);
+            if (part >= 0 && (!is_first || is_listed(data_.pairs.pairs()[pair]))) act(pair, again.parts[part]);
         }
     };
     each([](int, Again::Part& part) { ++part.pair_count; });
@@ -333,6 +340,7 @@ bool RestEngine::go_back(Meetings& met)
         parts_.of[k] = 0;
     }
     again.parts[0].member_count = static_cast<int>(again.members.size());
+    (void)list_pairs(); // from where they are again
     find_pairs_of(again, {});
     return true;
 }
