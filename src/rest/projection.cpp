@@ -73,8 +73,9 @@ namespace {
     if (stays(data, c.a) && stays(data, c.b))
         return std::any_of(points.begin(), points.end(), [&](const ContactPoint& point) { return point.gap < -fair; });
     if ((data.bodies.has_cuts(c.a) || data.bodies.has_cuts(c.b)) && comes_nearer(data, c.a, c.b)) return true;
-    // Corners that are no points were further away, by all that the two were thought to reach where there is one point
-    double next = points.size() > 1 ? 0.0 : data.motion.reach[c.a] + data.motion.reach[c.b];
+    // Corners that are no points were further away; how far isn't known, since what sticks out beyond the end of an edge
+    // was clipped
+    double next = 0.0;
     for (const ContactPoint& point : points) {
         if (gap_at_end(data, point) - bent_by_turns(data, point) < -fair) return true;
         next = std::max(next, point.gap);
@@ -256,13 +257,14 @@ void Projection::put_apart(RestData& data, const Island& island, double overlap,
         // [rest.projection.round]
         find_pushes(data, island, 0.125 * touch, sweeps);
         const bool is_free = is_heap(island) && overlap > rest_tolerance::k_most_overlap;
-        const double share = is_free ? 1.0 : share_that_is_paid(data, island);
-        for (const int member : members) {
-            const Mover& push = pushes_[member];
-            data.motion.shift[member] += share * Vec2(push.v_x, push.v_y);
-            data.motion.turn[member] += share * push.spin;
+        double share = is_free ? 1.0 : share_that_is_paid(data, island);
+        double after = overlap;
+        // Pushes that turn bodies go along arcs, too: where all of them would do harm, half may help
+        for (int k = 0; k < rest_tolerance::k_quick_rounds; ++k, share *= 0.5) {
+            push_by(data, members, share);
+            after = measure_overlap(data, island);
+            if (!(after > overlap)) break;
         }
-        const double after = measure_overlap(data, island);
         if (!(after < overlap)) {
             for (const int member : members) {
                 data.motion.shift[member] = shift_before_[member];
@@ -272,6 +274,16 @@ void Projection::put_apart(RestData& data, const Island& island, double overlap,
         }
         overlap = after;
         // [rest.projection.round]
+    }
+}
+
+/// The ways of the step, and so much of the pushes.
+void Projection::push_by(RestData& data, std::span<const int> members, double share) const
+{
+    for (const int member : members) {
+        const Mover& push = pushes_[member];
+        data.motion.shift[member] = shift_before_[member] + share * Vec2(push.v_x, push.v_y);
+        data.motion.turn[member] = turn_before_[member] + share * push.spin;
     }
 }
 
