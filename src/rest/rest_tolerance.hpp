@@ -66,9 +66,9 @@ inline constexpr double k_rounding = 0x1p-46;
 inline constexpr int k_patience = 64;
 
 /// Rounds of what is right after one or two, or after many: Newton's steps; looks at a pair that closes, each at the
-/// moment that the last one foresaw; lines along curved ways; halvings of a step until all slips last; the parts of
-/// equal length into which the step of a heap may fall; and sweeps that what lands may take to add no more overlap than
-/// what stands.
+/// moment that the last one foresaw; lines along curved ways; halvings of a step until all slips last, and of pushes
+/// until they help; the parts of equal length into which the step of a heap may fall; and sweeps that what lands may
+/// take to add no more overlap than what stands, and what stands to be settled between neighbours.
 inline constexpr int k_quick_rounds = 8;
 
 /// Rounds of what is near after two or three: pushes that take off overlap, each of which leaves about the square of

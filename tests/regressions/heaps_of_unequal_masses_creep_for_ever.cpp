@@ -33,7 +33,7 @@ TEST_CASE("nearly all heaps of masses over 1 : 1e4 sleep within 20 s, none has s
         }
         if (awake == 0) ++asleep;
         std::sort(ways.begin(), ways.end(), std::greater<>());
-        CHECK(ways[2] <= 5e-5); // a disc or two may roll
+        CHECK(ways[1] <= 5e-5); // one disc may roll
     }
-    CHECK(asleep >= 7); // none at first; of 180 others nine in ten, and in most of the rest one disc rolls on
+    CHECK(asleep >= 6); // none at first; of 144 others 133, and in all of the rest but one a disc rolls on
 }
