@@ -88,7 +88,9 @@ bool LocalSweeps::sweep(std::span<Mover> movers, std::span<ContactPoint> points,
 
 bool LocalSweeps::settle(std::span<Mover> movers, std::span<ContactPoint> points, double tolerance, int most)
 {
-    const auto is_off = [&](int k) { return !are_satisfied(points.subspan(k, 1), movers, tolerance); };
+    const auto is_off = [&](int k) {
+        return residual(points[k], movers[points[k].a], movers[points[k].b]) > tolerance;
+    };
     return sweep_where(is_off, movers, points, most);
 }
 

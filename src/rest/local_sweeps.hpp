@@ -21,7 +21,7 @@ public:
     bool sweep(std::span<Mover> movers, std::span<ContactPoint> points, std::span<const double> allowed, int most);
     /// The same until friction, too, and what no longer bears, are right.
     ///
-    /// tolerance  by how much each point's conditions may be missed, as `are_satisfied` measures it, > 0 [m/s]
+    /// tolerance  by how much each point's conditions may be missed, as `residual` measures it, > 0 [m/s]
     bool settle(std::span<Mover> movers, std::span<ContactPoint> points, double tolerance, int most);
 
 private:
