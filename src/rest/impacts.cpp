@@ -97,14 +97,15 @@ double missed_impact(const RestData& data, const Island& island)
 
 /// It turns them by about the way that is left to go once the gap is closed, in sizes. Half the square of that angle is
 /// what a corner sinks by that should have gone round.
-bool turns_too_far(const RestData& data, const Island& island)
+double turn_of_blows(const RestData& data, const Island& island)
 {
-    const double most = std::sqrt(2.0 * rest_tolerance::k_most_overlap); // [1]
-    return std::any_of(island.points.begin(), island.points.end(), [&](const ContactPoint& c) {
+    double worst = 0.0;
+    for (const ContactPoint& c : island.points) {
+        if (!(data.bodies.turning[c.a] + data.bodies.turning[c.b] > 0.0)) continue;
         const double u = normal_speed(c, data.motion.before[c.a], data.motion.before[c.b]);
-        const double past = -(c.gap + data.motion.span * u);
-        return past > most * size_of(data, c) && data.bodies.turning[c.a] + data.bodies.turning[c.b] > 0.0;
-    });
+        worst = std::max(worst, -(c.gap + data.motion.span * u) / size_of(data, c));
+    }
+    return worst / std::sqrt(2.0 * rest_tolerance::k_most_overlap);
 }
 
 /// Impacts of an island, at the moment at which the step, or the part of one, begins: first those that throw back, then

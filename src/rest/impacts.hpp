@@ -15,8 +15,9 @@ class HeapSweeps;
 /// When an impact comes that was not foreseen, since bodies sped up otherwise than they did before: the first moment at
 /// which a gap closes on the ways that were found; 0 where none does.  [s]
 [[nodiscard]] double missed_impact(const RestData& data, const Island& island);
-/// A blow to a heap turns what it strikes too far for one step, so that too much overlap would be left.
-[[nodiscard]] bool turns_too_far(const RestData& data, const Island& island);
+/// How far blows to a heap turn what they strike: in multiples of what may be in one step or part of one, beyond which
+/// too much overlap would be left.
+[[nodiscard]] double turn_of_blows(const RestData& data, const Island& island);
 
 /// Ends the approaches of an island with which the step, or the part of one, begins.
 class Impacts

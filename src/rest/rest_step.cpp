@@ -180,10 +180,17 @@ void RestEngine::solve_islands(int depth)
     data_.counts.groups += static_cast<std::int64_t>(islands_.all().size());
     data_.counts.points += static_cast<std::int64_t>(islands_.point_count());
     for (Island& island : islands_.all()) {
-        const bool is_short = !is_heap(island) || !may_be_halved(island, depth) || !turns_too_far(data_, island);
-        if (is_short) island_step_.find(data_, island, may_be_parted(island, depth));
-        else island.cut_at = 0.5 * data_.motion.span;
+        if (is_heap(island)) cut_for_blows(island);
+        if (island.cut_at == 0.0) island_step_.find(data_, island, may_be_parted(island, depth));
     }
+}
+
+/// A heap that a blow turns too far for one step makes it in several parts of one length.
+void RestEngine::cut_for_blows(Island& island) const
+{
+    const double most = rest_tolerance::k_quick_rounds * data_.motion.span / data_.options.step;
+    const double parts = std::min(std::ceil(turn_of_blows(data_, island)), std::floor(most));
+    if (parts > 1.0) island.cut_at = data_.motion.span / parts;
 }
 
 void RestEngine::finish_islands(int depth, std::span<const int> pairs)
@@ -197,7 +204,10 @@ void RestEngine::finish_islands(int depth, std::span<const int> pairs)
         if (island.cut_at == 0.0) island.cut_at = island_step_.end_early(data_, island, may_be_halved(island, depth));
         if (island.cut_at > 0.0) {
             const int part = static_cast<int>(again.parts.size());
-            again.parts.push_back({static_cast<int>(again.members.size()), island.member_count(), 0, 0, island.cut_at});
+            const int first = static_cast<int>(again.members.size());
+            const int even_parts =
+                is_heap(island) ? static_cast<int>(std::lround(data_.motion.span / island.cut_at)) : 0;
+            again.parts.push_back({first, island.member_count(), 0, 0, island.cut_at, even_parts});
             for (const int member : island.members) parts_.of[member] = part;
             again.members.insert(again.members.end(), island.members.begin(), island.members.end());
             continue;
@@ -279,9 +289,11 @@ void RestEngine::make_parts(int depth, std::span<const double> cuts)
         if (depth == 0) parts_.made = 0;
         double before = whole;
         double begun = 0.0;
-        const std::span<const double> ends = cuts.empty() ? std::span(&part.cut_at, 1) : cuts;
-        for (std::size_t i = 0; i <= ends.size(); ++i) {
-            const double end = i < ends.size() ? ends[i] : whole;
+        std::vector<double> ends(cuts.begin(), cuts.end());
+        if (ends.empty() && part.even_parts == 0) ends.push_back(part.cut_at);
+        for (int i = 1; cuts.empty() && i < part.even_parts; ++i) ends.push_back(whole * i / part.even_parts);
+        ends.push_back(whole);
+        for (const double end : ends) {
             const double length = end - begun;
             if (!(length > 0.0)) continue;
             ++parts_.made;
