@@ -4,23 +4,16 @@
 
 #include <doctest/doctest.h>
 
-#include "scene/generate.hpp"
-#include "world/world.hpp"
+#include "support/poured.hpp"
+#include "support/worlds.hpp"
 
 using namespace flying;
+using namespace flying::testing;
 
 TEST_CASE("boxes that are poured come to rest, those on a corner too")
 {
-    GenerateOptions options;
-    options.count = 400;
-    options.seed = 14;
-    options.shape = "box";
-    options.restitution = 0.0;
-    options.friction = 0.5;
-    WorldOptions world_options;
-    world_options.engine = EngineChoice::rest;
-    World world = World::make(generate("pile", options).value(), world_options).value();
-    REQUIRE_FALSE(world.advance(9.0));
+    World world = world_of(poured_boxes(400, 14), EngineChoice::rest);
+    run(world, 9.0);
     int awake = 0;
     for (int k = 0; k < world.body_count(); ++k) awake += world.mover(k) == BodyMover::rest ? 1 : 0;
     CHECK(awake == 0);

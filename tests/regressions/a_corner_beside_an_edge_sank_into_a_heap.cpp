@@ -5,31 +5,18 @@
 
 #include <doctest/doctest.h>
 
-#include "scene/generate.hpp"
-#include "world/world.hpp"
+#include "support/poured.hpp"
+#include "support/worlds.hpp"
 
 using namespace flying;
+using namespace flying::testing;
 
 TEST_CASE("no corner of a box that is poured sinks into another unnoticed")
 {
-    struct Pile
-    {
-        int count;
-        std::uint64_t seed;
-    };
-    for (const Pile& pile : {Pile{150, 48}, Pile{400, 13}}) {
-        CAPTURE(pile.count);
-        GenerateOptions options;
-        options.count = pile.count;
-        options.seed = pile.seed;
-        options.shape = "box";
-        options.restitution = 0.0;
-        options.friction = 0.5;
-        WorldOptions world_options;
-        world_options.engine = EngineChoice::rest;
-        World world = World::make(generate("pile", options).value(), world_options).value();
-        REQUIRE_FALSE(world.advance(4.0));
-        // Half a diagonal of the smallest is 0.4 m
+    for (const auto& [count, seed] : {std::pair(150, 48), std::pair(400, 13)}) {
+        CAPTURE(count);
+        World world = world_of(poured_boxes(count, seed), EngineChoice::rest);
+        run(world, 4.0);
         CHECK(world.report().max_overlap < 0.01 * 0.4);
     }
 }

@@ -30,19 +30,21 @@ TEST_CASE("the overlap that is reported is the deepest with which any step begin
             // Steps begin at multiples of their length; where bodies are handed over, at some moment in between
             World first = with_step(scene, k_step);
             World world = with_step(scene, k_step);
-            double seen = 0.0; // [m]
+            double seen = 0.0;        // where steps begin for sure [m]
+            double seen_nearly = 0.0; // near to where they do [m]
             for (int k = 1; k <= 240; ++k) {
                 const std::size_t handed_over = first.handovers().size();
                 run(first, k * k_step);
                 const int looks = first.handovers().size() > handed_over ? 64 : 1;
                 for (int look = 1; look <= looks; ++look) {
                     run(world, (k - 1 + static_cast<double>(look) / looks) * k_step);
-                    seen = std::max(seen, k_size * deepest_overlap(world));
+                    double& deepest = look == looks ? seen : seen_nearly;
+                    deepest = std::max(deepest, k_size * deepest_overlap(world));
                 }
             }
             CAPTURE(count);
             CAPTURE(seed);
-            CHECK(world.report().max_overlap <= 1.02 * seen + 1e-9);
+            CHECK(world.report().max_overlap <= std::max(seen, 1.02 * seen_nearly) + 1e-9);
         }
     }
 }

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "math/random.hpp"
-#include "scene/generate.hpp"
+#include "support/poured.hpp"
 #include "table/trials.hpp"
 
 namespace flying::stress {
@@ -178,15 +178,9 @@ constexpr const char* k_poured = "piles of 2000 boxes, seeds 2, 3, 4, and of 500
 
 World poured(const Pour& pour)
 {
-    GenerateOptions options;
-    options.count = pour.count;
-    options.seed = pour.seed;
-    options.shape = "box";
-    options.restitution = 0.0;
-    options.friction = 0.5;
-    WorldOptions world_options;
-    world_options.engine = EngineChoice::rest;
-    World world = world_of(generate("pile", options).value(), world_options);
+    WorldOptions options;
+    options.engine = EngineChoice::rest;
+    World world = world_of(testing::poured_boxes(pour.count, pour.seed), options);
     run_to(world, 10.0);
     return world;
 }
