@@ -134,7 +134,7 @@ void TableReader::fault(const toml::node& node, const std::string& label, std::s
 
 const toml::node* TableReader::find(const char* key)
 {
-    known_.emplace_back(key);
+    if (std::find(known_.begin(), known_.end(), key) == known_.end()) known_.emplace_back(key);
     return table_->get(key);
 }
 

@@ -58,6 +58,10 @@ const std::vector<BadScene>& bad_scenes()
          "[world]\nfritcion = 0.5\n",
          {"2:1: world: found the unknown key \"fritcion\", expected one of field, restitution, friction, box (did you "
           "mean friction?)"}},
+        {"an unknown key beside a field",
+         "[world]\nfield = { kind = \"uniform\", gravity = [0, -9.81] }\nfrction = 0.5\n",
+         {"3:1: world: found the unknown key \"frction\", expected one of field, restitution, friction, box (did you "
+          "mean friction?)"}},
         {"an unknown key of a body",
          "[[body]]\nname = \"a\"\n" SOUND "vellocity = [1, 2]\n",
          {"5:1: body \"a\": found the unknown key \"vellocity\", expected one of name, shape, position, angle, "
