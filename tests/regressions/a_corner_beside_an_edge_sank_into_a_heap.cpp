@@ -13,9 +13,14 @@ using namespace flying::testing;
 
 TEST_CASE("no corner of a box that is poured sinks into another unnoticed")
 {
-    for (const auto& [count, seed] : {std::pair(150, 48), std::pair(400, 13)}) {
-        CAPTURE(count);
-        World world = world_of(poured_boxes(count, seed), EngineChoice::rest);
+    struct Pour
+    {
+        int count;
+        std::uint64_t seed;
+    };
+    for (const Pour& pour : {Pour{150, 48}, Pour{400, 13}}) {
+        CAPTURE(pour.count);
+        World world = world_of(poured_boxes(pour.count, pour.seed), EngineChoice::rest);
         run(world, 4.0);
         CHECK(world.report().max_overlap < 0.01 * 0.4);
     }
