@@ -43,6 +43,14 @@ namespace {
     return sum / static_cast<double>(members.size());
 }
 
+void stop(RestData& data, std::span<const int> members)
+{
+    for (const int member : members) {
+        Mover& mover = data.motion.now[member];
+        mover.v_x = mover.v_y = mover.spin = 0.0;
+    }
+}
+
 void take_back(std::span<Mover> movers, std::span<const ContactPoint> points)
 {
     for (const ContactPoint& c : points) push(c, -c.normal, -c.tangent, movers[c.a], movers[c.b]);
@@ -68,27 +76,29 @@ void HeapSweeps::sweep_large(RestData& data, Island& island)
     const double before = greatest_speed(data.motion.before, data.bodies.radius, members);
     set_velocity_bias_swept(data, island, before <= rest);
     set_free(data, island, data.motion.before, data.motion.span);
+    if (before == 0.0 && data.options.warm_starts) {
+        // What stood, and comes to rest again with the impulses that it had, keeps them
+        warm_start(points, data.motion.now);
+        if (greatest_speed(data.motion.now, data.bodies.radius, members) <= rest) {
+            stop(data, members);
+            return;
+        }
+        set_free(data, island, data.motion.before, data.motion.span);
+    }
     SweepPlan plan;
     plan.is_warm = data.options.warm_starts;
     plan.sweeps = data.options.sweeps;
     plan.most_sweeps = data.options.most_sweeps;
-    plan.enough = rest_tolerance::k_enough * energy_of_fall(data, island);
+    plan.enough = rest_tolerance::k_blow * energy_of_fall(data, island);
     plan.tolerance = rest_tolerance::k_blow * field;
     sweeps_.sweep(data.motion.now, members, points, plan, data.solver.counts());
     const bool is_standing = before <= rest_tolerance::k_standing * field;
-    // What stood, and will be brought to rest again, need not be settled any better
-    const bool rests = before == 0.0 && greatest_speed(data.motion.now, data.bodies.radius, members) <= rest;
-    if (is_standing && !rests) settle(data, island, points, std::max(rest, mean_speed(data, members)));
+    if (is_standing) settle(data, island, points, std::max(rest, mean_speed(data, members)));
     sweep_on(data, island, data.motion.now, points, {data.options.step, !is_standing && is_large(island)});
 
     // What hardly moves comes to rest
     const double after = greatest_speed(data.motion.now, data.bodies.radius, members);
-    if (before <= rest && after <= rest) {
-        for (const int member : members) {
-            Mover& mover = data.motion.now[member];
-            mover.v_x = mover.v_y = mover.spin = 0.0;
-        }
-    }
+    if (before <= rest && after <= rest) stop(data, members);
     // Sweeps that go on from what bore too much lift a heap. With no impulses it would fall through the step, and lose
     // energy by that; with some share of them it neither gains nor loses any
     const double share = neutral_share(data, island, data.motion.before, data.motion.now, Way::end_velocity);
@@ -104,10 +114,9 @@ void HeapSweeps::sweep_large(RestData& data, Island& island)
 }
 
 /// What each point of a row of bodies lacks adds up along it, and no row of a heap need be longer than the root of how
-/// many bodies it has. So in a slow heap no point is left to lack more than that part of how fast bodies move, or of
-/// the speed that counts as rest. Sweeps end what is off between neighbours, and alternating directions what is off
-/// over the whole heap. What neighbours lack is ended further: a box that stands on a corner goes ten times as fast as
-/// its points slip, and would rock for ever.
+/// many bodies it has. So a slow heap is swept again where any point lacks more than that part of how fast bodies move,
+/// or of the speed that counts as rest. Sweeps hardly lead on what light bodies bear of heavy ones; alternating
+/// directions do, whatever the masses.
 ///
 /// speed  of the bodies, or that of rest [m/s]
 void HeapSweeps::settle(RestData& data, const Island& island, std::span<ContactPoint> points, double speed)
@@ -116,8 +125,13 @@ void HeapSweeps::settle(RestData& data, const Island& island, std::span<ContactP
     const double most = speed / std::sqrt(static_cast<double>(island.member_count()));
     if (are_satisfied(points, movers, most)) return;
     take_back(movers, points);
-    data.solver.solve_by_turns(movers, island.members, points, 0.5 * most, rest_tolerance::k_more_sweeps);
-    (void)local_.settle(movers, points, 0.125 * most, rest_tolerance::k_quick_rounds * static_cast<int>(points.size()));
+    if (are_unequal(data, island.members)) {
+        data.solver.solve_by_turns(movers, island.members, points, most, rest_tolerance::k_more_sweeps);
+        take_back(movers, points);
+    }
+    SweepPlan plan;
+    plan.sweeps = data.options.most_sweeps;
+    sweeps_.sweep(movers, island.members, points, plan, data.solver.counts());
 }
 
 /// Sweeps go on where more is left: a blow to a heap is felt all through it, but few points still miss their bounds by
@@ -162,25 +176,25 @@ void HeapSweeps::set_velocity_bias_swept(const RestData& data, const Island& isl
 void HeapSweeps::sweep_velocities(RestData& data, const Island& island, std::span<Mover> velocities,
                                   std::span<ContactPoint> points)
 {
-    sweep(data, island, velocities, points, {data.options.step, is_large(island)}, -1.0);
+    sweep(data, island, velocities, points, -1.0);
 }
 
 void HeapSweeps::sweep_places(RestData& data, const Island& island, std::span<Mover> pushes,
                               std::span<ContactPoint> points, double tolerance)
 {
-    sweep(data, island, pushes, points, {1.0, false}, tolerance);
+    sweep(data, island, pushes, points, tolerance);
+    sweep_on(data, island, pushes, points, {1.0, false});
 }
 
 /// tolerance  where no point asks for a greater change, impulses stay as they are; below 0 they never do
 void HeapSweeps::sweep(RestData& data, const Island& island, std::span<Mover> movers, std::span<ContactPoint> points,
-                       const Aim& aim, double tolerance)
+                       double tolerance)
 {
     SweepPlan plan;
     plan.is_warm = data.options.warm_starts;
     plan.sweeps = rest_tolerance::k_few_sweeps;
     plan.tolerance = tolerance;
     sweeps_.sweep(movers, island.members, points, plan, data.solver.counts());
-    sweep_on(data, island, movers, points, aim);
 }
 
 } // namespace flying

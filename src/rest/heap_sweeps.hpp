@@ -38,7 +38,7 @@ private:
     void set_velocity_bias_swept(const RestData& data, const Island& island, bool is_calm) const;
     void settle(RestData& data, const Island& island, std::span<ContactPoint> points, double speed);
     void sweep(RestData& data, const Island& island, std::span<Mover> movers, std::span<ContactPoint> points,
-               const Aim& aim, double tolerance);
+               double tolerance);
     void sweep_on(RestData& data, const Island& island, std::span<Mover> movers, std::span<ContactPoint> points,
                   const Aim& aim);
     void allow(const RestData& data, std::span<const ContactPoint> points, double most);

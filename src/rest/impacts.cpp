@@ -95,19 +95,6 @@ double missed_impact(const RestData& data, const Island& island)
     return first < data.motion.span ? std::max(first, rest_tolerance::k_at_once * data.motion.span) : 0.0;
 }
 
-/// It turns them by about the way that is left to go once the gap is closed, in sizes. Half the square of that angle is
-/// what a corner sinks by that should have gone round.
-double turn_of_blows(const RestData& data, const Island& island)
-{
-    double worst = 0.0;
-    for (const ContactPoint& c : island.points) {
-        if (!(data.bodies.turning[c.a] + data.bodies.turning[c.b] > 0.0)) continue;
-        const double u = normal_speed(c, data.motion.before[c.a], data.motion.before[c.b]);
-        worst = std::max(worst, -(c.gap + data.motion.span * u) / size_of(data, c));
-    }
-    return worst / std::sqrt(2.0 * rest_tolerance::k_most_overlap);
-}
-
 /// Impacts of an island, at the moment at which the step, or the part of one, begins: first those that throw back, then
 /// the rest of the approaches, all at once and without rebound. True where there were any; `before` is what they
 /// leave. Where impacts have no moments of their own, all that closes within the step counts as closed.
@@ -134,11 +121,15 @@ bool Impacts::strike(RestData& data, Island& island, HeapSweeps& sweeps)
     };
     if (std::none_of(island.points.begin(), island.points.end(), is_blow)) return false;
     struck_.clear();
+    open_.clear();
     rebounds_.clear();
     blows_.clear();
     for (const ContactPoint& c : island.points) {
         const double rebound = slowest_rebound(data, c);
-        if (is_open(c, approach_of(c), rebound)) continue;
+        if (is_open(c, approach_of(c), rebound)) {
+            if (!island.in_turn) open_.push_back(c);
+            continue;
+        }
         struck_.push_back(c);
         struck_.back().bound = struck_.back().normal = struck_.back().tangent = 0.0;
         blows_.push_back(speeds.slowest_blow(rebound));
@@ -147,10 +138,17 @@ bool Impacts::strike(RestData& data, Island& island, HeapSweeps& sweeps)
     // [rest.impacts.closed]
 
     data.counts.impacts += throw_back(data.motion.before, struck_, rebounds_);
+    // What was thrown may close other gaps, and all of them within a step whose impacts have no moments
+    for (const ContactPoint& c : open_) {
+        struck_.push_back(c);
+        struck_.back().bound = -c.gap / within;
+        struck_.back().normal = struck_.back().tangent = 0.0;
+        blows_.push_back(speeds.slowest_blow(slowest_rebound(data, c)));
+    }
     bool any_left = false;
     for (std::size_t k = 0; k < struck_.size(); ++k) {
         const ContactPoint& c = struck_[k];
-        any_left = any_left || normal_speed(c, data.motion.before[c.a], data.motion.before[c.b]) < -blows_[k];
+        any_left = any_left || normal_speed(c, data.motion.before[c.a], data.motion.before[c.b]) < c.bound - blows_[k];
     }
     if (any_left) {
         if (is_lossless(island)) return false; // the forces of the contacts turn round what still approaches

@@ -15,9 +15,6 @@ class HeapSweeps;
 /// When an impact comes that was not foreseen, since bodies sped up otherwise than they did before: the first moment at
 /// which a gap closes on the ways that were found; 0 where none does.  [s]
 [[nodiscard]] double missed_impact(const RestData& data, const Island& island);
-/// How far blows to a heap turn what they strike: in multiples of what may be in one step or part of one, beyond which
-/// too much overlap would be left.
-[[nodiscard]] double turn_of_blows(const RestData& data, const Island& island);
 
 /// Ends the approaches of an island with which the step, or the part of one, begins.
 class Impacts
@@ -32,6 +29,7 @@ private:
     void end_approaches(RestData& data, Island& island, HeapSweeps& sweeps);
 
     std::vector<ContactPoint> struck_; // what is closed, or closes
+    std::vector<ContactPoint> open_;   // what isn't, but may come to close
     std::vector<double> blows_;        // of each of them: the slowest approach that is a blow [m/s]
     std::vector<double> rebounds_;     // the same for one that brings a rebound
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "rest/rest_tolerance.hpp"
 
@@ -17,6 +18,18 @@ bool is_heap(const Island& island)
 {
     const int most = is_lossless(island) ? rest_tolerance::k_most_whole : rest_tolerance::k_most_in_detail;
     return island.member_count() > most;
+}
+
+bool are_unequal(const RestData& data, std::span<const int> members)
+{
+    double least = std::numeric_limits<double>::infinity(); // [1/kg]
+    double greatest = 0.0;
+    for (const int member : members) {
+        const double inv_mass = data.bodies.list[member].inertia.inv_mass;
+        least = std::min(least, inv_mass);
+        greatest = std::max(greatest, inv_mass);
+    }
+    return greatest > rest_tolerance::k_unequal_masses * least;
 }
 
 bool is_solved_whole(const RestData& data, const Island& island)

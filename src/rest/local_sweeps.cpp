@@ -47,24 +47,26 @@ void LocalSweeps::list_runs(std::span<const Mover> movers, std::span<const Conta
     }
 }
 
-/// is_off  whether a point, by its number, is to be swept
-template <typename IsOff>
-bool LocalSweeps::sweep_where(const IsOff& is_off, std::span<Mover> movers, std::span<ContactPoint> points, int most)
+void LocalSweeps::look_at(int run, std::span<const Mover> movers, std::span<const ContactPoint> points,
+                          std::span<const double> allowed)
 {
-    int content = 0;
-    while (content < static_cast<int>(points.size()) && !is_off(content)) ++content;
-    if (content == static_cast<int>(points.size())) return true;
+    Run& own = runs_[run];
+    for (int k = own.first; k < own.first + own.count && !own.waits; ++k) {
+        own.waits = misses(points[k], movers, allowed[k]);
+        if (own.waits) queue_.push_back(run);
+    }
+}
+
+bool LocalSweeps::sweep(std::span<Mover> movers, std::span<ContactPoint> points, std::span<const double> allowed,
+                        int most)
+{
+    std::size_t content = 0;
+    while (content < points.size() && !misses(points[content], movers, allowed[content])) ++content;
+    if (content == points.size()) return true;
     list_runs(movers, points);
     // [rest.sweep.local]
-    const auto look_at = [&](int index) {
-        Run& run = runs_[index];
-        for (int k = run.first; k < run.first + run.count && !run.waits; ++k) {
-            run.waits = is_off(k);
-            if (run.waits) queue_.push_back(index);
-        }
-    };
     queue_.clear();
-    for (std::size_t run = 0; run < runs_.size(); ++run) look_at(static_cast<int>(run));
+    for (std::size_t run = 0; run < runs_.size(); ++run) look_at(static_cast<int>(run), movers, points, allowed);
     std::size_t next = 0;
     for (; next < queue_.size() && static_cast<int>(next) < most; ++next) {
         Run& run = runs_[queue_[next]];
@@ -73,25 +75,12 @@ bool LocalSweeps::sweep_where(const IsOff& is_off, std::span<Mover> movers, std:
         flying::sweep(own, movers);
         for (const int body : {own.front().a, own.front().b}) {
             const int number = number_[body];
-            for (int k = first_of_[number]; k < first_of_[number + 1]; ++k) look_at(of_body_[k]);
+            for (int k = first_of_[number]; k < first_of_[number + 1]; ++k)
+                look_at(of_body_[k], movers, points, allowed);
         }
     }
     return next == queue_.size();
     // [rest.sweep.local]
-}
-
-bool LocalSweeps::sweep(std::span<Mover> movers, std::span<ContactPoint> points, std::span<const double> allowed,
-                        int most)
-{
-    return sweep_where([&](int k) { return misses(points[k], movers, allowed[k]); }, movers, points, most);
-}
-
-bool LocalSweeps::settle(std::span<Mover> movers, std::span<ContactPoint> points, double tolerance, int most)
-{
-    const auto is_off = [&](int k) {
-        return residual(points[k], movers[points[k].a], movers[points[k].b]) > tolerance;
-    };
-    return sweep_where(is_off, movers, points, most);
 }
 
 } // namespace flying

@@ -7,8 +7,8 @@
 
 namespace flying {
 
-/// Sweeps where something is left to do, and nowhere else: over the pairs of which a point is off, then over those that
-/// come to be off by that, and so on. Which they are depends on the points and their order alone.
+/// Sweeps where something is left to do, and nowhere else: over the pairs of which a point misses its bound, then over
+/// those that come to miss theirs by that, and so on. Which they are depends on the points and their order alone.
 class LocalSweeps
 {
 public:
@@ -19,10 +19,6 @@ public:
     /// allowed  for each point: by how much its normal velocity may be less than its bound, > 0 [m/s]
     /// most     pairs that may be swept, counting each as often as it is
     bool sweep(std::span<Mover> movers, std::span<ContactPoint> points, std::span<const double> allowed, int most);
-    /// The same until friction, too, and what no longer bears, are right.
-    ///
-    /// tolerance  by how much each point's conditions may be missed, as `residual` measures it, > 0 [m/s]
-    bool settle(std::span<Mover> movers, std::span<ContactPoint> points, double tolerance, int most);
 
 private:
     /// The points of a pair.
@@ -33,9 +29,9 @@ private:
         bool waits = false; ///< to be swept
     };
 
-    template <typename IsOff>
-    bool sweep_where(const IsOff& is_off, std::span<Mover> movers, std::span<ContactPoint> points, int most);
     void list_runs(std::span<const Mover> movers, std::span<const ContactPoint> points);
+    void look_at(int run, std::span<const Mover> movers, std::span<const ContactPoint> points,
+                 std::span<const double> allowed);
 
     std::vector<Run> runs_;
     std::vector<int> number_;   // of each body that a point is of: 0 if it can't move

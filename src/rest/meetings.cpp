@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "rest/find_contacts.hpp"
 #include "rest/rest_tolerance.hpp"
@@ -49,6 +50,14 @@ bool find_meetings(const RestData& data, std::span<const BodyBefore> before, con
     const auto state_before = [&](int body) {
         return moved.has(body) ? before[body].state : data.bodies.list[body].state;
     };
+    const auto thrown_at = [&](int body) {
+        return moved.has(body) ? before[body].thrown_at : std::numeric_limits<double>::infinity();
+    };
+    const auto is_cut_near = [&](double when) {
+        return std::any_of(met.moments.begin(), met.moments.end(), [&](double moment) {
+            return std::abs(moment - when) <= rest_tolerance::k_blow * data.motion.span;
+        });
+    };
     for (const RestPair& pair : data.pairs.pairs()) {
         if (!is_thrown(pair.a) && !is_thrown(pair.b)) continue;
         const double size = std::min(data.bodies.radius[pair.a], data.bodies.radius[pair.b]);
@@ -65,6 +74,10 @@ bool find_meetings(const RestData& data, std::span<const BodyBefore> before, con
             const double gap = lowest_point(data, pair, state_before(pair.a), state_before(pair.b), size).separation;
             when = (gap > 0.0 ? gap / (gap + depth) : 0.5) * data.motion.span;
         }
+        // It came after the blow that threw one of them, and where a cut has shown nothing, soon after
+        const double thrown = std::min(thrown_at(pair.a), thrown_at(pair.b));
+        if (thrown < data.motion.span && (when <= thrown || is_cut_near(when)))
+            when = thrown + rest_tolerance::k_blow * (data.motion.span - thrown);
         first = std::min(first, when);
         for (const int body : {pair.a, pair.b}) {
             if (moved.has(body)) met.islands.push_back(before[body].island);

@@ -15,7 +15,9 @@ struct BodyBefore
     Vec2 pull = Vec2::Zero();
     double expected_angular_acceleration = 0.0;
     double reach = 0.0; ///< how far it was thought to get; 0 once a part took it further than was thought of that [m]
-    int island = 0;     ///< its lowest body
+    double looked_for = 0.0; ///< how far it was thought to get when all was last looked at [m]
+    double thrown_at = 0.0;  ///< since when it may get further than that; infinite for never [s]
+    int island = 0;          ///< its lowest body
     char in_large_island = 0;
 };
 
@@ -29,6 +31,7 @@ struct Meetings
     std::vector<double> moments; ///< after the start of the step, ascending [s]
     std::vector<int> islands;    ///< the lowest bodies of the islands that met, ascending, some more than once
     std::vector<int> sleepers;   ///< bodies that were met in their sleep
+    bool is_whole = false;       ///< their step is made again whole
 };
 /// Adds those that there are now, and the first of their moments. True where there are any.
 /// before  of each body that the step has moved

@@ -156,7 +156,6 @@ private:
             int first_pair = 0;
             int pair_count = 0;
             double cut_at = 0.0; ///< after the step's beginning [s]
-            int even_parts = 0;  ///< of that length; 0 where it is cut only once
         };
         std::vector<Part> parts;
         std::vector<int> members;
@@ -182,10 +181,10 @@ private:
     void solve_islands(int depth);
     void finish_islands(int depth, std::span<const int> pairs);
     [[nodiscard]] bool may_be_parted(const Island& island, int depth) const;
-    void cut_for_blows(Island& island) const;
     [[nodiscard]] bool may_be_halved(const Island& island, int depth) const;
     void find_pairs_of(Again& again, std::span<const int> pairs);
     void make_parts(int depth, std::span<const double> cuts);
+    void begin_part(std::span<const int> bodies, int depth);
     [[nodiscard]] bool go_back(Meetings& met);
     void wake_met(Meetings& met);
     void scale_loads_awake(double factor);

@@ -92,7 +92,12 @@ void RestEngine::move_island(const Island& island)
         const Vec2& way = data_.motion.shift[member];
         const BodyState old = state;
         const double arc = std::abs(data_.motion.turn[member]) * data_.bodies.turning[member];
-        if (way.norm() + arc > data_.motion.reach[member]) before_[member].reach = 0.0;
+        if (way.norm() + arc > data_.motion.reach[member]) {
+            BodyBefore& before = before_[member];
+            before.reach = 0.0;
+            before.thrown_at =
+                std::min(before.thrown_at, data_.options.step - data_.motion.after - 0.5 * data_.motion.span);
+        }
         state.position += way;
         state.angle += data_.motion.turn[member];
         same = same && state.position == old.position && state.angle == old.angle && now.v_x == 0.0 && now.v_y == 0.0 &&

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "rest/energy_limit.hpp"
 #include "rest/find_contacts.hpp"
@@ -12,6 +13,8 @@
 
 namespace flying {
 namespace {
+
+constexpr double k_never = std::numeric_limits<double>::infinity();
 
 /// What pairs bear, for another length of time.
 void scale_loads(RestData& data, std::span<const int> pairs, double factor)
@@ -55,7 +58,8 @@ void RestEngine::step()
     finish_islands(0, {});
     make_parts(0, {});
     Meetings met;
-    for (int round = 0; round < rest_tolerance::k_quick_rounds && go_back(met); ++round) make_parts(0, met.moments);
+    for (int round = 0; round < rest_tolerance::k_quick_rounds && go_back(met); ++round)
+        make_parts(0, met.is_whole ? std::span<const double>() : met.moments);
     watch.stop(seconds_.move);
     ++steps_;
     ++data_.counts.steps;
@@ -100,6 +104,8 @@ void RestEngine::begin(std::span<const int> bodies)
                       data_.motion.pull[k],
                       data_.motion.expected_angular_acceleration[k],
                       data_.motion.reach[k],
+                      data_.motion.reach[k],
+                      k_never,
                       k,
                       data_.bodies.in_large_island[k]};
         farthest_[k] = data_.motion.reach[k];
@@ -179,18 +185,7 @@ void RestEngine::solve_islands(int depth)
 {
     data_.counts.groups += static_cast<std::int64_t>(islands_.all().size());
     data_.counts.points += static_cast<std::int64_t>(islands_.point_count());
-    for (Island& island : islands_.all()) {
-        if (is_heap(island)) cut_for_blows(island);
-        if (island.cut_at == 0.0) island_step_.find(data_, island, may_be_parted(island, depth));
-    }
-}
-
-/// A heap that a blow turns too far for one step makes it in several parts of one length.
-void RestEngine::cut_for_blows(Island& island) const
-{
-    const double most = rest_tolerance::k_quick_rounds * data_.motion.span / data_.options.step;
-    const double parts = std::min(std::ceil(turn_of_blows(data_, island)), std::floor(most));
-    if (parts > 1.0) island.cut_at = data_.motion.span / parts;
+    for (Island& island : islands_.all()) island_step_.find(data_, island, may_be_parted(island, depth));
 }
 
 void RestEngine::finish_islands(int depth, std::span<const int> pairs)
@@ -205,9 +200,7 @@ void RestEngine::finish_islands(int depth, std::span<const int> pairs)
         if (island.cut_at > 0.0) {
             const int part = static_cast<int>(again.parts.size());
             const int first = static_cast<int>(again.members.size());
-            const int even_parts =
-                is_heap(island) ? static_cast<int>(std::lround(data_.motion.span / island.cut_at)) : 0;
-            again.parts.push_back({first, island.member_count(), 0, 0, island.cut_at, even_parts});
+            again.parts.push_back({first, island.member_count(), 0, 0, island.cut_at});
             for (const int member : island.members) parts_.of[member] = part;
             again.members.insert(again.members.end(), island.members.begin(), island.members.end());
             continue;
@@ -290,8 +283,7 @@ void RestEngine::make_parts(int depth, std::span<const double> cuts)
         double before = whole;
         double begun = 0.0;
         std::vector<double> ends(cuts.begin(), cuts.end());
-        if (ends.empty() && part.even_parts == 0) ends.push_back(part.cut_at);
-        for (int i = 1; cuts.empty() && i < part.even_parts; ++i) ends.push_back(whole * i / part.even_parts);
+        if (ends.empty()) ends.push_back(part.cut_at);
         ends.push_back(whole);
         for (const double end : ends) {
             const double length = end - begun;
@@ -302,7 +294,7 @@ void RestEngine::make_parts(int depth, std::span<const double> cuts)
             data_.motion.after = after_whole + (whole - end);
             scale_loads(data_, pairs, length / before);
             before = length;
-            measure_reach(members);
+            begin_part(members, depth);
             found_.clear();
             for (const int pair : pairs) find_contacts(data_, pair, found_);
             islands_.split(data_, members, found_);
@@ -318,8 +310,25 @@ void RestEngine::make_parts(int depth, std::span<const double> cuts)
     parts_.at[depth].parts.clear();
 }
 
+/// A part of the step begins. A step that is made again whole has bodies get as far as it threw them before. As parts
+/// of a whole step begin, all is looked at; who may get further in a part of a part has been thrown.
+void RestEngine::begin_part(std::span<const int> bodies, int depth)
+{
+    measure_reach(bodies);
+    const bool is_whole = data_.motion.span == data_.options.step;
+    const double now = data_.options.step - data_.motion.after - data_.motion.span;
+    for (const int k : bodies) {
+        BodyBefore& old = before_[k];
+        double& reach = data_.motion.reach[k];
+        if (is_whole) reach = old.reach = std::max(reach, farthest_[k]);
+        if (depth == 0) old.looked_for = reach;
+        else if (reach > old.looked_for) old.thrown_at = std::min(old.thrown_at, now);
+    }
+}
+
 /// Islands that met, and were not thought to, go back, to make their step in parts that begin whenever any of them has
-/// met: as a part begins, all is looked at again. True where there are any.
+/// met: as a part begins, all is looked at again. A heap, if its masses don't differ much, makes it again whole, and
+/// looks further. True where there are any.
 ///
 /// met  of the step so far: those that went back before do it again, or they would be met where they no longer are
 bool RestEngine::go_back(Meetings& met)
@@ -335,12 +344,15 @@ bool RestEngine::go_back(Meetings& met)
     (void)list_pairs();
     if (!find_meetings(data_, before_, awake_, met)) return false;
     wake_met(met);
+    bool any_heap = false;
     Again& again = parts_.at[0];
     again.parts.assign(1, {});
     again.members.clear();
     for (const int k : moved_) {
         if (!std::binary_search(met.islands.begin(), met.islands.end(), before_[k].island)) continue;
-        const BodyBefore& old = before_[k];
+        BodyBefore& old = before_[k];
+        old.thrown_at = k_never;
+        any_heap = any_heap || data_.bodies.in_large_island[k] != 0;
         sleepers_.wake(sleepers_.island_of(k));
         data_.bodies.list[k].state = old.state;
         data_.bodies.set_pose(k, old.state);
@@ -352,6 +364,7 @@ bool RestEngine::go_back(Meetings& met)
         parts_.of[k] = 0;
     }
     again.parts[0].member_count = static_cast<int>(again.members.size());
+    met.is_whole = any_heap && !are_unequal(data_, again.members);
     (void)list_pairs(); // from where they are again
     find_pairs_of(again, {});
     return true;

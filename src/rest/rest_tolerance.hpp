@@ -22,7 +22,8 @@ inline constexpr double k_stiffness = 0x1p32;
 inline constexpr double k_still = 0x1p-36;
 
 /// [speeds that the field gives in a step] A slower approach that brings no rebound is left to the load, of which it is
-/// a thousandth; a faster slip is a slide. [greatest speeds] Rounding brings nothing faster to rest.
+/// a thousandth; a faster slip is a slide. [greatest speeds] Rounding brings nothing faster to rest. [energies of fall]
+/// Sweeps whose changes are worth less are enough. [steps] A cut so near to another would show nothing new.
 inline constexpr double k_blow = 0x1p-10;
 
 /// [steps] What closes so soon closes now: less than it takes to pass a gap of 1e-9 m, so that each ball of a row is
@@ -49,12 +50,13 @@ inline constexpr double k_landed = 0x1p-28;
 inline constexpr double k_watch = 0x1p-6;
 
 /// [sizes] Overlap that matters: where a step ends with more, it is made in halves; a pair that begins with more is put
-/// right first, without a look ahead; parts that had no point are looked at where two come nearer by more; and sweeps may
-/// add half as much in one step of a heap that stands. A fifth of the hundredth that a user is promised.
+/// right first, without a look ahead; parts that had no point are looked at where two come nearer by more; and sweeps
+/// may add half as much in one step of a heap that stands. A fifth of the hundredth that a user is promised.
 inline constexpr double k_fair_overlap = 0x1p-9;
 
-/// [sizes] Overlap that a step of a heap, or a meeting that nothing foresaw, may leave, and sweeps may add where a heap
-/// moves; where it is more, the step is made in parts. Three quarters of what a user is promised.
+/// [sizes] Overlap that the step of a heap of unequal masses may come to, and a meeting that nothing foresaw may leave;
+/// where it is more, the step is made in parts, or again. Sweeps may add as much where a heap moves, and pushes that
+/// take off more need not be paid for. Three quarters of what a user is promised.
 inline constexpr double k_most_overlap = 0x1p-7;
 
 /// [energies, distances, speeds] Rise that rounding explains; and by how much separations, or approaches, that are
@@ -67,8 +69,8 @@ inline constexpr int k_patience = 64;
 
 /// Rounds of what is right after one or two, or after many: Newton's steps; looks at a pair that closes, each at the
 /// moment that the last one foresaw; lines along curved ways; halvings of a step until all slips last, and of pushes
-/// until they help; the parts of equal length into which the step of a heap may fall; and sweeps that what lands may
-/// take to add no more overlap than what stands, and what stands to be settled between neighbours.
+/// until they help; parts into which the step of a heap may fall; steps that are made again since bodies met; and
+/// sweeps that what lands may take to add no more overlap than what stands.
 inline constexpr int k_quick_rounds = 8;
 
 /// Rounds of what is near after two or three: pushes that take off overlap, each of which leaves about the square of
@@ -84,8 +86,8 @@ inline constexpr int k_most_in_detail = 12;
 inline constexpr double k_one_face = 0.75;
 
 // ---- Pairs (pair_list)
-/// [reaches] Room that the box of a body gets: more room, fewer searches and more pairs. A step that leads further is
-/// made in halves.
+/// [reaches] Room that the box of a body gets: more room, fewer searches and more pairs. A step that leads further may
+/// be made in halves.
 inline constexpr double k_room_reaches = 3.0;
 
 // ---- Curved ways (curved_ways)
@@ -116,8 +118,9 @@ inline constexpr int k_most_parts = 256;
 /// is the price of its sleep. From rest, what accelerates by no more than this share of the field doesn't start.
 inline constexpr double k_rest_speed = 0x1p-8;
 
-/// [energies of fall] What a sweep's changes are worth when there are enough of them.
-inline constexpr double k_enough = 0x1p-10;
+/// [masses] Of the heaviest body of a heap to the lightest: where it is more, sweeps hardly get on. Alternating
+/// directions settle such a heap before sweeps do, and its step may be made in halves.
+inline constexpr double k_unequal_masses = 0x1p10;
 
 /// Stiffness of the springs of alternating directions against the inertia that they move. The stiffer, the further a
 /// load gets in a round; with 512, friction no longer follows it.

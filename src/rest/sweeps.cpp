@@ -57,12 +57,28 @@ void sweep(std::span<ContactPoint> points, std::span<Mover> movers)
     for (ContactPoint& c : points) solve_point(c, movers);
 }
 
+// [rest.residual]
+namespace {
+
+double residual(const ContactPoint& c, const Mover& a, const Mover& b)
+{
+    const double excess = normal_speed(c, a, b) - c.bound;
+    const double normal = std::max(0.0, c.normal - c.normal_mass * excess);
+    const double along_normal = std::abs(normal - c.normal) / c.normal_mass;
+
+    const double most = c.friction * c.normal;
+    const double slip = tangent_speed(c, a, b);
+    const double tangent = std::clamp(c.tangent - c.tangent_mass * slip, -most, most);
+    return std::max(along_normal, std::abs(tangent - c.tangent) / c.tangent_mass);
+}
+
+} // namespace
+
 void forget_impulses(std::span<ContactPoint> points)
 {
     for (ContactPoint& c : points) c.normal = c.tangent = 0.0;
 }
 
-// [rest.residual]
 double worst_residual(std::span<const ContactPoint> points, std::span<const Mover> movers)
 {
     double worst = 0.0;

@@ -35,5 +35,5 @@ TEST_CASE("nearly all heaps of masses over 1 : 1e4 sleep within 20 s, none has s
         std::sort(ways.begin(), ways.end(), std::greater<>());
         CHECK(ways[1] <= 5e-5); // one disc may roll
     }
-    CHECK(asleep >= 6); // none at first; of 144 others 133, and in all of the rest but one a disc rolls on
+    CHECK(asleep >= 7); // none at first; of the seeds up to 48, 47
 }

@@ -6,7 +6,7 @@
 
 namespace flying::testing {
 
-/// Boxes to be poured into a bin: without rebound, with friction 0.5. Half a diagonal of the smallest is 0.4 m.
+/// Boxes to be poured into a bin: without rebound, with friction 0.5. Half a diagonal of the smallest is 0.3 m.
 ///
 /// count  >= 1
 inline Scene poured_boxes(int count, std::uint64_t seed)
