@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <numbers>
 
 #include <fmt/format.h>
 
@@ -180,9 +178,7 @@ World poured(const Pour& pour)
 {
     WorldOptions options;
     options.engine = EngineChoice::rest;
-    World world = world_of(testing::poured_boxes(pour.count, pour.seed), options);
-    run_to(world, 10.0);
-    return world;
+    return world_of(testing::poured_boxes(pour.count, pour.seed), options);
 }
 
 Reached poured_overlap(const Share&)
@@ -191,11 +187,10 @@ Reached poured_overlap(const Share&)
     reached.amount = k_poured;
     for (const Pour& pour : k_pours) {
         World world = poured(pour);
-        double smallest = std::numeric_limits<double>::infinity(); // half a diagonal [m]
-        for (const BodyDef& body : world.scene().bodies) {
-            smallest = std::min(smallest, std::get<SquareDef>(body.shape).side / std::numbers::sqrt2);
+        for (int step = 1; step <= 600; ++step) {
+            run_to(world, step / 60.0);
+            reached.value = std::max(reached.value, deepest_overlap(world));
         }
-        reached.value = std::max(reached.value, world.report().max_overlap / smallest);
     }
     return reached;
 }
@@ -205,7 +200,8 @@ Reached poured_rest(const Share&)
     Reached reached;
     reached.amount = k_poured;
     for (const Pour& pour : k_pours) {
-        const World world = poured(pour);
+        World world = poured(pour);
+        run_to(world, 10.0);
         for (int k = 0; k < world.body_count(); ++k)
             reached.value = std::max(reached.value, world.state(k).velocity.norm());
     }
@@ -291,7 +287,7 @@ constexpr std::array k_trials = {
     Trial{23, "towers on a smooth floor", "share of the momentum gained", 1e-12, false, "", smooth_floor},
     Trial{24, "touching at the start, e = 1", "relative change of energy", 1e-9, false, "five discs in a row lose 39 %",
           touching_start},
-    Trial{27, "boxes poured", "overlap over the smallest size, in any step", 1e-2, false, "", poured_overlap},
+    Trial{27, "boxes poured", "overlap over the smaller size, as any step ends", 1e-2, false, "", poured_overlap},
     Trial{27, "boxes poured come to rest", "speed of the fastest after 10 s [m/s]", 1e-6, false,
           "a pile of 5000 boxes never slept in 20 s", poured_rest},
 };
