@@ -184,7 +184,7 @@ private:
     [[nodiscard]] bool may_be_halved(const Island& island, int depth) const;
     void find_pairs_of(Again& again, std::span<const int> pairs);
     void make_parts(int depth, std::span<const double> cuts);
-    void begin_part(std::span<const int> bodies, int depth);
+    void begin_part(std::span<const int> bodies, int depth, bool is_again);
     [[nodiscard]] bool go_back(Meetings& met);
     void wake_met(Meetings& met);
     void scale_loads_awake(double factor);

@@ -294,7 +294,7 @@ void RestEngine::make_parts(int depth, std::span<const double> cuts)
             data_.motion.after = after_whole + (whole - end);
             scale_loads(data_, pairs, length / before);
             before = length;
-            begin_part(members, depth);
+            begin_part(members, depth, cuts.empty() && part.cut_at == 0.0);
             found_.clear();
             for (const int pair : pairs) find_contacts(data_, pair, found_);
             islands_.split(data_, members, found_);
@@ -310,17 +310,18 @@ void RestEngine::make_parts(int depth, std::span<const double> cuts)
     parts_.at[depth].parts.clear();
 }
 
-/// A part of the step begins. A step that is made again whole has bodies get as far as it threw them before. As parts
-/// of a whole step begin, all is looked at; who may get further in a part of a part has been thrown.
-void RestEngine::begin_part(std::span<const int> bodies, int depth)
+/// A part of the step begins. As parts of a whole step begin, all is looked at; who may get further in a part of a part
+/// has been thrown.
+///
+/// is_again  it is the whole step once more, and bodies are thought to get as far as it threw them
+void RestEngine::begin_part(std::span<const int> bodies, int depth, bool is_again)
 {
     measure_reach(bodies);
-    const bool is_whole = data_.motion.span == data_.options.step;
     const double now = data_.options.step - data_.motion.after - data_.motion.span;
     for (const int k : bodies) {
         BodyBefore& old = before_[k];
         double& reach = data_.motion.reach[k];
-        if (is_whole) reach = old.reach = std::max(reach, farthest_[k]);
+        if (is_again) reach = old.reach = std::max(reach, farthest_[k]);
         if (depth == 0) old.looked_for = reach;
         else if (reach > old.looked_for) old.thrown_at = std::min(old.thrown_at, now);
     }
