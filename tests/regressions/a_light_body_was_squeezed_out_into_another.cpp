@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "math/random.hpp"
+#include "support/heaps.hpp"
 #include "support/overlap.hpp"
 #include "support/worlds.hpp"
 
@@ -16,11 +17,7 @@ namespace {
 Scene boxes_of_unequal_masses(int count, std::uint64_t seed)
 {
     Random random(seed);
-    Scene scene;
-    scene.world.field = UniformField{{0.0, -9.81}};
-    scene.world.restitution = 0.0;
-    scene.world.friction = 0.5;
-    scene.world.box = BoxDef{{0.0, 0.0}, {4.0, 9.0}};
+    Scene scene = rough_pit({4.0, 9.0});
     for (int k = 0; k < count; ++k) {
         BodyDef body;
         const double width = random.uniform(0.3, 0.6);
