@@ -92,8 +92,8 @@ void HeapSweeps::sweep_large(RestData& data, Island& island)
     plan.enough = rest_tolerance::k_blow * energy_of_fall(data, island);
     plan.tolerance = rest_tolerance::k_blow * field;
     sweeps_.sweep(data.motion.now, members, points, plan, data.solver.counts());
+    settle(data, island, points, std::max(rest, mean_speed(data, members)));
     const bool is_standing = before <= rest_tolerance::k_standing * field;
-    if (is_standing) settle(data, island, points, std::max(rest, mean_speed(data, members)));
     sweep_on(data, island, data.motion.now, points, {data.options.step, !is_standing && is_large(island)});
 
     // What hardly moves comes to rest
@@ -114,7 +114,7 @@ void HeapSweeps::sweep_large(RestData& data, Island& island)
 }
 
 /// What each point of a row of bodies lacks adds up along it, and no row of a heap need be longer than the root of how
-/// many bodies it has. So a slow heap is swept again where any point lacks more than that part of how fast bodies move,
+/// many bodies it has. So a heap is swept again where any point lacks more than that part of how fast bodies move,
 /// or of the speed that counts as rest. Sweeps hardly lead on what light bodies bear of heavy ones; alternating
 /// directions do, whatever the masses.
 ///
@@ -135,19 +135,14 @@ void HeapSweeps::settle(RestData& data, const Island& island, std::span<ContactP
 }
 
 /// Sweeps go on where more is left: a blow to a heap is felt all through it, but few points still miss their bounds by
-/// too much after the first sweeps. What lands is given some of them until it adds no more than what stands, or errors
-/// of standing parts would sum up from step to step. Where even the most of them leave too much, the direct solve finds
-/// the rest, if it can.
+/// too much after the first sweeps. Where even the most of them leave too much, the direct solve finds the rest, if it
+/// can.
 void HeapSweeps::sweep_on(RestData& data, const Island& island, std::span<Mover> movers, std::span<ContactPoint> points,
                           const Aim& aim)
 {
-    const auto suffice = [&](bool is_landing, int times) {
-        allow(data, points, most_added(is_landing) / aim.span);
-        return local_.sweep(movers, points, allowed_, times * static_cast<int>(points.size()));
-    };
-    if (suffice(false, aim.is_landing ? rest_tolerance::k_quick_rounds : rest_tolerance::k_more_sweeps)) return;
-    if (aim.is_landing && suffice(true, rest_tolerance::k_more_sweeps)) return;
-    if (is_large(island)) return;
+    allow(data, points, most_added(aim.is_landing) / aim.span);
+    const int most = rest_tolerance::k_more_sweeps * static_cast<int>(points.size());
+    if (local_.sweep(movers, points, allowed_, most) || is_large(island)) return;
     take_back(movers, points);
     (void)data.solver.solve(movers, island.members, points, rest_tolerance::k_residual * top_speed(data, island));
 }

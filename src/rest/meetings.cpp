@@ -40,13 +40,11 @@ double way_since(const RestData& data, const BodyBefore& before, int body)
     return (now.position - before.state.position).norm() + arc;
 }
 
-bool find_meetings(const RestData& data, std::span<const BodyBefore> before, const BodySet& moved, Meetings& met)
+bool find_meetings(const RestData& data, std::span<const RestPair> pairs, std::span<const BodyBefore> before,
+                   const BodySet& moved, Meetings& met)
 {
     double first = data.motion.span;
     const std::size_t islands_before = met.islands.size();
-    const auto is_thrown = [&](int body) {
-        return moved.has(body) && way_since(data, before[body], body) > before[body].reach;
-    };
     const auto state_before = [&](int body) {
         return moved.has(body) ? before[body].state : data.bodies.list[body].state;
     };
@@ -58,8 +56,7 @@ bool find_meetings(const RestData& data, std::span<const BodyBefore> before, con
             return std::abs(moment - when) <= rest_tolerance::k_blow * data.motion.span;
         });
     };
-    for (const RestPair& pair : data.pairs.pairs()) {
-        if (!is_thrown(pair.a) && !is_thrown(pair.b)) continue;
+    for (const RestPair& pair : pairs) {
         const double size = std::min(data.bodies.radius[pair.a], data.bodies.radius[pair.b]);
         const BodyState& a = data.bodies.list[pair.a].state;
         const BodyState& b = data.bodies.list[pair.b].state;

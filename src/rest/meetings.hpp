@@ -19,6 +19,7 @@ struct BodyBefore
     double thrown_at = 0.0;  ///< since when it may get further than that; infinite for never [s]
     int island = 0;          ///< its lowest body
     char in_large_island = 0;
+    bool is_parted = false; ///< it has made the step in parts
 };
 
 /// How far a step has taken any point of a body.  [m]
@@ -31,11 +32,11 @@ struct Meetings
     std::vector<double> moments; ///< after the start of the step, ascending [s]
     std::vector<int> islands;    ///< the lowest bodies of the islands that met, ascending, some more than once
     std::vector<int> sleepers;   ///< bodies that were met in their sleep
-    bool is_whole = false;       ///< their step is made again whole
 };
 /// Adds those that there are now, and the first of their moments. True where there are any.
+/// pairs   that may have met
 /// before  of each body that the step has moved
-[[nodiscard]] bool find_meetings(const RestData& data, std::span<const BodyBefore> before, const BodySet& moved,
-                                 Meetings& met);
+[[nodiscard]] bool find_meetings(const RestData& data, std::span<const RestPair> pairs,
+                                 std::span<const BodyBefore> before, const BodySet& moved, Meetings& met);
 
 } // namespace flying

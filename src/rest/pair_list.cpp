@@ -33,6 +33,13 @@ void move_pairs(std::vector<RestPair>& from, std::vector<RestPair>& to, Belongs&
     std::inplace_merge(to.begin(), to.begin() + middle, to.end(), in_order);
 }
 
+/// Puts them in order, each once.
+void sort_once(std::vector<std::pair<int, int>>& found)
+{
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+}
+
 /// A box reaches into a half-plane.
 [[nodiscard]] bool overlap(const Aabb& box, const HalfPlane& wall)
 {
@@ -204,22 +211,60 @@ void PairList::find_partners(std::span<const RestBody> bodies, const BodySet& mo
     boxes_sorted_ += static_cast<int>(entries.size());
     cells_.sort(std::move(entries));
     found_.clear();
-    const auto note = [&](int one, int two) { found_.emplace_back(std::min(one, two), std::max(one, two)); };
-    cells_.for_each_pair([&](const BoxCells::Entry& one, const BoxCells::Entry& two) { note(one.body, two.body); });
+    cells_.for_each_pair([&](const BoxCells::Entry& one, const BoxCells::Entry& two) {
+        found_.emplace_back(std::minmax(one.body, two.body));
+    });
+    for (const BoxCells::Entry& entry : cells_.entries()) find_partners_among(others_, entry, bodies, movers, found_);
+    sort_once(found_);
+}
 
-    // The others stay where they are, and walls without end meet what reaches into them
-    for (const BoxCells::Entry& entry : cells_.entries()) {
-        const int k = entry.body; // clang takes no structured binding into a lambda
-        others_.visit_all_at(entry.box, [&](const BoxCells::Entry& other) {
-            if (bodies[other.body].is_active && !movers.has(other.body)) note(k, other.body);
-            return true;
-        });
-        for (const int wall : walls_) {
-            if (overlap(entry.box, std::get<HalfPlane>(bodies[wall].shape))) note(k, wall);
+/// The others stay where they are, and walls without end meet what reaches into them.
+void PairList::find_partners_among(const BoxCells& others, const BoxCells::Entry& entry,
+                                   std::span<const RestBody> bodies, const BodySet& movers,
+                                   std::vector<std::pair<int, int>>& found) const
+{
+    others.visit_all_at(entry.box, [&](const BoxCells::Entry& other) {
+        if (bodies[other.body].is_active && !movers.has(other.body))
+            found.emplace_back(std::minmax(entry.body, other.body));
+        return true;
+    });
+    for (const int wall : walls_) {
+        if (overlap(entry.box, std::get<HalfPlane>(bodies[wall].shape)))
+            found.emplace_back(std::minmax(entry.body, wall));
+    }
+}
+
+std::vector<RestPair> PairList::pairs_at(std::vector<BoxCells::Entry> boxes, std::span<const RestBody> bodies,
+                                         std::span<const CollisionShape> shapes) const
+{
+    std::vector<int> movers;
+    for (const BoxCells::Entry& entry : boxes) movers.push_back(entry.body);
+    BodySet moved(static_cast<int>(bodies.size()));
+    moved.insert(movers);
+    BoxCells cells;
+    cells.sort(std::move(boxes));
+    std::vector<std::pair<int, int>> found;
+    cells.for_each_pair([&](const BoxCells::Entry& one, const BoxCells::Entry& two) {
+        found.emplace_back(std::minmax(one.body, two.body));
+    });
+    for (const BoxCells::Entry& entry : cells.entries()) {
+        find_partners_among(cells_, entry, bodies, moved, found);
+        find_partners_among(others_, entry, bodies, moved, found);
+    }
+    sort_once(found);
+    std::vector<RestPair> pairs;
+    for (const auto& [a, b] : found) {
+        for (int one = 0; one < static_cast<int>(shapes[a].parts.size()); ++one) {
+            for (int two = 0; two < static_cast<int>(shapes[b].parts.size()); ++two) {
+                RestPair& pair = pairs.emplace_back();
+                pair.a = a;
+                pair.b = b;
+                pair.part_a = one;
+                pair.part_b = two;
+            }
         }
     }
-    std::sort(found_.begin(), found_.end());
-    found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
+    return pairs;
 }
 
 /// The circles of a body's parts that another body may reach.

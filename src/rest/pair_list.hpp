@@ -92,6 +92,11 @@ public:
     int update(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes, std::span<const double> radius,
                const PairReach& reach, const BodySet& awake);
 
+    /// Pairs of all parts of some bodies, wherever they are by now, with those of what their boxes overlap: on the list
+    /// or not. All others are within the boxes that they had when it was made.
+    [[nodiscard]] std::vector<RestPair> pairs_at(std::vector<BoxCells::Entry> boxes, std::span<const RestBody> bodies,
+                                                 std::span<const CollisionShape> shapes) const;
+
     /// Some body that is awake, or no longer takes part, was put elsewhere.
     void invalidate() { is_valid_ = false; }
     /// Others are awake now, or take part.
@@ -159,6 +164,8 @@ private:
     void make_box(const RestBody& body, const CollisionShape& shape, int k, double radius, double room);
     void sort_others(std::span<const RestBody> bodies, const BodySet& movers);
     void find_partners(std::span<const RestBody> bodies, const BodySet& movers);
+    void find_partners_among(const BoxCells& others, const BoxCells::Entry& entry, std::span<const RestBody> bodies,
+                             const BodySet& movers, std::vector<std::pair<int, int>>& found) const;
     void find_parts_near(const RestBody& other, double radius, int body, double room, std::vector<int>& parts) const;
     void add_pairs(std::span<const RestBody> bodies, std::span<const double> radius);
 

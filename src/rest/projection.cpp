@@ -73,8 +73,8 @@ namespace {
     if (stays(data, c.a) && stays(data, c.b))
         return std::any_of(points.begin(), points.end(), [&](const ContactPoint& point) { return point.gap < -fair; });
     if ((data.bodies.has_cuts(c.a) || data.bodies.has_cuts(c.b)) && comes_nearer(data, c.a, c.b)) return true;
-    // Corners that are no points were further away; how far isn't known, since what sticks out beyond the end of an edge
-    // was clipped
+    // Corners that are no points were further away; how far isn't known, since what sticks out beyond the end of an
+    // edge was clipped
     double next = 0.0;
     for (const ContactPoint& point : points) {
         if (gap_at_end(data, point) - bent_by_turns(data, point) < -fair) return true;
@@ -108,16 +108,42 @@ namespace {
     return contact;
 }
 
+[[nodiscard]] Pose end_pose(const RestData& data, int body)
+{
+    const BodyState& s = data.bodies.list[body].state;
+    return {s.position + data.motion.shift[body], Rotation::of(s.angle + data.motion.turn[body])};
+}
+
 void set_end_poses(RestData& data, const Island& island)
 {
-    for (const int member : island.members) {
-        const BodyState& s = data.bodies.list[member].state;
-        data.motion.end_poses[member] = {s.position + data.motion.shift[member],
-                                         Rotation::of(s.angle + data.motion.turn[member])};
-    }
+    for (const int member : island.members) data.motion.end_poses[member] = end_pose(data, member);
 }
 
 } // namespace
+
+void Projection::find_unforeseen(RestData& data, const Island& island)
+{
+    unforeseen_.clear();
+    std::vector<BoxCells::Entry> thrown;
+    for (const int member : island.members) {
+        if (data.motion.shift[member].norm() + arc_of(data, member) > data.motion.reach[member])
+            thrown.push_back({bounding_box(data.bodies.list[member].shape, end_pose(data, member)), member});
+    }
+    if (thrown.empty()) return;
+    BodySet members(data.bodies.count());
+    members.insert(island.members);
+    const auto is_ours = [&](int body) { return members.has(body) || data.bodies.list[body].is_static; };
+    const auto has_points = [&](const RestPair& pair) {
+        const auto comes_before = [](const ContactPoint& c, const RestPair& two) {
+            return c.a != two.a ? c.a < two.a : c.b < two.b;
+        };
+        const auto found = std::lower_bound(island.points.begin(), island.points.end(), pair, comes_before);
+        return found != island.points.end() && found->a == pair.a && found->b == pair.b;
+    };
+    unforeseen_ = data.pairs.pairs_at(std::move(thrown), data.bodies.list, data.bodies.shapes);
+    std::erase_if(unforeseen_,
+                  [&](const RestPair& pair) { return !is_ours(pair.a) || !is_ours(pair.b) || has_points(pair); });
+}
 
 double Projection::measure_overlap(RestData& data, const Island& island)
 {
@@ -145,6 +171,8 @@ double Projection::measure_overlap(RestData& data, const Island& island)
 double Projection::measure_overlap_of_heap(RestData& data, const Island& island)
 {
     list_pairs_of(data, island.points);
+    for (std::size_t k = 0; k < unforeseen_.size(); ++k)
+        pairs_near_.push_back(static_cast<int>(data.pairs.pairs().size() + k));
     // The points of each, which stand in the same order; those of parts that have none come with their bodies' others
     const auto for_each = [&](auto&& visit) {
         std::size_t first = 0;
@@ -155,16 +183,19 @@ double Projection::measure_overlap_of_heap(RestData& data, const Island& island)
             first = end;
         }
     };
+    // Where all was solved for lines of push halfway, they say less about where bodies end
+    const auto is_known = [&](std::span<const ContactPoint> points) {
+        if (points.empty() || (island.is_exact && comes_nearer(data, points[0].a, points[0].b))) return false;
+        return !may_be_unfair(data, points);
+    };
     bool is_fair = true;
-    for_each([&](int, std::span<const ContactPoint> points) {
-        is_fair = is_fair && !points.empty() && !may_be_unfair(data, points);
-    });
+    for_each([&](int, std::span<const ContactPoint> points) { is_fair = is_fair && is_known(points); });
     if (is_fair) return 0.0;
 
     set_end_poses(data, island);
     double worst = 0.0;
     for_each([&](int pair, std::span<const ContactPoint> points) {
-        if (points.empty() || may_be_unfair(data, points)) {
+        if (!is_known(points)) {
             worst = std::max(worst, find_overlap_of_pair(data, pair));
             return;
         }
@@ -197,10 +228,16 @@ void Projection::list_pairs_of(const RestData& data, std::span<const ContactPoin
     }
 }
 
+const RestPair& Projection::pair_at(const RestData& data, int index) const
+{
+    const std::span<const RestPair> pairs = data.pairs.pairs();
+    return index < std::ssize(pairs) ? pairs[index] : unforeseen_[index - pairs.size()];
+}
+
 /// The points of a pair as the step ends, and how much it overlaps.  [sizes]
 double Projection::find_overlap_of_pair(RestData& data, int index)
 {
-    const RestPair& pair = data.pairs.pairs()[index];
+    const RestPair& pair = pair_at(data, index);
     const double size = std::min(data.bodies.radius[pair.a], data.bodies.radius[pair.b]);
     const double margin = rest_tolerance::k_watch * size;
     const Pose& pose_a = data.motion.end_poses[pair.a];
@@ -237,9 +274,9 @@ double Projection::find_overlap_of_pair(RestData& data, int index)
 
 /// Moves bodies out of what they overlap: the same conditions for places as for velocities, least by the masses,
 /// without friction. It adds no velocity.
-void Projection::put_apart(RestData& data, const Island& island, double overlap, HeapSweeps& sweeps)
+double Projection::put_apart(RestData& data, const Island& island, double overlap, HeapSweeps& sweeps)
 {
-    if (overlap <= 0.0) return;
+    if (overlap <= 0.0) return 0.0;
     ++data.counts.projected;
     pushes_.resize(data.motion.now.size());
     shift_before_.resize(data.motion.now.size());
@@ -270,11 +307,12 @@ void Projection::put_apart(RestData& data, const Island& island, double overlap,
                 data.motion.shift[member] = shift_before_[member];
                 data.motion.turn[member] = turn_before_[member];
             }
-            return;
+            break;
         }
         overlap = after;
         // [rest.projection.round]
     }
+    return overlap;
 }
 
 /// The ways of the step, and so much of the pushes.

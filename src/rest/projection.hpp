@@ -12,16 +12,20 @@ namespace flying {
 class Projection
 {
 public:
+    /// Lists what bodies of a heap that the step takes further than they were thought to get may have come to overlap:
+    /// of the heap, or static, and without a point.
+    void find_unforeseen(RestData& data, const Island& island);
     /// How deep any two of an island overlap where the step ends; looked at only where they may. Of swept islands what
     /// is fair counts for nothing.  [sizes]
     [[nodiscard]] double measure_overlap(RestData& data, const Island& island);
     /// Moves bodies out of what they overlap there: the same conditions for places as for velocities, least by the
-    /// masses, without friction. It adds no velocity.
+    /// masses, without friction. It adds no velocity. What is left then.  [sizes]
     /// overlap  as `measure_overlap` has just found it
-    void put_apart(RestData& data, const Island& island, double overlap, HeapSweeps& sweeps);
+    double put_apart(RestData& data, const Island& island, double overlap, HeapSweeps& sweeps);
 
 private:
     void list_pairs_of(const RestData& data, std::span<const ContactPoint> points);
+    [[nodiscard]] const RestPair& pair_at(const RestData& data, int index) const;
     [[nodiscard]] double find_overlap_of_pair(RestData& data, int index);
     [[nodiscard]] double measure_overlap_of_heap(RestData& data, const Island& island);
     void push_by(RestData& data, std::span<const int> members, double share) const;
@@ -30,8 +34,9 @@ private:
     void find_pushes(RestData& data, const Island& island, double tolerance, HeapSweeps& sweeps);
 
     std::vector<ContactPoint> points_; // of the pairs that were looked at, as the step ends
-    std::vector<int> pairs_near_;      // those pairs
-    std::vector<Mover> pushes_;        // ways in place of velocities
+    std::vector<int> pairs_near_;      // those pairs: of the list, and after them the unforeseen ones
+    std::vector<RestPair> unforeseen_;
+    std::vector<Mover> pushes_; // ways in place of velocities
     std::vector<Vec2> shift_before_;
     std::vector<double> turn_before_;
 };

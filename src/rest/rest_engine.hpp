@@ -165,9 +165,10 @@ private:
     /// Steps that are made in parts.
     struct Parts
     {
-        std::vector<Again> at; ///< at each depth of parts within parts
-        int made = 0;          ///< of the step of an island
-        std::vector<int> of;   ///< of each body, while pairs are sorted out; -1 for none
+        std::vector<Again> at;  ///< at each depth of parts within parts
+        int made = 0;           ///< of the step of an island
+        bool are_again = false; ///< of a whole step that is made again
+        std::vector<int> of;    ///< of each body, while pairs are sorted out; -1 for none
     };
 
     void list_awake();
@@ -184,7 +185,7 @@ private:
     [[nodiscard]] bool may_be_halved(const Island& island, int depth) const;
     void find_pairs_of(Again& again, std::span<const int> pairs);
     void make_parts(int depth, std::span<const double> cuts);
-    void begin_part(std::span<const int> bodies, int depth, bool is_again);
+    void begin_part(std::span<const int> bodies, int depth);
     [[nodiscard]] bool go_back(Meetings& met);
     void wake_met(Meetings& met);
     void scale_loads_awake(double factor);

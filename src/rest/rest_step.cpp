@@ -53,13 +53,14 @@ void RestEngine::step()
         for (const ContactPoint& point : island.points) data_.max_overlap = std::max(data_.max_overlap, -point.gap);
     }
     parts_.made = 0;
+    parts_.are_again = false;
     solve_islands(0);
     watch.stop(seconds_.solve);
     finish_islands(0, {});
     make_parts(0, {});
     Meetings met;
     for (int round = 0; round < rest_tolerance::k_quick_rounds && go_back(met); ++round)
-        make_parts(0, met.is_whole ? std::span<const double>() : met.moments);
+        make_parts(0, parts_.are_again ? std::span<const double>() : met.moments);
     watch.stop(seconds_.move);
     ++steps_;
     ++data_.counts.steps;
@@ -294,7 +295,7 @@ void RestEngine::make_parts(int depth, std::span<const double> cuts)
             data_.motion.after = after_whole + (whole - end);
             scale_loads(data_, pairs, length / before);
             before = length;
-            begin_part(members, depth, cuts.empty() && part.cut_at == 0.0);
+            begin_part(members, depth);
             found_.clear();
             for (const int pair : pairs) find_contacts(data_, pair, found_);
             islands_.split(data_, members, found_);
@@ -311,17 +312,17 @@ void RestEngine::make_parts(int depth, std::span<const double> cuts)
 }
 
 /// A part of the step begins. As parts of a whole step begin, all is looked at; who may get further in a part of a part
-/// has been thrown.
-///
-/// is_again  it is the whole step once more, and bodies are thought to get as far as it threw them
-void RestEngine::begin_part(std::span<const int> bodies, int depth, bool is_again)
+/// has been thrown. In a whole step that is made again bodies are thought to get as far as it threw them.
+void RestEngine::begin_part(std::span<const int> bodies, int depth)
 {
     measure_reach(bodies);
+    const double share = data_.motion.span / data_.options.step;
     const double now = data_.options.step - data_.motion.after - data_.motion.span;
     for (const int k : bodies) {
         BodyBefore& old = before_[k];
         double& reach = data_.motion.reach[k];
-        if (is_again) reach = old.reach = std::max(reach, farthest_[k]);
+        if (parts_.are_again) reach = std::max(reach, share * farthest_[k]);
+        old.is_parted = true;
         if (depth == 0) old.looked_for = reach;
         else if (reach > old.looked_for) old.thrown_at = std::min(old.thrown_at, now);
     }
@@ -334,16 +335,17 @@ void RestEngine::begin_part(std::span<const int> bodies, int depth, bool is_agai
 /// met  of the step so far: those that went back before do it again, or they would be met where they no longer are
 bool RestEngine::go_back(Meetings& met)
 {
-    bool any = false;
+    std::vector<BoxCells::Entry> thrown;
     for (const int k : moved_) {
         const double way = way_since(data_, before_[k], k);
-        if (!(way > before_[k].reach)) continue;
-        farthest_[k] = std::max(farthest_[k], 2.0 * way);
-        any = true;
+        const bool is_thrown = way > before_[k].reach;
+        if (!is_thrown && !before_[k].is_parted) continue;
+        if (is_thrown) farthest_[k] = std::max(farthest_[k], 2.0 * way);
+        thrown.push_back({bounding_box(data_.bodies.list[k].shape, pose_of(data_.bodies.list[k].state)), k});
     }
-    if (!any) return false;
-    (void)list_pairs();
-    if (!find_meetings(data_, before_, awake_, met)) return false;
+    if (thrown.empty()) return false;
+    const std::vector<RestPair> pairs = data_.pairs.pairs_at(std::move(thrown), data_.bodies.list, data_.bodies.shapes);
+    if (!find_meetings(data_, pairs, before_, awake_, met)) return false;
     wake_met(met);
     bool any_heap = false;
     Again& again = parts_.at[0];
@@ -365,7 +367,7 @@ bool RestEngine::go_back(Meetings& met)
         parts_.of[k] = 0;
     }
     again.parts[0].member_count = static_cast<int>(again.members.size());
-    met.is_whole = any_heap && !are_unequal(data_, again.members);
+    parts_.are_again = any_heap && !are_unequal(data_, again.members);
     (void)list_pairs(); // from where they are again
     find_pairs_of(again, {});
     return true;

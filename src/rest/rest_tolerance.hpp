@@ -54,9 +54,9 @@ inline constexpr double k_watch = 0x1p-6;
 /// may add half as much in one step of a heap that stands. A fifth of the hundredth that a user is promised.
 inline constexpr double k_fair_overlap = 0x1p-9;
 
-/// [sizes] Overlap that the step of a heap of unequal masses may come to, and a meeting that nothing foresaw may leave;
-/// where it is more, the step is made in parts, or again. Sweeps may add as much where a heap moves, and pushes that
-/// take off more need not be paid for. Three quarters of what a user is promised.
+/// [sizes] Overlap that the step of a heap may leave, and a meeting that nothing foresaw; where it is more, the step is
+/// made in halves, or again. Sweeps may add as much where a heap moves, and pushes that take off more need not be paid
+/// for. Three quarters of what a user is promised.
 inline constexpr double k_most_overlap = 0x1p-7;
 
 /// [energies, distances, speeds] Rise that rounding explains; and by how much separations, or approaches, that are
@@ -69,8 +69,7 @@ inline constexpr int k_patience = 64;
 
 /// Rounds of what is right after one or two, or after many: Newton's steps; looks at a pair that closes, each at the
 /// moment that the last one foresaw; lines along curved ways; halvings of a step until all slips last, and of pushes
-/// until they help; parts into which the step of a heap may fall; steps that are made again since bodies met; and
-/// sweeps that what lands may take to add no more overlap than what stands.
+/// until they help; parts into which the step of a heap may fall; and steps that are made again since bodies met.
 inline constexpr int k_quick_rounds = 8;
 
 /// Rounds of what is near after two or three: pushes that take off overlap, each of which leaves about the square of
@@ -119,7 +118,7 @@ inline constexpr int k_most_parts = 256;
 inline constexpr double k_rest_speed = 0x1p-8;
 
 /// [masses] Of the heaviest body of a heap to the lightest: where it is more, sweeps hardly get on. Alternating
-/// directions settle such a heap before sweeps do, and its step may be made in halves.
+/// directions settle such a heap before sweeps do, and its step is made in halves rather than pushed out of an overlap.
 inline constexpr double k_unequal_masses = 0x1p10;
 
 /// Stiffness of the springs of alternating directions against the inertia that they move. The stiffer, the further a

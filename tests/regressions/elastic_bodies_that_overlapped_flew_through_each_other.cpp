@@ -53,6 +53,6 @@ TEST_CASE("elastic bodies that overlap a little when they are let go don't fly t
         CAPTURE(seed);
         World world = world_of(tilted_box(seed));
         run(world, 6.0);
-        CHECK(world.report().max_overlap <= 0.01 * 0.45);
+        CHECK(world.report().max_overlap <= 0.01 * 0.5); // of the smallest bounding circle
     }
 }
