@@ -25,8 +25,8 @@ struct BodyBefore
 /// How far a step has taken any point of a body.  [m]
 [[nodiscard]] double way_since(const RestData& data, const BodyBefore& before, int body);
 
-/// Meetings that a step didn't foresee: bodies that were thrown further than they were thought to get now overlap what
-/// they were not thought to meet.
+/// Meetings that a step didn't foresee: bodies that were thrown further than they were thought to get, or made their
+/// step in parts, now overlap what they were not thought to meet.
 struct Meetings
 {
     std::vector<double> moments; ///< after the start of the step, ascending [s]
