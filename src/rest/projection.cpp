@@ -46,20 +46,22 @@ namespace {
     return c.gap + (c.n_x * shift.x() + c.n_y * shift.y()) + turns;
 }
 
-/// Turns may take so much more from it: points go round, normals turn while bodies slide along, and a disc is touched
-/// elsewhere.  [m]
+/// Turns may take so much more from it, to second order: the normal turns with the body whose face it is, while the
+/// other turns against it and slides along; and a disc is touched elsewhere. Whose face it is isn't known.  [m]
 [[nodiscard]] double bent_by_turns(const RestData& data, const ContactPoint& c)
 {
-    const auto turn_of = [&](int body) {
-        return data.bodies.turning[body] > 0.0 ? std::abs(data.motion.turn[body]) : 0.0;
-    };
-    const auto bend = [&](int body, int other) {
+    const double slide = (data.motion.shift[c.b] - data.motion.shift[c.a]).norm();
+    const auto turn_of = [&](int body) { return data.bodies.turning[body] > 0.0 ? data.motion.turn[body] : 0.0; };
+    const auto bend = [&](int owner, int other) {
+        const double turn = turn_of(owner);
+        const double other_turn = turn_of(other);
         const double radius = data.bodies.radius[other];
         const bool is_disc = data.bodies.turning[other] == 0.0 && std::isfinite(radius);
-        return 0.5 * turn_of(body) * (arc_of(data, body) + turn_of(body) * (is_disc ? radius : 0.0));
+        const double arm = data.bodies.turning[owner] + (is_disc ? radius : 0.0);
+        return 0.5 * (turn * turn) * arm + std::abs(turn) * slide +
+               0.5 * std::abs(other_turn * (other_turn - 2.0 * turn)) * data.bodies.turning[other];
     };
-    const double slide = (data.motion.shift[c.b] - data.motion.shift[c.a]).norm();
-    return bend(c.a, c.b) + bend(c.b, c.a) + std::max(turn_of(c.a), turn_of(c.b)) * slide;
+    return std::max(bend(c.a, c.b), bend(c.b, c.a));
 }
 
 /// A pair that stays fair, however its two turn, need not be looked at. Of bodies that are cut this isn't known: a
