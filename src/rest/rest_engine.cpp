@@ -239,19 +239,20 @@ bool RestEngine::stays_apart(const RestPair& pair, double within) const
 {
     const RestBody& a = data_.bodies.list[pair.a];
     const RestBody& b = data_.bodies.list[pair.b];
-    const auto speed = [&](int index) {
-        const BodyState& s = data_.bodies.list[index].state;
-        return data_.bodies.list[index].is_static ? 0.0
-                                                  : s.velocity.norm() + std::abs(s.spin) * data_.bodies.radius[index];
+    const auto turning = [&](int index) {
+        const RestBody& body = data_.bodies.list[index];
+        return body.is_static ? 0.0 : std::abs(body.state.spin) * data_.bodies.radius[index];
     };
     const auto pull = [&](int index) {
         const bool rests = data_.bodies.list[index].is_static || sleepers_.is_asleep(index);
         return rests ? Vec2(Vec2::Zero()) : field_at(data_, index, data_.bodies.list[index].state.position);
     };
-    const double top = speed(pair.a) + speed(pair.b);
+    const double turns = turning(pair.a) + turning(pair.b);
+    const double top = a.state.velocity.norm() + b.state.velocity.norm() + turns;
+    const double closing = (b.state.velocity - a.state.velocity).norm() + turns; // at most
     const Vec2 fall = pull(pair.b) - pull(pair.a);
     const double touch = data_.bodies.touch_gap(pair.a, pair.b);
-    const double margin = within * (top + 0.5 * within * fall.norm()) + touch;
+    const double margin = within * (closing + 0.5 * within * fall.norm()) + touch;
 
     // Look at the points that are near
     const ConvexPart& part_a = data_.bodies.shapes[pair.a].parts[pair.part_a];
