@@ -137,7 +137,7 @@ void Hybrid::finish_step()
     step_by(step_length(), *step_ends_);
     Stopwatch watch(seconds_);
     follow_sleep();
-    let_go_of_the_clear();
+    if (ends_whole_step(setting_.step, *step_ends_)) let_go_of_the_clear();
     take_in_all_near();
     watch.stop(seconds_between_steps_);
 }

@@ -24,6 +24,11 @@ double next_end(double step, double time, int halvings)
     return count * h;
 }
 
+bool ends_whole_step(double step, double time)
+{
+    return time == std::round(time / step) * step;
+}
+
 double length_of_step(double step, double from, double end)
 {
     const double count = std::round(from / step);

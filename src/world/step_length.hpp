@@ -10,6 +10,9 @@ namespace flying {
 /// The first multiple of the step's length, halved so often, after a moment, but for one that is all but reached.  [s]
 [[nodiscard]] double next_end(double step, double time, int halvings);
 
+/// Whole steps end there, and the last of those into which one is halved.
+[[nodiscard]] bool ends_whole_step(double step, double time);
+
 /// Of a step between two moments: a whole one has its length to the bit, whatever the difference of its ends rounds to.
 /// [s]
 [[nodiscard]] double length_of_step(double step, double from, double end);
