@@ -4,7 +4,7 @@
 // up.
 
 #include <algorithm>
-#include <functional>
+#include <cmath>
 #include <vector>
 
 #include "support/heaps.hpp"
@@ -13,6 +13,18 @@
 
 using namespace flying;
 using namespace flying::testing;
+
+namespace {
+
+/// A disc that nothing leans on goes on for ever, without rolling friction.
+bool rolls_on_the_floor(const BodyState& disc, double radius)
+{
+    const double v = disc.velocity.x();
+    return std::abs(disc.position.y() - radius) <= 1e-3 * radius &&
+           std::abs(v + radius * disc.spin) <= 0.01 * std::abs(v);
+}
+
+} // namespace
 
 TEST_CASE("nearly all heaps of masses over 1 : 1e4 sleep within 20 s, none has sunk, and none creeps")
 {
@@ -26,14 +38,14 @@ TEST_CASE("nearly all heaps of masses over 1 : 1e4 sleep within 20 s, none has s
         run(world, 20.0);
         CHECK(deepest_overlap(world) <= 0.004);
         int awake = 0;
-        std::vector<double> ways; // in the last second [m]
+        double creep = 0.0; // in the last second [m]
         for (int k = 0; k < world.body_count(); ++k) {
             awake += world.mover(k) != BodyMover::asleep ? 1 : 0;
-            ways.push_back((world.state(k).position - places[k]).norm());
+            if (!rolls_on_the_floor(world.state(k), 0.42))
+                creep = std::max(creep, (world.state(k).position - places[k]).norm());
         }
         if (awake == 0) ++asleep;
-        std::sort(ways.begin(), ways.end(), std::greater<>());
-        CHECK(ways[1] <= 5e-5); // one disc may roll
+        CHECK(creep <= 5e-5);
     }
-    CHECK(asleep >= 7); // none at first; of the seeds up to 48, 47
+    CHECK(asleep >= 7); // none at first; of the seeds up to 200, 183, and discs roll in the others
 }
