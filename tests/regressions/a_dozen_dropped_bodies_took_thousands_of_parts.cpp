@@ -1,3 +1,4 @@
+#include "support/effort.hpp"
 #include "support/worlds.hpp"
 
 #include <cmath>
@@ -41,8 +42,8 @@ TEST_CASE("a dozen bodies that are dropped on each other are struck some times i
     int scenes = 0;
     for (const int corners : {4, 5, 6}) {
         for (const double restitution : {0.0, 0.3}) {
-            for (std::uint64_t seed = 1; seed <= 5; ++seed, ++scenes) {
-                World world = world_of(dropped(corners, restitution, seed));
+            for (int seed = 1; seed <= tried(5); ++seed, ++scenes) {
+                World world = world_of(dropped(corners, restitution, static_cast<std::uint64_t>(seed)));
                 run(world, 3.0);
                 const Report report = world.report();
                 REQUIRE(report.rest.has_value());

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "support/effort.hpp"
 #include "support/heaps.hpp"
 #include "support/overlap.hpp"
 #include "support/worlds.hpp"
@@ -28,10 +29,11 @@ bool rolls_on_the_floor(const BodyState& disc, double radius)
 
 TEST_CASE("nearly all heaps of masses over 1 : 1e4 sleep within 20 s, none has sunk, and none creeps")
 {
+    const int heaps = tried(8);
     int asleep = 0;
-    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    for (int seed = 1; seed <= heaps; ++seed) {
         CAPTURE(seed);
-        World world = world_of(heap_of_unequal_masses(100, 1e4, seed));
+        World world = world_of(heap_of_unequal_masses(100, 1e4, static_cast<std::uint64_t>(seed)));
         run(world, 19.0);
         std::vector<Vec2> places;
         for (int k = 0; k < world.body_count(); ++k) places.push_back(world.state(k).position);
@@ -47,5 +49,5 @@ TEST_CASE("nearly all heaps of masses over 1 : 1e4 sleep within 20 s, none has s
         if (awake == 0) ++asleep;
         CHECK(creep <= 5e-5);
     }
-    CHECK(asleep >= 7); // none at first; of the seeds up to 200, 183, and discs roll in the others
+    CHECK(8 * asleep >= 7 * heaps); // none at first; of the seeds up to 200, 183, and discs roll in the others
 }

@@ -9,8 +9,9 @@
 
 namespace flying::testing {
 
-/// How many of random cases a test tries, where every run is to try so many: with the sanitizers, which take ten to twenty
-/// times as long for each, an eighth, one at least. `./course stress tests` sets FLYING_TIMES, and multiplies them.
+/// How many of random cases a test tries, where every run is to try so many: with the sanitizers, which take ten to
+/// twenty times as long for each, an eighth, one at least. `./course stress tests` sets FLYING_TIMES, and multiplies
+/// them.
 [[nodiscard]] inline int tried(int many)
 {
     const char* const times = std::getenv("FLYING_TIMES");
@@ -35,6 +36,16 @@ namespace flying::testing {
 {
     const int count = std::min(tried(static_cast<int>(seeds.size())), static_cast<int>(seeds.size()));
     return {seeds.begin(), seeds.begin() + static_cast<std::ptrdiff_t>(count)};
+}
+
+/// Of cases that a test goes through, all; with the sanitizers every eighth, the first among them.
+template <typename Case>
+[[nodiscard]] std::vector<Case> tried_cases(std::initializer_list<Case> cases)
+{
+    std::vector<Case> result;
+    const std::size_t stride = is_sanitized() ? 8 : 1;
+    for (std::size_t k = 0; k < cases.size(); k += stride) result.push_back(cases.begin()[k]);
+    return result;
 }
 
 } // namespace flying::testing
