@@ -138,7 +138,8 @@ TEST_CASE("a box that falls on a sleeping stack meets it when flight says, wakes
     CHECK(report.energy.kinetic == 0.0);
 }
 
-TEST_CASE("three discs collapse where e is below 7 - 4 sqrt 3: nothing of their relative motion is left, and all fly on")
+TEST_CASE(
+    "three discs collapse where e is below 7 - 4 sqrt 3: nothing of their relative motion is left, and all fly on")
 {
     // Impacts follow each other ever faster until the speeds agree to rounding; nothing presses the discs together then
     const double limit = 7.0 - 4.0 * std::sqrt(3.0);
@@ -206,4 +207,27 @@ TEST_CASE("a world says when the step under way ends, and nothing where no step 
     World alone = world_of(ball_beside_stack(false));
     REQUIRE_FALSE(alone.advance(7.5 * k_step));
     CHECK_FALSE(alone.step_end().has_value());
+}
+
+TEST_CASE("bodies of a wall that is struck are let go where whole steps end, however often fast ones halve them")
+{
+    constexpr double k_step = 1.0 / 60.0;
+    Scene scene = box_in_gravity(0.3, 0.5);
+    for (int row = 0; row < 6; ++row) {
+        for (int k = 0; k < 4; ++k) scene.bodies.push_back(body(RectangleDef{0.6, 0.3}, {0.6 * k, 0.15 + 0.3 * row}));
+    }
+    int let_go = 0;
+    for (const double speed : {20.0, 30.0, 40.0, 60.0}) {
+        CAPTURE(speed);
+        Scene struck = scene;
+        struck.bodies.push_back(body(DiscDef{0.3}, {-8.0, 1.0}, {speed, 1.0}));
+        World world = world_of(struck);
+        run(world, 3.0);
+        for (const Handover& each : world.handovers()) {
+            if (each.to != Handover::To::events) continue;
+            CHECK(each.time == std::round(each.time / k_step) * k_step);
+            ++let_go;
+        }
+    }
+    CHECK(let_go >= 10);
 }

@@ -25,6 +25,21 @@ TEST_CASE("steps end at whole multiples of their length, the next or the one aft
     }
 }
 
+TEST_CASE("of the parts into which a step is halved, the last one ends it as a whole one would")
+{
+    Random random(2713);
+    for (int k = 0; k < 1000; ++k) {
+        const double step = random.uniform(0.001, 0.1);
+        const int halvings = k % 11;
+        double time = random.below(100'000) * step;
+        CHECK(ends_whole_step(step, time));
+        for (int part = (1 << halvings) - 1; part >= 0; --part) {
+            time = next_end(step, time, halvings);
+            CHECK(ends_whole_step(step, time) == (part == 0));
+        }
+    }
+}
+
 TEST_CASE("a whole step has its length to the bit wherever it lies")
 {
     constexpr double k_step = 1.0 / 60.0;
