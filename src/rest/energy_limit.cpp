@@ -243,7 +243,9 @@ double energy_to_spare(const RestData& data, const Island& island, std::span<con
 void limit_energy(RestData& data, const Island& island)
 {
     EnergyGain gain = gain_of(data, island);
-    const double rounding = rest_tolerance::k_rounding * gain.scale;
+    // A body or two in many parts of a step would gain, by what rounding explains in a heap, in each
+    const double rounding =
+        std::min(rest_tolerance::k_rounding, rest_tolerance::k_residual * island.member_count()) * gain.scale;
     if (gain.gained <= rounding) return;
     ++data.counts.limited;
     data.counts.energy_limited += gain.gained;
