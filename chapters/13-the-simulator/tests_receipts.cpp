@@ -104,7 +104,7 @@ TEST_CASE("a body at rest that is struck head-on flies off at less than twice th
 
 
 
-TEST_CASE("the step is halved until no body goes further than a quarter of its size")
+TEST_CASE("the step is halved until no body goes further than half its size")
 {
     for (const double v : {4.0, 6.0, 7.0, 8.0, 14.0, 20.0, 40.0}) {
         // A disc that rolls on the floor of its box
@@ -124,11 +124,11 @@ TEST_CASE("the step is halved until no body goes further than a quarter of its s
         const double d = 1.0 / 60.0;
         const double q = v / R + v / R;
         const double measured = static_cast<double>(move->count) * d;
-        const double halvings = std::ceil(std::log2(4.0 * q * d));
+        const double halvings = std::ceil(std::log2(2.0 * q * d));
         CHECK_EQUATION("simulator.halvings", std::log2(measured), halvings, 1e-12,
                        {"q", q}, {"d", d});
         CHECK_TWIN("simulator.halvings", std::log2(measured),
-                   std::ceil(std::log2(2.0 * q * d)), 1e-12);
+                   std::ceil(std::log2(4.0 * q * d)), 1e-12);
     }
 }
 

@@ -11,7 +11,7 @@ namespace {
 constexpr double k_shortest = 0x1p-20;
 
 /// [sizes] The way of a body in one step: no more, if few enough halvings of the step do it.
-constexpr double k_way = 0x1p-2;
+constexpr double k_way = 0x1p-1;
 constexpr int k_most_halvings = 10;
 
 } // namespace

@@ -56,7 +56,7 @@ TEST_CASE("a step is halved as often as the formula says, and no more than ten t
     for (int k = 0; k < 10'000; ++k) {
         const double step = random.uniform(0.001, 0.1);
         const double pace = std::exp(random.uniform(0.0, 12.0));
-        const double needed = std::ceil(std::log2(4.0 * pace * step));
+        const double needed = std::ceil(std::log2(2.0 * pace * step));
         CHECK(halvings_for(step, pace) == static_cast<int>(std::min(10.0, std::max(0.0, needed))));
     }
 }
