@@ -153,7 +153,6 @@ double IslandStep::end_early(RestData& data, Island& island, bool may_be_halved)
     }
     if (island.points.empty()) return 0.0;
     const bool is_even = is_heap(island) && !are_unequal(data, island.members);
-    if (is_heap(island)) projection_.find_unforeseen(data, island);
     const double overlap = projection_.measure_overlap(data, island);
     if (may_be_halved && !is_even && !is_fair(data, island, overlap)) return 0.5 * data.motion.span;
     const double left = projection_.put_apart(data, island, overlap, sweeps_);

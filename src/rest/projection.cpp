@@ -123,6 +123,30 @@ void set_end_poses(RestData& data, const Island& island)
 
 } // namespace
 
+double Projection::measure_overlap(RestData& data, const Island& island)
+{
+    points_.clear();
+    const std::span<const ContactPoint> points = island.points;
+    if (is_heap(island)) return measure_overlap_of_heap(data, island);
+    const bool any_nearer =
+        std::any_of(points.begin(), points.end(), [&](const ContactPoint& c) { return comes_nearer(data, c.a, c.b); });
+    const bool may_any =
+        std::any_of(points.begin(), points.end(), [&](const ContactPoint& c) { return may_overlap(data, c); });
+    if (!may_any && !any_nearer) return 0.0;
+    set_end_poses(data, island);
+    list_pairs_of(data, points);
+    const auto is_overlap = [&](int index) {
+        const RestPair& pair = data.pairs.pairs()[index];
+        return comes_nearer(data, pair.a, pair.b) && overlap_at_end(data, pair).separation < 0.0;
+    };
+    if (!may_any && std::none_of(pairs_near_.begin(), pairs_near_.end(), is_overlap)) return 0.0;
+    double worst = 0.0;
+    for (const int pair : pairs_near_) worst = std::max(worst, find_overlap_of_pair(data, pair));
+    return worst;
+}
+
+/// Lists what bodies of a heap that the step, or a push, takes further than they were thought to get may have come to
+/// overlap: of the heap, or static, and without a point.
 void Projection::find_unforeseen(RestData& data, const Island& island)
 {
     unforeseen_.clear();
@@ -147,31 +171,10 @@ void Projection::find_unforeseen(RestData& data, const Island& island)
                   [&](const RestPair& pair) { return !is_ours(pair.a) || !is_ours(pair.b) || has_points(pair); });
 }
 
-double Projection::measure_overlap(RestData& data, const Island& island)
-{
-    points_.clear();
-    const std::span<const ContactPoint> points = island.points;
-    if (is_heap(island)) return measure_overlap_of_heap(data, island);
-    const bool any_nearer =
-        std::any_of(points.begin(), points.end(), [&](const ContactPoint& c) { return comes_nearer(data, c.a, c.b); });
-    const bool may_any =
-        std::any_of(points.begin(), points.end(), [&](const ContactPoint& c) { return may_overlap(data, c); });
-    if (!may_any && !any_nearer) return 0.0;
-    set_end_poses(data, island);
-    list_pairs_of(data, points);
-    const auto is_overlap = [&](int index) {
-        const RestPair& pair = data.pairs.pairs()[index];
-        return comes_nearer(data, pair.a, pair.b) && overlap_at_end(data, pair).separation < 0.0;
-    };
-    if (!may_any && std::none_of(pairs_near_.begin(), pairs_near_.end(), is_overlap)) return 0.0;
-    double worst = 0.0;
-    for (const int pair : pairs_near_) worst = std::max(worst, find_overlap_of_pair(data, pair));
-    return worst;
-}
-
 /// Only pairs that may overlap more than is fair are looked at: of the others it is known well enough where they end.
 double Projection::measure_overlap_of_heap(RestData& data, const Island& island)
 {
+    find_unforeseen(data, island);
     list_pairs_of(data, island.points);
     for (std::size_t k = 0; k < unforeseen_.size(); ++k)
         pairs_near_.push_back(static_cast<int>(data.pairs.pairs().size() + k));

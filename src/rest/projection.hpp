@@ -12,9 +12,6 @@ namespace flying {
 class Projection
 {
 public:
-    /// Lists what bodies of a heap that the step takes further than they were thought to get may have come to overlap:
-    /// of the heap, or static, and without a point.
-    void find_unforeseen(RestData& data, const Island& island);
     /// How deep any two of an island overlap where the step ends; looked at only where they may. Of swept islands what
     /// is fair counts for nothing.  [sizes]
     [[nodiscard]] double measure_overlap(RestData& data, const Island& island);
@@ -27,6 +24,7 @@ private:
     void list_pairs_of(const RestData& data, std::span<const ContactPoint> points);
     [[nodiscard]] const RestPair& pair_at(const RestData& data, int index) const;
     [[nodiscard]] double find_overlap_of_pair(RestData& data, int index);
+    void find_unforeseen(RestData& data, const Island& island);
     [[nodiscard]] double measure_overlap_of_heap(RestData& data, const Island& island);
     void push_by(RestData& data, std::span<const int> members, double share) const;
     [[nodiscard]] bool may_pay(const RestData& data, const Island& island, double lift) const;
