@@ -13,7 +13,7 @@ using namespace flying::testing;
 
 TEST_CASE("boxes that lean on each other keep their momentum along a smooth floor")
 {
-    for (const std::uint64_t seed : tried({1, 2, 3, 4})) {
+    for (const std::uint64_t seed : tried<std::uint64_t>({1, 2, 3, 4})) {
         Random random(seed);
         Scene scene;
         scene.world.field = UniformField{{0.0, -9.81}};

@@ -45,12 +45,11 @@ TEST_CASE("elastic bodies without friction that touch at the start keep their en
         double drop;
         double tilt;
     };
-    for (const Case& each :
-         tried_cases({Case{1, 1, 1.0, 3.0, 0.0}, Case{2, 2, 3.0, 3.0, 0.0}, Case{5, 3, 1.0, 3.0, 0.0},
-                      Case{5, 3, 10.0, 0.3, 0.0}, Case{8, 8, 3.0, 3.0, 0.0}, Case{12, 5, 3.0, 3.0, 0.0},
-                      Case{12, 5, 1.0, 0.3, 0.0}, Case{19, 8, 3.0, 3.0, 1.0}, Case{38, 8, 3.0, 3.0, 0.0},
-                      Case{38, 5, 3.0, 3.0, 0.0}, Case{38, 5, 10.0, 3.0, 0.0}, Case{38, 8, 10.0, 5.0, 2.0},
-                      Case{76, 8, 3.0, 3.0, 0.0}})) {
+    for (const Case& each : tried({Case{1, 1, 1.0, 3.0, 0.0}, Case{2, 2, 3.0, 3.0, 0.0}, Case{5, 3, 1.0, 3.0, 0.0},
+                                   Case{5, 3, 10.0, 0.3, 0.0}, Case{8, 8, 3.0, 3.0, 0.0}, Case{12, 5, 3.0, 3.0, 0.0},
+                                   Case{12, 5, 1.0, 0.3, 0.0}, Case{19, 8, 3.0, 3.0, 1.0}, Case{38, 8, 3.0, 3.0, 0.0},
+                                   Case{38, 5, 3.0, 3.0, 0.0}, Case{38, 5, 10.0, 3.0, 0.0}, Case{38, 8, 10.0, 5.0, 2.0},
+                                   Case{76, 8, 3.0, 3.0, 0.0}})) {
         CAPTURE(each.count);
         CAPTURE(each.mass);
         World world = world_of(pit(each.count, each.columns, each.mass, each.drop, each.tilt));

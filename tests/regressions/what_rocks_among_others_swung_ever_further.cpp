@@ -43,9 +43,8 @@ TEST_CASE("a plank that rocks among others goes on to rock as far")
         double thickness; // [m]
         double spin;      // [rad/s]
     };
-    for (const Case& each :
-         tried_cases({Case{1, 0.2, 1.0}, Case{3, 0.2, 0.5}, Case{3, 0.4, 1.0}, Case{4, 0.3, 0.8}, Case{6, 0.2, 0.5},
-                      Case{6, 0.4, 1.0}, Case{10, 0.2, 0.5}, Case{10, 0.4, 0.5}})) {
+    for (const Case& each : tried({Case{1, 0.2, 1.0}, Case{3, 0.2, 0.5}, Case{3, 0.4, 1.0}, Case{4, 0.3, 0.8},
+                                   Case{6, 0.2, 0.5}, Case{6, 0.4, 1.0}, Case{10, 0.2, 0.5}, Case{10, 0.4, 0.5}})) {
         CAPTURE(each.boxes);
         CAPTURE(each.thickness);
         World world = world_of(rocker(each.boxes, each.thickness, each.spin));

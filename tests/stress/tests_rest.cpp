@@ -100,7 +100,7 @@ TEST_CASE("a pile of 64 polygons settles with few solves a step, and stays where
 TEST_CASE("crowds of heavy bodies behind light ones lose no body through their walls")
 {
     // Scenes of ./course stress that lost bodies while only sweeps ended the approaches
-    for (const std::uint64_t seed : flying::testing::tried({11, 17, 37, 60, 69, 77, 99})) {
+    for (const std::uint64_t seed : flying::testing::tried<std::uint64_t>({11, 17, 37, 60, 69, 77, 99})) {
         const RestFindings findings = run_rest_scene(make_rest_scene(seed), 10, Integrator::automatic);
         CAPTURE(seed);
         CHECK(findings.lost == 0);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <cstdlib>
 #include <initializer_list>
 #include <vector>
@@ -31,16 +30,9 @@ namespace flying::testing {
 #endif
 }
 
-/// Of the seeds of cases that went wrong once, all; with the sanitizers the first eighth, one at least.
-[[nodiscard]] inline std::vector<std::uint64_t> tried(std::initializer_list<std::uint64_t> seeds)
-{
-    const int count = std::min(tried(static_cast<int>(seeds.size())), static_cast<int>(seeds.size()));
-    return {seeds.begin(), seeds.begin() + static_cast<std::ptrdiff_t>(count)};
-}
-
-/// Of cases that a test goes through, all; with the sanitizers every eighth, the first among them.
+/// Of cases that a test lists, all; with the sanitizers every eighth, the first among them.
 template <typename Case>
-[[nodiscard]] std::vector<Case> tried_cases(std::initializer_list<Case> cases)
+[[nodiscard]] std::vector<Case> tried(std::initializer_list<Case> cases)
 {
     std::vector<Case> result;
     const std::size_t stride = is_sanitized() ? 8 : 1;
