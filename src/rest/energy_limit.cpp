@@ -243,7 +243,7 @@ double energy_to_spare(const RestData& data, const Island& island, std::span<con
 void limit_energy(RestData& data, const Island& island)
 {
     EnergyGain gain = gain_of(data, island);
-    // A body or two in many parts of a step would gain, by what rounding explains in a heap, in each
+    // What only a heap's rounding explains, a few bodies would gain in each of the many parts of a step
     const double rounding =
         std::min(rest_tolerance::k_rounding, rest_tolerance::k_residual * island.member_count()) * gain.scale;
     if (gain.gained <= rounding) return;
