@@ -198,21 +198,37 @@ bool HandOver::is_near(const Aabb& box) const
     return !reaches_.visit_all_at(box, [](const BoxCells::Entry&) { return false; });
 }
 
-std::vector<int> HandOver::may_leave(std::vector<int> may_go) const
+std::vector<int> HandOver::may_leave(const std::vector<int>& may_go)
 {
-    const auto goes = [&](int body) { return std::binary_search(may_go.begin(), may_go.end(), body); };
-    while (true) {
-        std::vector<int> going;
-        for (const BoxCells::Entry& one : reaches_.entries()) {
-            if (!goes(one.body)) continue;
-            const bool stays_clear =
-                reaches_.visit_all_at(one.box, [&](const BoxCells::Entry& other) { return goes(other.body); });
-            if (stays_clear) going.push_back(one.body);
-        }
-        std::sort(going.begin(), going.end());
-        if (going.size() == may_go.size()) return going;
-        may_go = std::move(going);
+    const std::vector<BoxCells::Entry>& entries = reaches_.entries();
+    std::vector<char> goes;
+    for (const BoxCells::Entry& one : entries)
+        goes.push_back(std::binary_search(may_go.begin(), may_go.end(), one.body));
+
+    // What stays holds back what is in its reach, and that holds back others
+    std::vector<std::size_t> held;
+    for (std::size_t k = 0; k < entries.size(); ++k) {
+        if (!goes[k]) continue;
+        goes[k] = reaches_.visit_all_at(
+            entries[k].box, [&](const BoxCells::Entry& other) { return goes[&other - entries.data()] != 0; });
+        if (!goes[k]) held.push_back(k);
     }
+    for (std::size_t k = 0; k < held.size(); ++k) {
+        reaches_.visit_all_at(entries[held[k]].box, [&](const BoxCells::Entry& other) {
+            const std::ptrdiff_t place = &other - entries.data();
+            if (goes[place]) held.push_back(place);
+            goes[place] = 0;
+            return true;
+        });
+    }
+    looked_at_ += static_cast<std::int64_t>(may_go.size() + held.size());
+
+    std::vector<int> going;
+    for (std::size_t k = 0; k < entries.size(); ++k) {
+        if (goes[k]) going.push_back(entries[k].body);
+    }
+    std::sort(going.begin(), going.end());
+    return going;
 }
 
 } // namespace flying

@@ -73,7 +73,7 @@ public:
     [[nodiscard]] bool is_near(const Aabb& box) const;
     /// Of bodies that could go, and are awake, those that no other will take in again.
     /// may_go  ascending, as is what comes back
-    [[nodiscard]] std::vector<int> may_leave(std::vector<int> may_go) const;
+    [[nodiscard]] std::vector<int> may_leave(const std::vector<int>& may_go);
 
     /// Bodies looked at, those that sleep too, in all.
     [[nodiscard]] std::int64_t looked_at() const { return looked_at_; }

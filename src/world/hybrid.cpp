@@ -324,7 +324,7 @@ void Hybrid::let_go_of_the_clear()
     // What would be taken in again by one that stays, stays
     begin_hand_over();
     hand_over_.reach(next_end(setting_.step, resting_->time(), 0) - resting_->time());
-    const std::vector<int> going = hand_over_.may_leave(std::move(may_go));
+    const std::vector<int> going = hand_over_.may_leave(may_go);
     if (going.empty()) return;
 
     Change change;

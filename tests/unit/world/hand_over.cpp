@@ -112,3 +112,60 @@ TEST_CASE("a step asks for none of those that sleep elsewhere")
         CHECK(work == alone);
     }
 }
+
+TEST_CASE("those are let go that nothing holds back, by itself or by others, whatever else may go")
+{
+    Random random(2811);
+    for (int round = 0; round < 200; ++round) {
+        const double width = random.uniform(5.0, 25.0);
+        std::vector<Leaning> awake;
+        std::vector<int> may_go;
+        for (int k = 0; k < 60; ++k) {
+            awake.push_back(body_at(k, Vec2(random.uniform(0.0, width), random.uniform(0.0, width)), 0.0));
+            if (random.uniform(0.0, 1.0) < 0.9) may_go.push_back(k);
+        }
+        HandOver rules;
+        rules.begin(awake);
+        rules.reach(0.02);
+
+        // By asking again and again, all of them
+        const std::vector<BoxCells::Entry> reaches = plain_reaches(awake, {}, 0.02);
+        std::vector<int> going = may_go;
+        for (bool changed = true; changed;) {
+            const std::vector<int> before = going;
+            const auto is_held = [&](int body) {
+                return std::any_of(reaches.begin(), reaches.end(), [&](const BoxCells::Entry& other) {
+                    return overlap(reaches[body].box, other.box) &&
+                           !std::binary_search(before.begin(), before.end(), other.body);
+                });
+            };
+            going.erase(std::remove_if(going.begin(), going.end(), is_held), going.end());
+            changed = going.size() != before.size();
+        }
+        CHECK(rules.may_leave(may_go) == going);
+    }
+}
+
+TEST_CASE("to let go one of a column, and hold back the others, takes work in proportion to its height")
+{
+    std::int64_t of_ten = 0;
+    for (const int count : {10, 100, 1000}) {
+        std::vector<Leaning> awake;
+        std::vector<int> may_go;
+        for (int k = 0; k <= count; ++k) {
+            awake.push_back(body_at(k, Vec2(0.0, k), 0.0)); // the lowest stays
+            if (k > 0) may_go.push_back(k);
+        }
+        awake.push_back(body_at(count + 1, Vec2(5.0, 0.0), 0.0));
+        may_go.push_back(count + 1);
+        HandOver rules;
+        rules.begin(awake);
+        rules.reach(0.02);
+        const std::int64_t before = rules.looked_at();
+        CHECK(rules.may_leave(may_go) == std::vector<int>{count + 1});
+        const std::int64_t work = rules.looked_at() - before;
+        if (count == 10) of_ten = work;
+        CHECK(work > 0);
+        CHECK(work <= of_ten * (count / 10));
+    }
+}
