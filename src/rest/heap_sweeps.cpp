@@ -92,7 +92,7 @@ void HeapSweeps::sweep_large(RestData& data, Island& island)
     plan.enough = rest_tolerance::k_blow * energy_of_fall(data, island);
     plan.tolerance = rest_tolerance::k_blow * field;
     sweeps_.sweep(data.motion.now, members, points, plan, data.solver.counts());
-    settle(data, island, points, std::max(rest, mean_speed(data, members)));
+    settle(data, island, points, std::max(rest, mean_speed(data, members)), before == 0.0);
     const bool is_standing = before <= rest_tolerance::k_standing * field;
     sweep_on(data, island, data.motion.now, points, {data.options.step, !is_standing && is_large(island)});
 
@@ -116,17 +116,21 @@ void HeapSweeps::sweep_large(RestData& data, Island& island)
 /// What each point of a row of bodies lacks adds up along it, and no row of a heap need be longer than the root of how
 /// many bodies it has. So a heap is swept again where any point lacks more than that part of how fast bodies move,
 /// or of the speed that counts as rest. Sweeps hardly lead on what light bodies bear of heavy ones; alternating
-/// directions do, whatever the masses.
+/// directions do, whatever the masses. They also find the forces of what is to stand from the start, as a wall that was
+/// built and not poured: by sweeps it would sink until its impulses have grown, and shake for long.
 ///
-/// speed  of the bodies, or that of rest [m/s]
-void HeapSweeps::settle(RestData& data, const Island& island, std::span<ContactPoint> points, double speed)
+/// speed      of the bodies, or that of rest [m/s]
+/// has_stood  no body moved when the step began
+void HeapSweeps::settle(RestData& data, const Island& island, std::span<ContactPoint> points, double speed,
+                        bool has_stood)
 {
     const std::span<Mover> movers = data.motion.now;
     const double most = speed / std::sqrt(static_cast<double>(island.member_count()));
     if (are_satisfied(points, movers, most)) return;
     take_back(movers, points);
-    if (are_unequal(data, island.members)) {
-        data.solver.solve_by_turns(movers, island.members, points, most, rest_tolerance::k_more_sweeps);
+    if (has_stood || are_unequal(data, island.members)) {
+        const int rounds = (has_stood ? rest_tolerance::k_few_rounds : 1) * rest_tolerance::k_more_sweeps;
+        data.solver.solve_by_turns(movers, island.members, points, most, rounds);
         take_back(movers, points);
     }
     SweepPlan plan;

@@ -73,7 +73,8 @@ inline constexpr int k_patience = 64;
 inline constexpr int k_quick_rounds = 8;
 
 /// Rounds of what is near after two or three: pushes that take off overlap, each of which leaves about the square of
-/// what it found; ends of slips in one step; and, for each point, pieces of a path that begins with nothing.
+/// what it found; ends of slips in one step; and, for each point, pieces of a path that begins with nothing. What stood
+/// gets as many times the rounds of alternating directions: 512 are enough for a wall of 10^4 bricks.
 inline constexpr int k_few_rounds = 4;
 
 /// Points, or bodies, of the largest island that is followed in detail: the end of each slip, the moment of each
