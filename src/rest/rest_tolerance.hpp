@@ -18,7 +18,7 @@ inline constexpr double k_stagnant = 16.0;
 inline constexpr double k_stiffness = 0x1p32;
 
 /// [speeds that the field gives in a step] Slower is still: what the solve leaves of an island that nothing moves, with
-/// room; and a hundredth of what a slope gives that is 1e-9 too steep. Slip below this has ended.
+/// room; and a third of what a slope of 1 : 2 gives that is 1e-10 too steep. Slip below this has ended.
 inline constexpr double k_still = 0x1p-36;
 
 /// [speeds that the field gives in a step] A slower approach that brings no rebound is left to the load, of which it is
