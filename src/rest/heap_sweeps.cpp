@@ -92,7 +92,7 @@ void HeapSweeps::sweep_large(RestData& data, Island& island)
     plan.enough = rest_tolerance::k_blow * energy_of_fall(data, island);
     plan.tolerance = rest_tolerance::k_blow * field;
     sweeps_.sweep(data.motion.now, members, points, plan, data.solver.counts());
-    settle(data, island, points, std::max(rest, mean_speed(data, members)), before == 0.0);
+    settle(data, island, points, std::max(rest, mean_speed(data, members)));
     const bool is_standing = before <= rest_tolerance::k_standing * field;
     sweep_on(data, island, data.motion.now, points, {data.options.step, !is_standing && is_large(island)});
 
@@ -119,15 +119,14 @@ void HeapSweeps::sweep_large(RestData& data, Island& island)
 /// directions do, whatever the masses. They also find the forces of what is to stand from the start, as a wall that was
 /// built and not poured: by sweeps it would sink until its impulses have grown, and shake for long.
 ///
-/// speed      of the bodies, or that of rest [m/s]
-/// has_stood  no body moved when the step began
-void HeapSweeps::settle(RestData& data, const Island& island, std::span<ContactPoint> points, double speed,
-                        bool has_stood)
+/// speed  of the bodies, or that of rest [m/s]
+void HeapSweeps::settle(RestData& data, const Island& island, std::span<ContactPoint> points, double speed)
 {
     const std::span<Mover> movers = data.motion.now;
     const double most = speed / std::sqrt(static_cast<double>(island.member_count()));
     if (are_satisfied(points, movers, most)) return;
     take_back(movers, points);
+    const bool has_stood = stood(data, island);
     if (has_stood || are_unequal(data, island.members)) {
         const int rounds = (has_stood ? rest_tolerance::k_few_rounds : 1) * rest_tolerance::k_more_sweeps;
         data.solver.solve_by_turns(movers, island.members, points, most, rounds);

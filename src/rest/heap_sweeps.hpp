@@ -36,7 +36,7 @@ private:
     };
 
     void set_velocity_bias_swept(const RestData& data, const Island& island, bool is_calm) const;
-    void settle(RestData& data, const Island& island, std::span<ContactPoint> points, double speed, bool has_stood);
+    void settle(RestData& data, const Island& island, std::span<ContactPoint> points, double speed);
     void sweep(RestData& data, const Island& island, std::span<Mover> movers, std::span<ContactPoint> points,
                double tolerance);
     void sweep_on(RestData& data, const Island& island, std::span<Mover> movers, std::span<ContactPoint> points,
