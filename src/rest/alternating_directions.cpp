@@ -6,37 +6,22 @@
 #include "rest/rest_tolerance.hpp"
 
 namespace flying {
-namespace {
 
 using rest_tolerance::k_over_relaxation;
-using rest_tolerance::k_soft_stiffness;
-
-/// Stiffness of a point's spring along its normal.  [kg]
-[[nodiscard]] double stiffness_n(const ContactPoint& c)
-{
-    return k_soft_stiffness * c.normal_mass;
-}
-
-/// The same along its tangent.  [kg]
-[[nodiscard]] double stiffness_t(const ContactPoint& c)
-{
-    return c.friction > 0.0 ? k_soft_stiffness * c.tangent_mass : 0.0;
-}
-
-} // namespace
 
 void AlternatingDirections::solve(PieceSystem& pieces, ContactProblem& problem, double tolerance, int rounds)
 {
-    pieces.set_stiffness(k_soft_stiffness);
+    pieces.set_soft(problem);
     start(pieces, problem);
     if (pieces.factorise(problem)) go_round(pieces, problem, tolerance, rounds);
-    pieces.set_stiffness(rest_tolerance::k_stiffness);
+    pieces.set_hard();
 }
 
 /// A point that parts, or slips, was denied what would have held it.
 void AlternatingDirections::start(PieceSystem& pieces, ContactProblem& problem)
 {
     asked_.resize(problem.impulse.size());
+    spring_.resize(problem.impulse.size());
     for (std::size_t k = 0; k < problem.points.size(); ++k) {
         const ContactPoint& c = problem.points[k];
         if (std::isinf(c.bound)) { // without a spring
@@ -44,13 +29,15 @@ void AlternatingDirections::start(PieceSystem& pieces, ContactProblem& problem)
             pieces.set_mode(k, PieceSystem::Mode::apart);
             continue;
         }
+        spring_[2 * k] = pieces.spring(c.normal_mass);
+        spring_[2 * k + 1] = c.friction > 0.0 ? pieces.spring(c.tangent_mass) : 0.0;
         const double u_n = problem.slip[2 * k];
         const double u_t = problem.slip[2 * k + 1];
         const bool slips = std::abs(c.tangent) >= c.friction * c.normal && c.tangent * u_t <= 0.0;
         problem.impulse[2 * k] = c.normal;
         problem.impulse[2 * k + 1] = c.tangent;
-        asked_[2 * k] = c.normal > 0.0 ? c.normal : -stiffness_n(c) * std::max(u_n, 0.0);
-        asked_[2 * k + 1] = c.tangent - (slips ? stiffness_t(c) * u_t : 0.0);
+        asked_[2 * k] = c.normal > 0.0 ? c.normal : -spring_[2 * k] * std::max(u_n, 0.0);
+        asked_[2 * k + 1] = c.tangent - (slips ? spring_[2 * k + 1] * u_t : 0.0);
         pieces.set_mode(k, c.friction > 0.0 ? PieceSystem::Mode::stuck : PieceSystem::Mode::slips_forwards);
     }
 }
@@ -67,8 +54,8 @@ void AlternatingDirections::go_round(PieceSystem& pieces, ContactProblem& proble
             const ContactPoint& c = problem.points[k];
             const double* j = &problem.impulse[2 * k];
             const double* u = &problem.slip[2 * k];
-            pieces.push(problem, k, (2.0 * j[0] - asked_[2 * k]) - (c.normal + stiffness_n(c) * u[0]),
-                        (2.0 * j[1] - asked_[2 * k + 1]) - (c.tangent + stiffness_t(c) * u[1]));
+            pieces.push(problem, k, (2.0 * j[0] - asked_[2 * k]) - (c.normal + spring_[2 * k] * u[0]),
+                        (2.0 * j[1] - asked_[2 * k + 1]) - (c.tangent + spring_[2 * k + 1] * u[1]));
         }
         pieces.solve_stuck();
         // [rest.alternate.together]
@@ -82,8 +69,8 @@ void AlternatingDirections::go_round(PieceSystem& pieces, ContactProblem& proble
             const PieceSystem::Change change = pieces.change(problem, k);
             double* j = &problem.impulse[2 * k];
             double* asked = &asked_[2 * k];
-            const double normal = (j[0] - asked[0]) - stiffness_n(c) * (problem.slip[2 * k] + change.normal);
-            const double tangent = (j[1] - asked[1]) - stiffness_t(c) * (problem.slip[2 * k + 1] + change.tangent);
+            const double normal = (j[0] - asked[0]) - spring_[2 * k] * (problem.slip[2 * k] + change.normal);
+            const double tangent = (j[1] - asked[1]) - spring_[2 * k + 1] * (problem.slip[2 * k + 1] + change.tangent);
             asked[0] += k_over_relaxation * normal;
             asked[1] += k_over_relaxation * tangent;
             j[0] = std::max(asked[0], 0.0);

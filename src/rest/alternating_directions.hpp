@@ -28,6 +28,8 @@ private:
     void start(PieceSystem& pieces, ContactProblem& problem);
     void go_round(PieceSystem& pieces, ContactProblem& problem, double tolerance, int rounds);
 
+    /// Stiffness of a point's springs, normal and tangential.  [kg]
+    std::vector<double> spring_;
     /// What a point is asked for, normal and tangential: its impulse, less what it was denied.  [N s]
     std::vector<double> asked_;
 };

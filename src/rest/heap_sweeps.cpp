@@ -128,7 +128,7 @@ void HeapSweeps::settle(RestData& data, const Island& island, std::span<ContactP
     take_back(movers, points);
     const bool has_stood = stood(data, island);
     if (has_stood || are_unequal(data, island.members)) {
-        const int rounds = (has_stood ? rest_tolerance::k_few_rounds : 1) * rest_tolerance::k_more_sweeps;
+        const int rounds = (has_stood ? rest_tolerance::k_few_sweeps : 1) * rest_tolerance::k_more_sweeps;
         data.solver.solve_by_turns(movers, island.members, points, most, rounds);
         take_back(movers, points);
     }

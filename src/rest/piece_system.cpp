@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include "rest/push_lines.hpp"
 #include "rest/rest_tolerance.hpp"
 
 namespace flying {
 
+using rest_tolerance::k_soft_stiffness;
 using rest_tolerance::k_stiffness;
 
 void PieceSystem::begin(ContactProblem& problem, std::span<const int> members, std::size_t movers)
@@ -36,10 +38,23 @@ void PieceSystem::begin(ContactProblem& problem, std::span<const int> members, s
     is_factorised_ = false;
 }
 
-void PieceSystem::set_stiffness(double stiffness)
+void PieceSystem::set_hard()
 {
-    stiffness_ = stiffness;
+    mean_inertia_ = 0.0;
     is_factorised_ = false;
+}
+
+void PieceSystem::set_soft(const ContactProblem& problem)
+{
+    double sum = 0.0;
+    for (const ContactPoint& c : problem.points) sum += c.normal_mass;
+    mean_inertia_ = sum / static_cast<double>(problem.points.size());
+    is_factorised_ = false;
+}
+
+double PieceSystem::spring(double inertia) const
+{
+    return mean_inertia_ > 0.0 ? k_soft_stiffness * std::sqrt(inertia * mean_inertia_) : k_stiffness * inertia;
 }
 
 bool PieceSystem::factorise(const ContactProblem& problem)
@@ -74,8 +89,8 @@ void PieceSystem::assemble(const ContactProblem& problem)
             add(left.a, share, t.a);
             add(left.b, share, t.b);
         }
-        const double stiffness_n = stiffness_ * c.normal_mass;
-        const double stiffness_t = grips ? stiffness_ * c.tangent_mass : 0.0;
+        const double stiffness_n = spring(c.normal_mass);
+        const double stiffness_t = grips ? spring(c.tangent_mass) : 0.0;
         if (a < ground) add_product(blocks_.diagonal(a), stiffness_n, left.a, n.a);
         if (a < ground && grips) add_product(blocks_.diagonal(a), stiffness_t, t.a, t.a);
         if (b < ground) add_product(blocks_.diagonal(b), stiffness_n, left.b, n.b);

@@ -32,8 +32,14 @@ public:
     /// members  the island's bodies that can move, ascending, as in `problem.bodies`
     /// movers   number of all bodies
     void begin(ContactProblem& problem, std::span<const int> members, std::size_t movers);
-    /// Of the springs, against the inertia that they move: hard ones, unless said otherwise.
-    void set_stiffness(double stiffness);
+    /// Springs as stiff as the inertia that each moves asks for, times `k_stiffness`; so they begin.
+    void set_hard();
+    /// Springs `k_soft_stiffness` times the geometric mean of that inertia and of all points' mean. Springs that suit
+    /// each point are too soft between light bodies that bear heavy ones; of equal ones, friction of light bodies
+    /// doesn't follow.
+    void set_soft(const ContactProblem& problem);
+    /// Of a point's spring, with the inertia that it moves along its normal or tangent.  [kg]
+    [[nodiscard]] double spring(double inertia) const;
 
     [[nodiscard]] const std::vector<Mode>& modes() const { return modes_; }
     [[nodiscard]] Mode mode(std::size_t point) const { return modes_[point]; }
@@ -65,7 +71,7 @@ private:
     void assemble(const ContactProblem& problem);
 
     BlockSystem blocks_;
-    double stiffness_ = rest_tolerance::k_stiffness;
+    double mean_inertia_ = 0.0; // where springs are soft [kg]
     std::vector<Mode> modes_;
     std::vector<Mode> modes_factorised_;
     bool is_factorised_ = false;

@@ -73,8 +73,7 @@ inline constexpr int k_patience = 64;
 inline constexpr int k_quick_rounds = 8;
 
 /// Rounds of what is near after two or three: pushes that take off overlap, each of which leaves about the square of
-/// what it found; ends of slips in one step; and, for each point, pieces of a path that begins with nothing. What stood
-/// gets as many times the rounds of alternating directions: 512 are enough for a wall of 10^4 bricks.
+/// what it found; ends of slips in one step; and, for each point, pieces of a path that begins with nothing.
 inline constexpr int k_few_rounds = 4;
 
 /// Points, or bodies, of the largest island that is followed in detail: the end of each slip, the moment of each
@@ -122,9 +121,10 @@ inline constexpr double k_rest_speed = 0x1p-8;
 /// directions settle such a heap before sweeps do, and its step is made in halves rather than pushed out of an overlap.
 inline constexpr double k_unequal_masses = 0x1p10;
 
-/// Stiffness of the springs of alternating directions against the inertia that they move. The stiffer, the further a
-/// load gets in a round; with 512, friction no longer follows it.
-inline constexpr double k_soft_stiffness = 64.0;
+/// Stiffness of the springs of alternating directions, against the inertia that a point moves, and against that which
+/// points move on average: against the geometric mean of both. The stiffer, the further a load gets in a round; with
+/// 512, friction no longer follows it.
+inline constexpr double k_soft_stiffness = 128.0;
 
 /// Over-relaxation of alternating directions: of the way to where a round leads, that much is gone. From 1.5 to 1.8 is
 /// usual (Boyd et al. 2011, 3.4.3).
@@ -134,7 +134,8 @@ inline constexpr double k_over_relaxation = 1.6;
 inline constexpr int k_more_sweeps = 128;
 
 /// Sweeps that end the impacts of a heap, and that take off its overlap; rounds of alternating directions before a
-/// search begins again from where they lead.
+/// search begins again from where they lead. What stood gets as many times the rounds of what moves: 2048 are enough for
+/// bricks of which some weigh a thousand times as much as others; like ones take some fifty.
 inline constexpr int k_few_sweeps = 16;
 
 } // namespace flying::rest_tolerance
