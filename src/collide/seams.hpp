@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -31,6 +32,33 @@ struct Seam
     bool is_loose = false; ///< the two may part: the polygon needs what touches its corner, whatever lies beside it
 };
 
+/// Part of an edge that can be struck: beyond its ends there may be a crack that is none, and a neighbour may hide an
+/// end.
+struct OpenPart
+{
+    double from = 0.0;   ///< [m]
+    double length = 0.0; ///< [m]
+};
+[[nodiscard]] inline OpenPart open_part(const Edge& edge, std::span<const Seam> seams)
+{
+    OpenPart part{0.0, edge.length};
+    for (const Seam& seam : seams) {
+        const bool is_hidden = seam.hidden == edge.from;
+        if (!is_hidden && (seam.open != edge.from || seam.bend == Seam::Bend::ridge)) continue;
+        const double longer = is_hidden ? -seam.crack : seam.crack;
+        if (seam.corner == edge.from) part.from -= longer;
+        part.length += longer;
+    }
+    return part;
+}
+
+/// A corner that is none of the surface which it belongs to.
+[[nodiscard]] inline bool is_no_corner(int vertex, std::span<const Seam> seams)
+{
+    return std::any_of(seams.begin(), seams.end(),
+                       [&](const Seam& seam) { return seam.corner == vertex && seam.bend != Seam::Bend::ridge; });
+}
+
 /// How well two surfaces must meet to act as one.
 struct SeamTolerance
 {
@@ -42,8 +70,8 @@ struct SeamTolerance
 [[nodiscard]] SeamTolerance seam_tolerance(double size, double reach);
 
 /// Adds the seams of a polygon with one neighbour: corners that lie on the line of an edge of the neighbour, to within
-/// the tolerance, and over it, while the polygon's own edge there runs down behind that line. A corner at the foot of an
-/// edge that rises from the neighbour's surface (a wall on a floor) is none.
+/// the tolerance, and over it, while the polygon's own edge there runs down behind that line. A corner at the foot of
+/// an edge that rises from the neighbour's surface (a wall on a floor) is none.
 ///
 /// part             polygon; reflex vertices have no seams
 /// part_from_other  where the neighbour lies as the polygon sees it
@@ -52,11 +80,19 @@ struct SeamTolerance
 void find_seams(const Polygon& part, const Pose& part_from_other, const Shape& other, std::span<const char> real,
                 const SeamTolerance& tolerance, std::vector<Seam>& seams);
 
-/// Whether a normal at a seam's corner is one of the joint surface's. One that leans over the neighbour is not, unless it
-/// is that of the polygon's open edge: it belongs to the side that the neighbour hides.
+/// Whether a normal at a seam's corner is one of the joint surface's. One that leans over the neighbour is not, unless
+/// it is that of the polygon's open edge: it belongs to the side that the neighbour hides.
 ///
 /// normal  unit vector out of the polygon, in the polygon's frame
 [[nodiscard]] bool is_of_surface(const Polygon& part, const Seam& seam, const Vec2& normal);
+
+/// A normal at a corner is one of the surface's, whatever seams are there. normal  out of the polygon, in its frame
+[[nodiscard]] inline bool is_open(const Polygon& polygon, int vertex, std::span<const Seam> seams, const Vec2& normal)
+{
+    return std::none_of(seams.begin(), seams.end(), [&](const Seam& seam) {
+        return seam.corner == vertex && !is_of_surface(polygon, seam, normal);
+    });
+}
 
 /// The normal of the joint surface that takes the place of one that isn't.
 [[nodiscard]] const Vec2& surface_normal(const Polygon& part, const Seam& seam);
@@ -64,8 +100,8 @@ void find_seams(const Polygon& part, const Pose& part_from_other, const Shape& o
 /// The rule in contacts: what a body touches at a seam, it touches as it would touch the joint surface. A contact along
 /// a normal that is none of that surface's, or on a corner that is none of it, becomes one of the body's nearest point
 /// along the surface's normal; but it goes where another contact bears what it would: the nearest point of the body is
-/// over the neighbour, or, where the surface goes straight on, anywhere else than at the seam. Neighbours that are loose
-/// lend no normal to what lies on them along an edge of its own.
+/// over the neighbour, or, where the surface goes straight on, anywhere else than at the seam. Neighbours that are
+/// loose lend no normal to what lies on them along an edge of its own.
 ///
 /// seams        of the polygon
 /// owner        which of the manifold's two bodies the polygon is

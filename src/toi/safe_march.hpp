@@ -20,12 +20,13 @@ struct EdgeReading
 /// What bounds one search.
 struct MarchBounds
 {
-    double bend = 0.0;   ///< on the second derivatives of gap and along [m/s^2]
+    double bend = 0.0;   ///< on the second derivative of gap [m/s^2]
     double length = 0.0; ///< of the edge; infinite for a wall [m]
     double depth = 0.0;  ///< how far below the surface still counts as touching it; infinite
                          ///< where nothing is behind it [m]
     GapTolerance tolerance;
-    double ends = 0.0; ///< rounding of `along` [m]
+    double ends = 0.0;       ///< rounding of `along` [m]
+    double along_bend = 0.0; ///< on the second derivative of along, which matters where there are ends [m/s^2]
 };
 
 /// The vertex is between the edge's ends, or past one by no more than the slack.  [m]
@@ -84,8 +85,8 @@ struct MarchBounds
     // [toi.certain-step.ends]
     const double before = -slack - now.along;
     const double beyond = now.along - bounds.length;
-    if (before > 0.0) step = std::max(step, safe_step(before, -now.along_rate, bounds.bend));
-    if (beyond > slack) step = std::max(step, safe_step(beyond - slack, now.along_rate, bounds.bend));
+    if (before > 0.0) step = std::max(step, safe_step(before, -now.along_rate, bounds.along_bend));
+    if (beyond > slack) step = std::max(step, safe_step(beyond - slack, now.along_rate, bounds.along_bend));
     // [toi.certain-step.ends]
 
     // [toi.certain-step.graze]
@@ -100,10 +101,12 @@ struct MarchBounds
 [[nodiscard]] inline bool is_clear_within(const EdgeReading& now, const MarchBounds& bounds, double half)
 {
     const double slack = bounds.tolerance.touch;
-    const double most = 0.5 * bounds.bend * half * half + slack;
-    const auto lasts = [&](double f, double f_rate) { return f - half * std::abs(f_rate) > most; };
-    return lasts(now.gap, now.gap_rate) || lasts(-bounds.depth - now.gap, now.gap_rate) ||
-           lasts(-slack - now.along, now.along_rate) || lasts(now.along - bounds.length - slack, now.along_rate);
+    const auto lasts = [&](double f, double f_rate, double bend) {
+        return f - half * std::abs(f_rate) > 0.5 * bend * half * half + slack;
+    };
+    return lasts(now.gap, now.gap_rate, bounds.bend) || lasts(-bounds.depth - now.gap, now.gap_rate, bounds.bend) ||
+           lasts(-slack - now.along, now.along_rate, bounds.along_bend) ||
+           lasts(now.along - bounds.length - slack, now.along_rate, bounds.along_bend);
 }
 
 /// The vertex was above the edge and now lies too deep to touch it. A certain step doesn't lead

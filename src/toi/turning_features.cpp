@@ -39,8 +39,7 @@ struct Seen
 
 /// offset, rate  of the point relative to the body's position, in the world's frame
 /// spin          of the body [rad/s]
-[[nodiscard]] Seen seen_from(const Rotation& world_from_body, double spin,
-                             const Vec2& offset, const Vec2& rate)
+[[nodiscard]] Seen seen_from(const Rotation& world_from_body, double spin, const Vec2& offset, const Vec2& rate)
 {
     const Rotation body_from_world = inverse(world_from_body);
     const Vec2 point = body_from_world * offset;
@@ -48,12 +47,11 @@ struct Seen
     return {point, rate_seen};
 }
 
-[[nodiscard]] EdgeReading read_edge(const Seen& seen, const Edge& edge,
-                                    const Vec2& edge_start)
+[[nodiscard]] EdgeReading read_edge(const Seen& seen, const Edge& edge, const Vec2& edge_start)
 {
     const Vec2 from_start = seen.point - edge_start;
-    return {edge.normal.dot(from_start), edge.normal.dot(seen.rate),
-            edge.tangent.dot(from_start), edge.tangent.dot(seen.rate)};
+    return {edge.normal.dot(from_start), edge.normal.dot(seen.rate), edge.tangent.dot(from_start),
+            edge.tangent.dot(seen.rate)};
 }
 
 /// One polygon whose vertices are looked at, or whose edges are.
@@ -64,42 +62,6 @@ struct Side
     Rotation at_middle; ///< of the time that is looked at
     std::span<const Seam> seams;
 };
-
-/// Part of an edge that can be struck: beyond its ends there may be a crack that is none, and a neighbour may hide an end.
-struct OpenPart
-{
-    double from = 0.0; ///< [m]
-    double length = 0.0; ///< [m]
-};
-
-[[nodiscard]] OpenPart open_part(const Edge& edge, std::span<const Seam> seams)
-{
-    OpenPart part{0.0, edge.length};
-    for (const Seam& seam : seams) {
-        const bool is_hidden = seam.hidden == edge.from;
-        if (!is_hidden && (seam.open != edge.from || seam.bend == Seam::Bend::ridge)) continue;
-        const double longer = is_hidden ? -seam.crack : seam.crack;
-        if (seam.corner == edge.from) part.from -= longer;
-        part.length += longer;
-    }
-    return part;
-}
-
-/// A corner that is none of the surface which it belongs to.
-[[nodiscard]] bool is_no_corner(int vertex, std::span<const Seam> seams)
-{
-    return std::any_of(seams.begin(), seams.end(), [&](const Seam& seam) {
-        return seam.corner == vertex && seam.bend != Seam::Bend::ridge;
-    });
-}
-
-/// A normal at a corner is one of the surface's. normal  out of the polygon, in its frame
-[[nodiscard]] bool is_open(const Polygon& polygon, int vertex, std::span<const Seam> seams, const Vec2& normal)
-{
-    return std::none_of(seams.begin(), seams.end(), [&](const Seam& seam) {
-        return seam.corner == vertex && !is_of_surface(polygon, seam, normal);
-    });
-}
 
 /// A point in front of one of a polygon's edges is so for so long before and after. No root is asked for: what bends
 /// down and is above zero at both ends of a stretch is so between them.
@@ -172,12 +134,23 @@ struct Facing
         MarchBounds bounds;
         bounds.bend = bend_of_point(acceleration_bound(relative), window.speed, distance, arm, p.turning.spin(),
                                     q.turning.spin());
+        bounds.along_bend = bounds.bend;
         bounds.depth = k_depth * window.tolerance.touch;
         bounds.tolerance = window.tolerance;
         bounds.ends = tolerance::coordinate_rounding(q.shape.radius() + arm);
         return bounds;
     }
 };
+
+/// Bound on the second derivative of a gap over an edge that doesn't turn. It sees only what falls towards it: what
+/// falls along it comes no nearer.  [m/s^2]
+template <typename Relative>
+[[nodiscard]] double bend_over(const Edge& edge, const Rotation& world_from_q, const Relative& relative, double arm,
+                               double spin_p)
+{
+    const double fall = acceleration_bound(relative, Vec2(world_from_q * edge.normal));
+    return bend_of_point(fall, 0.0, 0.0, arm, spin_p, 0.0);
+}
 
 /// A vertex that may strike an edge. Without values of its own: most of a list is never written.
 struct Approach
@@ -209,6 +182,8 @@ template <typename Relative>
     const Vec2 edge_start = q.shape.vertices()[edge.from] + part.from * edge.tangent;
     MarchBounds bounds = facing.bounds(corner.norm());
     bounds.length = part.length;
+    if (q.turning.spin() == 0.0)
+        bounds.bend = bend_over(edge, q.at_middle, facing.relative, corner.norm(), p.turning.spin());
 
     const auto read = [&](double time) {
         const auto [world_from_p, world_from_q] = both_at(p.turning, q.turning, time);
@@ -397,7 +372,8 @@ Strike first_strike(const Disc& a, const Polygon& b, const Turning& turning_b, c
     const double spin = turning_b.spin();
     const double distance = relative.offset_at(window.from).norm() + window.speed * (window.until - window.from);
     MarchBounds bounds;
-    bounds.bend = bend_of_point(acceleration, window.speed, distance, 0.0, 0.0, spin);
+    bounds.along_bend = bend_of_point(acceleration, window.speed, distance, 0.0, 0.0, spin);
+    bounds.bend = bounds.along_bend;
     bounds.depth = k_depth * window.tolerance.touch;
     bounds.tolerance = window.tolerance;
     bounds.ends = tolerance::coordinate_rounding(b.radius() + a.radius);
@@ -411,12 +387,13 @@ Strike first_strike(const Disc& a, const Polygon& b, const Turning& turning_b, c
     const bool leaves = window.skips_far_vertices && b.is_convex() && window.seams_b.empty();
     if (leaves && stays_in_front(at_middle, b, bounds, half, a.radius)) return strike;
     const Seen at_start = see(window.from);
-    const double way = half * (at_middle.rate.norm() + 0.5 * bounds.bend * half); // that it goes, at most
+    const double way = half * (at_middle.rate.norm() + 0.5 * bounds.along_bend * half); // that it goes, at most
     const double near = window.skips_far_vertices ? a.radius + window.tolerance.touch + way : k_never;
     for (const Edge& edge : b.edges()) {
         // The disc's centre against the edge, moved out by the radius
         const OpenPart part = open_part(edge, window.seams_b);
         bounds.length = part.length;
+        if (spin == 0.0) bounds.bend = bend_over(edge, turning_b.at(window.from), relative, 0.0, 0.0);
         const Vec2 moved_start = b.vertices()[edge.from] + a.radius * edge.normal + part.from * edge.tangent;
         const auto read = [&](double time) { return read_edge(see(time), edge, moved_start); };
         if (!window.skips_far_vertices || !is_clear_within(read_edge(at_middle, edge, moved_start), bounds, half)) {
@@ -440,9 +417,9 @@ Strike first_strike(const Disc& a, const Polygon& b, const Turning& turning_b, c
             const Vec2 normal = inverse(turning_b.at(time)) * from_corner(time).point.normalized();
             return is_open(b, edge.from, window.seams_b, normal);
         };
-        keep_earlier(strike,
-                     march_distance(from_corner, a.radius, corner_acceleration, window, horizon(strike, window), counts),
-                     {FeatureKind::vertex_of_b, edge.from, -1});
+        keep_earlier(
+            strike, march_distance(from_corner, a.radius, corner_acceleration, window, horizon(strike, window), counts),
+            {FeatureKind::vertex_of_b, edge.from, -1});
     }
     return strike;
 }
@@ -454,8 +431,8 @@ Strike first_strike(const Disc& a, const Disc& b, const Relative& relative, cons
     const auto between_centres = [&](double time) { return Seen{relative.offset_at(time), relative.rate_at(time)}; };
     const auto counts = [](double) { return true; };
     keep_earlier(strike,
-                 march_distance(between_centres, a.radius + b.radius, acceleration_bound(relative), window, window.until,
-                                counts),
+                 march_distance(between_centres, a.radius + b.radius, acceleration_bound(relative), window,
+                                window.until, counts),
                  {});
     return strike;
 }
