@@ -9,6 +9,11 @@ namespace {
 /// [tolerances of touching] Hops that are no higher can't be told from contact.
 constexpr double k_hop = 16.0;
 
+/// [tolerances of touching] The same where nothing but friction shrinks them. It does so corner by corner, until hops
+/// are so low that all corners come down as one, which costs nothing: of 200 polygons that were dropped, twelve hopped
+/// on for ever like this, at 30 to 60 tolerances.
+constexpr double k_flat_hop = 1024.0;
+
 /// How fast A goes into B at a point.  [m/s]
 [[nodiscard]] double approach_at(const BodyRows& bodies, int a, int b, const ImpactPoint& point)
 {
@@ -33,12 +38,14 @@ bool is_creeping(const BodyRows& bodies, int a, int b, const MeetingPoints& meet
 
 bool stays(const BodyRows& bodies, int a, int b, const MeetingPoints& meeting)
 {
-    if (combine(bodies.sheet(a).material, bodies.sheet(b).material).restitution == 1.0) return false;
+    const Material both = combine(bodies.sheet(a).material, bodies.sheet(b).material);
+    if (both.restitution == 1.0 && both.friction == 0.0) return false;
     const Vec2 pull = bodies.pull_on(a) - bodies.pull_on(b);
+    const double hop = (both.restitution < 1.0 ? k_hop : k_flat_hop) * meeting.touch;
     return std::any_of(meeting.points.begin(), meeting.points.end(), [&](const ImpactPoint& point) {
         const double press = point.normal.dot(pull);
         const double approach = approach_at(bodies, a, b, point);
-        return press > 0.0 && approach * approach <= 2.0 * press * (k_hop * meeting.touch);
+        return press > 0.0 && approach * approach <= 2.0 * press * hop;
     });
 }
 

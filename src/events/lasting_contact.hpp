@@ -17,7 +17,7 @@ namespace flying {
 
 /// After an impact that takes speed away, two bodies part at some point by so little that the field, which presses them
 /// together there, ends that within the tolerance of touching. Impact would follow impact with no time between them:
-/// from here on the two lean on each other.
+/// from here on the two lean on each other. Elastic and smooth ones never do.
 [[nodiscard]] bool stays(const BodyRows& bodies, int a, int b, const MeetingPoints& meeting);
 
 /// Bounces of one body on one flat thing, undisturbed.
