@@ -43,6 +43,12 @@ struct ContactPoint
     double closing_speed = 0.0;                  ///< with which it is expected to do so [m/s]
 };
 
+/// An impact there loses nothing: it is elastic, and smooth.
+[[nodiscard]] inline bool is_lossless(const ContactPoint& c)
+{
+    return c.restitution == 1.0 && c.friction == 0.0;
+}
+
 /// Normal velocity of B relative to A, from that of their centres and from both spins.  [m/s]
 [[nodiscard]] inline double normal_speed(const ContactPoint& c, double v_x, double v_y, double spin_a, double spin_b)
 {

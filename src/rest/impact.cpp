@@ -81,9 +81,9 @@ bool strike(const PairOfBodies& pair, std::span<Mover> velocities, std::span<con
     return first;
 }
 
-[[nodiscard]] bool any_elastic(std::span<const ContactPoint> points)
+[[nodiscard]] bool any_lossless(std::span<const ContactPoint> points)
 {
-    return std::any_of(points.begin(), points.end(), [](const ContactPoint& c) { return c.restitution == 1.0; });
+    return std::any_of(points.begin(), points.end(), [](const ContactPoint& c) { return is_lossless(c); });
 }
 
 } // namespace
@@ -97,7 +97,7 @@ int throw_back(std::span<Mover> velocities, std::span<const ContactPoint> points
     std::vector<ImpactPoint> places;
     for (const ContactPoint& c : points) places.push_back(impact_point(c));
     const int rounds =
-        any_elastic(points) ? rest_tolerance::k_patience * rest_tolerance::k_patience : rest_tolerance::k_patience;
+        any_lossless(points) ? rest_tolerance::k_patience * rest_tolerance::k_patience : rest_tolerance::k_patience;
     const int most = rounds * static_cast<int>(pairs.size());
     int impacts = 0;
     for (std::size_t k = 0; k < pairs.size() && impacts < most;) {

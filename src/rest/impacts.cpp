@@ -24,7 +24,7 @@ namespace {
 /// slowest approach that brings a rebound.  [m/s]
 [[nodiscard]] double slowest_rebound(const RestData& data, const ContactPoint& c)
 {
-    if (c.restitution == 1.0) return 0.0;
+    if (is_lossless(c)) return 0.0;
     if (c.restitution == 0.0) return std::numeric_limits<double>::infinity();
     const double by_load = c.normal / c.normal_mass;
     const double by_fall =

@@ -11,7 +11,7 @@ namespace flying {
 bool is_lossless(const Island& island)
 {
     return std::all_of(island.points.begin(), island.points.end(),
-                       [](const ContactPoint& c) { return c.restitution == 1.0 && c.friction == 0.0; });
+                       [](const ContactPoint& c) { return is_lossless(c); });
 }
 
 bool is_heap(const Island& island)

@@ -49,6 +49,32 @@ TEST_CASE("elastic polygons with friction come to rest without millions of impac
     }
 }
 
+TEST_CASE("heaps of elastic boxes with friction take a hundred impacts for each body, not thousands, and sleep")
+{
+    for (int seed = 1; seed <= tried(3); ++seed) {
+        CAPTURE(seed);
+        Random random(static_cast<std::uint64_t>(seed));
+        Scene scene;
+        scene.world.field = UniformField{{0.0, -9.81}};
+        scene.world.restitution = 1.0;
+        scene.world.friction = 0.5;
+        scene.world.box = BoxDef{{0.0, 0.0}, {9.0, 40.0}};
+        for (int k = 0; k < 80; ++k) {
+            const double width = random.uniform(0.3, 0.8);
+            BodyDef body = rectangle(width, random.uniform(0.3, 0.8), {0.6 + 0.97 * (k % 9), 0.6 + 1.15 * (k / 9)});
+            body.angle = random.uniform(0.0, 3.0);
+            scene.bodies.push_back(body);
+        }
+        World world = world_of(scene);
+        run(world, 4.0);
+        const Report report = world.report();
+        CHECK(report.collisions <= 40000);
+        CHECK(report.max_overlap <= 0.01 * 0.15);
+        run(world, 12.0);
+        CHECK(world.report().energy.kinetic <= 1e-6 * report.initial_total);
+    }
+}
+
 TEST_CASE("an elastic box that falls flat bounces for ever, with friction and without")
 {
     for (const double friction : {0.0, 0.4}) {
