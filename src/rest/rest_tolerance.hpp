@@ -134,8 +134,8 @@ inline constexpr double k_over_relaxation = 1.6;
 inline constexpr int k_more_sweeps = 128;
 
 /// Sweeps that end the impacts of a heap, and that take off its overlap; rounds of alternating directions before a
-/// search begins again from where they lead. What stood gets as many times the rounds of what moves: 2048 are enough for
-/// bricks of which some weigh a thousand times as much as others; like ones take some fifty.
+/// search begins again from where they lead. What stood gets as many times the rounds of what moves: 2048 are enough
+/// for bricks of which some weigh a thousand times as much as others; like ones take some fifty.
 inline constexpr int k_few_sweeps = 16;
 
 } // namespace flying::rest_tolerance
