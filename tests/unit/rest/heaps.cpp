@@ -81,11 +81,11 @@ double mean_overlap(const RestEngine& engine)
 
 TEST_CASE("heaps that are swept fall asleep once they have settled: then steps are no work, and a blow wakes them")
 {
-    // A disc may find a bowl of others to roll in, where nothing brakes it, and keeps awake those that it touches: in 10
-    // of 50 heaps of discs one does so for 20 s. So three quarters are to sleep by then, and as many balls to lie
+    // A disc may find a bowl of others to roll in, where nothing brakes it, and keeps awake those that it touches: in
+    // 10 of 50 heaps of discs one does so for 20 s. So three quarters are to sleep by then, and as many balls to lie
     constexpr int k_touched = 6; // by a disc, of its own size
-    std::vector<double> after; // so long they were asleep, or the longest that was waited [s]
-    int lying = 0;             // balls that fell in and lie still
+    std::vector<double> after;   // so long they were asleep, or the longest that was waited [s]
+    int lying = 0;               // balls that fell in and lie still
     for (int number = 0; number < 16; ++number) {
         const int counts[] = {98, 126, 110, 133};
         const int count = counts[number / 2 % 4];
