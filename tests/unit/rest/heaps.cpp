@@ -20,15 +20,16 @@ double scattered(int k)
     return x - std::floor(x);
 }
 
-/// A bin of width 16, above which bodies hang in rows that have not fallen yet; each number makes other ones.
+/// A bin of width 16, above which bodies hang in rows that have not fallen yet; each number makes other ones. Its floor
+/// slopes by 0.05, since on a level one a disc that nobody leans on rolls until it touches another.
 std::vector<RestBody> heap(int count, bool discs, int number = 0)
 {
     const Material material{0.0, 0.5};
-    std::vector<RestBody> bodies = {wall(Vec2(0.0, 1.0), 0.0, material), wall(Vec2(1.0, 0.0), 0.0, material),
-                                    wall(Vec2(-1.0, 0.0), -16.0, material)};
+    std::vector<RestBody> bodies = {wall(Vec2(-0.05, 1.0).normalized(), 0.0, material),
+                                    wall(Vec2(1.0, 0.0), 0.0, material), wall(Vec2(-1.0, 0.0), -16.0, material)};
     for (int k = 0; k < count; ++k) {
         const double size = 0.5 + 0.3 * scattered(k + 5000 * number);
-        const Vec2 place(0.8 + 1.1 * (k % 14) + 0.1 * scattered(3 * k + 7000 * number), 0.8 + 1.3 * (k / 14));
+        const Vec2 place(0.8 + 1.1 * (k % 14) + 0.1 * scattered(3 * k + 7000 * number), 1.6 + 1.3 * (k / 14));
         bodies.push_back(discs ? disc(0.5 * size, place, size * size, material)
                                : box(size, 0.9 * size, place, size * size, material));
         bodies.back().state.angle = scattered(7 * k);
@@ -81,11 +82,8 @@ double mean_overlap(const RestEngine& engine)
 
 TEST_CASE("heaps that are swept fall asleep once they have settled: then steps are no work, and a blow wakes them")
 {
-    // A disc may find a bowl of others to roll in, where nothing brakes it, and keeps awake those that it touches: in
-    // 10 of 50 heaps of discs one does so for 20 s. So three quarters are to sleep by then, and as many balls to lie
-    constexpr int k_touched = 6; // by a disc, of its own size
-    std::vector<double> after;   // so long they were asleep, or the longest that was waited [s]
-    int lying = 0;               // balls that fell in and lie still
+    std::vector<double> after; // so long [s]
+    int lying = 0;             // balls that fell in and lie still
     for (int number = 0; number < 16; ++number) {
         const int counts[] = {98, 126, 110, 133};
         const int count = counts[number / 2 % 4];
@@ -105,8 +103,7 @@ TEST_CASE("heaps that are swept fall asleep once they have settled: then steps a
         int steps = 0;
         for (; steps < 60 * 20 && sleepers() < count; ++steps) engine.step();
         after.push_back(steps / 60.0);
-        CHECK(sleepers() >= count - 1 - k_touched);
-        if (sleepers() < count) continue;
+        REQUIRE(sleepers() == count);
 
         // Nothing is looked at, solved or moved any more
         const RestCounts before = engine.counts();
@@ -134,8 +131,8 @@ TEST_CASE("heaps that are swept fall asleep once they have settled: then steps a
     }
     std::sort(after.begin(), after.end());
     MESSAGE("asleep after " << after[7] << " s in the median, " << after[11] << " s, " << lying << " lying");
-    CHECK(after[7] < 10.0);
-    CHECK(after[11] < 15.0);
+    CHECK(after.front() > 1.0); // none before it has come down
+    CHECK(after[7] < 6.0);
     CHECK(lying >= 12);
 }
 
