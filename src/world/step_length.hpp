@@ -17,7 +17,8 @@ namespace flying {
 /// [s]
 [[nodiscard]] double length_of_step(double step, double from, double end);
 
-/// How fast a body changes places, by its size.  [1/s]
+/// How fast a body changes places, by its size, or would after a fall of a few sizes: what small bodies bear in a step
+/// is in proportion to that.  [1/s]
 /// radius  of its bounding circle [m]
 [[nodiscard]] double pace_of(const BodyState& state, double radius, const Field& field);
 

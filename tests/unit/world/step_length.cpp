@@ -60,3 +60,17 @@ TEST_CASE("a step is halved as often as the formula says, and no more than ten t
         CHECK(halvings_for(step, pace) == static_cast<int>(std::min(10.0, std::max(0.0, needed))));
     }
 }
+
+TEST_CASE("a body at rest is as fast, by its size, as it would be after a fall of four sizes; a faster one as it is")
+{
+    const Field gravity = UniformField{{0.0, -9.81}};
+    for (const double radius : {1e-3, 0.02, 1.0, 300.0}) {
+        BodyState state;
+        const double fallen = std::sqrt(8.0 * 9.81 / radius);
+        CHECK(pace_of(state, radius, gravity) == doctest::Approx(fallen).epsilon(1e-14));
+        CHECK(pace_of(state, radius, {}) == 0.0);
+        state.spin = -3.0;
+        state.velocity = Vec2(0.0, 2.0 * fallen * radius);
+        CHECK(pace_of(state, radius, gravity) == doctest::Approx(2.0 * fallen + 3.0).epsilon(1e-14));
+    }
+}
