@@ -32,14 +32,17 @@ using Corner = Outline::Corner;
             here_from_there.rotation * corner.after};
 }
 
-/// The corner lies inside of the body, and leaves it by the shortest way over this side.
+/// The corner lies inside of the body, and leaves it by the shortest way over this side. (What is in front of the line
+/// of another, in an arm beside it, can't leave over that, however near its end is.)
 [[nodiscard]] bool leaves_over(const Outline& outline, const Side& side, const Corner& corner, double touch)
 {
     const double depth = side.distance_to(corner.place);
     const auto is_nearer = [&](const Side& other) {
-        return faces(corner, other.normal) && other.distance_to(corner.place) < depth - touch;
+        return faces(corner, other.normal) && other.normal.dot(corner.place - other.start) < 0.0 &&
+               other.distance_to(corner.place) < depth - touch;
     };
-    return std::none_of(outline.sides().begin(), outline.sides().end(), is_nearer) && outline.holds(corner.place, touch);
+    return std::none_of(outline.sides().begin(), outline.sides().end(), is_nearer) &&
+           outline.holds(corner.place, touch);
 }
 
 /// Points of one pair of parts, in one frame; the best two of them.
