@@ -43,6 +43,20 @@ namespace {
     return sum / static_cast<double>(members.size());
 }
 
+/// Places may move by the mean of the velocities before and after: what bodies had when the step began leads none into
+/// another. Sweeps leave something of a blow, and that does.
+[[nodiscard]] bool may_go_by_the_mean(const RestData& data, std::span<const ContactPoint> points)
+{
+    const std::vector<Mover>& before = data.motion.before;
+    const std::vector<Mover>& now = data.motion.now;
+    const auto keeps_apart = [&](const ContactPoint& c) {
+        const double mean = 0.5 * (normal_speed(c, before[c.a], before[c.b]) + normal_speed(c, now[c.a], now[c.b]));
+        const double size = std::min(data.bodies.radius[c.a], data.bodies.radius[c.b]);
+        return std::max(c.gap, 0.0) + data.motion.span * mean >= -most_added(false) * size;
+    };
+    return std::all_of(points.begin(), points.end(), keeps_apart);
+}
+
 void stop(RestData& data, std::span<const int> members)
 {
     for (const int member : members) {
@@ -101,15 +115,19 @@ void HeapSweeps::sweep_large(RestData& data, Island& island)
     if (before <= rest && after <= rest) stop(data, members);
     // Sweeps that go on from what bore too much lift a heap. With no impulses it would fall through the step, and lose
     // energy by that; with some share of them it neither gains nor loses any
-    const double share = neutral_share(data, island, data.motion.before, data.motion.now, Way::end_velocity);
+    const Way way = may_go_by_the_mean(data, points) ? Way::mean_velocity : Way::end_velocity;
+    const double share = neutral_share(data, island, data.motion.before, data.motion.now, way);
     if (share < 1.0) {
         scale_impulses(island, share);
-        take_share(data, island, data.motion.before, data.motion.now, Way::end_velocity, share);
+        take_share(data, island, data.motion.before, data.motion.now, way, share);
     }
+    const double of_old = way == Way::mean_velocity ? 0.5 * data.motion.span : 0.0; // [s]
+    const double of_now = data.motion.span - of_old;
     for (const int member : members) {
+        const Mover& old = data.motion.before[member];
         const Mover& now = data.motion.now[member];
-        data.motion.shift[member] = data.motion.span * Vec2(now.v_x, now.v_y);
-        data.motion.turn[member] = data.motion.span * now.spin;
+        data.motion.shift[member] = of_old * Vec2(old.v_x, old.v_y) + of_now * Vec2(now.v_x, now.v_y);
+        data.motion.turn[member] = of_old * old.spin + of_now * now.spin;
     }
 }
 

@@ -44,7 +44,8 @@ TEST_CASE("a plank that rocks among others goes on to rock as far")
         double spin;      // [rad/s]
     };
     for (const Case& each : tried({Case{1, 0.2, 1.0}, Case{3, 0.2, 0.5}, Case{3, 0.4, 1.0}, Case{4, 0.3, 0.8},
-                                   Case{6, 0.2, 0.5}, Case{6, 0.4, 1.0}, Case{10, 0.2, 0.5}, Case{10, 0.4, 0.5}})) {
+                                   Case{6, 0.2, 0.5}, Case{6, 0.4, 1.0}, Case{10, 0.2, 0.5}, Case{10, 0.4, 0.5},
+                                   Case{33, 0.2, 0.5}, Case{40, 0.4, 1.0}, Case{32, 0.3, 0.8}})) {
         CAPTURE(each.boxes);
         CAPTURE(each.thickness);
         World world = world_of(rocker(each.boxes, each.thickness, each.spin));

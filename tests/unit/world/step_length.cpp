@@ -61,7 +61,7 @@ TEST_CASE("a step is halved as often as the formula says, and no more than ten t
     }
 }
 
-TEST_CASE("a body at rest is as fast, by its size, as it would be after a fall of four sizes; a faster one as it is")
+TEST_CASE("a body at rest is as fast, by its size, as it would be after a fall of four sizes")
 {
     const Field gravity = UniformField{{0.0, -9.81}};
     for (const double radius : {1e-3, 0.02, 1.0, 300.0}) {
