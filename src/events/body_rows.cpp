@@ -1,5 +1,7 @@
 #include "events/body_rows.hpp"
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "math/tolerance.hpp"
@@ -8,6 +10,8 @@ namespace flying {
 
 BodyRows::BodyRows(std::vector<EventBody> bodies)
 {
+    double lightest = std::numeric_limits<double>::infinity(); // [kg]
+    double heaviest = 0.0;                                     // [kg]
     for (EventBody& body : bodies) {
         const BodyState& state = body.flyer.state;
         const bool is_disc = std::holds_alternative<Disc>(body.shape);
@@ -17,9 +21,14 @@ BodyRows::BodyRows(std::vector<EventBody> bodies)
         places_.push_back({id, 0});
         sheets_.push_back({state.angle, state.spin, body.inertia, body.material, 0});
         if (!body.is_static) acceleration_ = body.flyer.acceleration;
+        if (body.inertia.inv_mass > 0.0) {
+            lightest = std::min(lightest, 1.0 / body.inertia.inv_mass);
+            heaviest = std::max(heaviest, 1.0 / body.inertia.inv_mass);
+        }
         if (body.flyer.central) central_ = *body.flyer.central;
         shapes_.push_back(std::move(body.shape));
     }
+    if (heaviest > 0.0) mass_ratio_ = heaviest / lightest;
 }
 
 BodyRows::Presence BodyRows::presence(int row) const

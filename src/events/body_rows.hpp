@@ -103,6 +103,9 @@ public:
     /// What the field does to a body where it is; nothing to what is fixed.  [m/s^2]
     [[nodiscard]] Vec2 pull_on(int row) const;
 
+    /// Of the heaviest of all that move to the lightest.
+    [[nodiscard]] double mass_ratio() const { return mass_ratio_; }
+
     /// A body's flight since its last impact.
     [[nodiscard]] Flyer flyer_of(int row) const
     {
@@ -178,6 +181,7 @@ private:
     std::vector<Shape> shapes_;
     Vec2 acceleration_ = Vec2::Zero(); // of all that move [m/s^2]
     std::optional<CentralField> central_;
+    double mass_ratio_ = 1.0;
 };
 
 } // namespace flying

@@ -163,12 +163,14 @@ std::optional<EventFailure> EventEngine::strike(const Event& event, int a, int b
     bool ended = true;
     bool stays_on = false;
     bool sinks = false;
+    int most_crowded = options_.most_crowded;
     std::optional<double> bounces_end;
     {
         const StageTimer timer(options_.seconds, seconds_.impact);
 
         // [events.impact.meet]
         // Bring the two bodies, and no other, to the moment of the impact
+        const TimeSinceImpact since = time_since_impact(bodies_, a, b, event.time);
         const bool a_moved = bodies_.move_to(a, event.time);
         const bool b_moved = bodies_.move_to(b, event.time);
         if (bodies_.has_spun_out(a) || bodies_.has_spun_out(b)) {
@@ -179,13 +181,15 @@ std::optional<EventFailure> EventEngine::strike(const Event& event, int a, int b
         // [events.impact.meet]
 
         // [events.impact.crowding]
-        // Where neither went anywhere since its last impact, or they creep into each other,
-        // both are being crowded; a heavy body that hardly moves between the blows of a
-        // light one is not
+        // Where neither went anywhere since its last impact, or next to nowhere, or they creep
+        // into each other, both are being crowded; a heavy body that hardly moves between the
+        // blows of a light one is not
+        const bool is_held = since.last() < options_.shortest_bounce && is_cramped(bodies_, a, b, meeting_, since);
         const bool creeps = is_creeping(bodies_, a, b, meeting_);
         const bool has_room = !creeps && (a_moved || b_moved);
-        count_crowding(a, has_room);
-        count_crowding(b, has_room);
+        count_crowding(a, has_room && !is_held);
+        count_crowding(b, has_room && !is_held);
+        if (has_room) most_crowded += bounces_by_masses(bodies_);
         // [events.impact.crowding]
 
         // Each of many impacts at one moment may come late by a rounding. Beyond the tolerance of touching, what has
@@ -221,7 +225,7 @@ std::optional<EventFailure> EventEngine::strike(const Event& event, int a, int b
 
     const int crowding_a = bodies_.is_fixed(a) ? 0 : bodies_.sheet(a).crowding;
     const int crowding_b = bodies_.is_fixed(b) ? 0 : bodies_.sheet(b).crowding;
-    if (std::max(crowding_a, crowding_b) > (sinks ? k_sinking : options_.most_crowded)) {
+    if (std::max(crowding_a, crowding_b) > (sinks ? k_sinking : most_crowded)) {
         return EventFailure{EventFailure::Kind::crowded, event.time, event.a, event.b};
     }
 

@@ -129,7 +129,7 @@ private:
     std::int64_t line_up_at_ = 0; // when so many cells have been left, rows are put in order again
     EventCounts counts_;
     EventSeconds seconds_;
-    MeetingPoints meeting_;       // workspace of one impact
+    MeetingPoints meeting_; // workspace of one impact
     std::vector<int> near_; // workspace: rows of those about one body
 };
 

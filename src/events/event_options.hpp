@@ -16,9 +16,11 @@ struct EventEngineOptions
     bool skips_absent_field = true; ///< where nothing falls, paths are straight
     bool skips_apart_rings = true;  ///< round a centre, rings apart never meet
     bool skips_far_vertices = true; ///< vertices out of reach aren't followed
-    bool ends_bounces =
-        false;               ///< say so where an impact leaves a body on another, and when bounces ended that died away
-    int most_crowded = 1000; ///< impacts in a row of one body that leave it no room to move
+    /// Say so where an impact leaves a body on another, and when bounces ended that died away.
+    bool ends_bounces = false;
+    /// Impacts that follow each other faster, where there is next to no room, are crowded.  [s]
+    double shortest_bounce = 0.0;
+    int most_crowded = 1000;       ///< impacts in a row of one body that leave it no room to move
     double (*seconds)() = nullptr; ///< a clock, lent to measure the stages; null to measure nothing [s]
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace flying {
 namespace {
@@ -13,6 +14,12 @@ constexpr double k_hop = 16.0;
 /// are so low that all corners come down as one, which costs nothing: of 200 polygons that were dropped, twelve hopped
 /// on for ever like this, at 30 to 60 tolerances.
 constexpr double k_flat_hop = 1024.0;
+
+/// [radii] Ways between impacts that are no room.
+constexpr double k_cramped = 0x1p-12;
+
+/// [speeds] Where the field has changed a speed by less since the last impact, it hasn't brought the body back.
+constexpr double k_by_field = 0x1p-4;
 
 /// How fast A goes into B at a point.  [m/s]
 [[nodiscard]] double approach_at(const BodyRows& bodies, int a, int b, const ImpactPoint& point)
@@ -34,6 +41,43 @@ bool is_creeping(const BodyRows& bodies, int a, int b, const MeetingPoints& meet
     double approach = 0.0;
     for (const ImpactPoint& point : meeting.points) approach = std::max(approach, approach_at(bodies, a, b, point));
     return approach * approach <= 2.0 * press * (k_hop * meeting.touch);
+}
+
+TimeSinceImpact time_since_impact(const BodyRows& bodies, int a, int b, double time)
+{
+    const auto since = [&](int body) {
+        return bodies.is_fixed(body) ? std::numeric_limits<double>::infinity() : time - bodies[body].time;
+    };
+    return {since(a), since(b)};
+}
+
+bool is_cramped(const BodyRows& bodies, int a, int b, const MeetingPoints& meeting, const TimeSinceImpact& since)
+{
+    // What hops comes back at half the speed that the field has changed by
+    if (bodies.is_fixed(a) || bodies.is_fixed(b)) {
+        double approach = 0.0;
+        for (const ImpactPoint& point : meeting.points) approach = std::max(approach, approach_at(bodies, a, b, point));
+        const double pull = std::max(bodies.pull_on(a).norm(), bodies.pull_on(b).norm());
+        if (pull * since.last() > k_by_field * approach) return false;
+    }
+
+    // A smooth disc may spin as it likes
+    const auto has_room = [&](int body, double time) {
+        if (bodies.is_fixed(body)) return false;
+        const BodyRows::Row& row = bodies[body];
+        const double speed = row.kind == BodyRows::Kind::disc ? row.velocity.norm() : bodies.top_speed(body);
+        const double radius = std::min(bodies.is_fixed(a) ? row.radius : bodies[a].radius,
+                                       bodies.is_fixed(b) ? row.radius : bodies[b].radius);
+        return speed * time > k_cramped * radius;
+    };
+    return !has_room(a, since.a) && !has_room(b, since.b);
+}
+
+int bounces_by_masses(const BodyRows& bodies)
+{
+    constexpr double k_bounces = 4.0; // pi, and some
+    constexpr double k_most = 1e9;
+    return static_cast<int>(std::min(k_bounces * std::sqrt(bodies.mass_ratio()), k_most));
 }
 
 bool stays(const BodyRows& bodies, int a, int b, const MeetingPoints& meeting)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -14,6 +15,30 @@ namespace flying {
 /// The pair approaches no faster than what presses it together brings about within the tolerance of touching: its hops
 /// can't be told from contact that lasts, however fast it slides or rolls. Before the impact.
 [[nodiscard]] bool is_creeping(const BodyRows& bodies, int a, int b, const MeetingPoints& meeting);
+
+/// How long two bodies have flown since their last impacts; for ever where they are fixed.
+struct TimeSinceImpact
+{
+    double a = 0.0; ///< [s]
+    double b = 0.0; ///< [s]
+
+    /// Since the last impact of either.  [s]
+    [[nodiscard]] double last() const { return std::min(a, b); }
+};
+
+/// time  of the impact, to which neither has been brought yet [s]
+[[nodiscard]] TimeSinceImpact time_since_impact(const BodyRows& bodies, int a, int b, double time);
+
+/// The pair has so little room that it comes back again and again, however fast it is: both have moved by next to
+/// nothing since their last impacts. A body that hops on what is fixed isn't cramped, however low it hops: only the
+/// field brings it back. Before the impact.
+[[nodiscard]] bool is_cramped(const BodyRows& bodies, int a, int b, const MeetingPoints& meeting,
+                              const TimeSinceImpact& since);
+
+/// Impacts in a row without room that end by themselves: a light body between a heavy one and a wall bounces pi times
+/// the root of their masses' ratio before the heavy one has turned round (Galperin 2003), however near it comes. For
+/// the heaviest and the lightest of all that move.
+[[nodiscard]] int bounces_by_masses(const BodyRows& bodies);
 
 /// After an impact that takes speed away, two bodies part at some point by so little that the field, which presses them
 /// together there, ends that within the tolerance of touching. Impact would follow impact with no time between them:

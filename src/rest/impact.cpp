@@ -81,24 +81,15 @@ bool strike(const PairOfBodies& pair, std::span<Mover> velocities, std::span<con
     return first;
 }
 
-[[nodiscard]] bool any_lossless(std::span<const ContactPoint> points)
-{
-    return std::any_of(points.begin(), points.end(), [](const ContactPoint& c) { return is_lossless(c); });
-}
-
 } // namespace
 
 int throw_back(std::span<Mover> velocities, std::span<const ContactPoint> points, std::span<const double> slowest)
 {
-    // One after the other, always the first pair that arrives: the order in which events come at one moment. Where
-    // nothing is lost, a blow that runs to and fro in a packed pit comes to its end after more than a few rounds;
-    // elsewhere what is left then is no rebound any more
+    // One after the other, always the first pair that arrives: the order in which events come at one moment
     const std::vector<PairOfBodies> pairs = pairs_of(points);
     std::vector<ImpactPoint> places;
     for (const ContactPoint& c : points) places.push_back(impact_point(c));
-    const int rounds =
-        any_lossless(points) ? rest_tolerance::k_patience * rest_tolerance::k_patience : rest_tolerance::k_patience;
-    const int most = rounds * static_cast<int>(pairs.size());
+    const int most = rest_tolerance::k_patience * static_cast<int>(pairs.size());
     int impacts = 0;
     for (std::size_t k = 0; k < pairs.size() && impacts < most;) {
         if (strike(pairs[k], velocities, points, places, slowest)) {

@@ -151,7 +151,12 @@ bool Impacts::strike(RestData& data, Island& island, HeapSweeps& sweeps)
         any_left = any_left || normal_speed(c, data.motion.before[c.a], data.motion.before[c.b]) < c.bound - blows_[k];
     }
     if (any_left) {
-        if (is_lossless(island)) return false; // the forces of the contacts turn round what still approaches
+        if (is_lossless(island)) {
+            // An end is not in sight, as in a pit that is packed to the last digit, and would not be in another part of
+            // the step: over all of what is left of it the forces of the contacts turn round what approaches
+            island.in_turn = false;
+            return false;
+        }
         end_approaches(data, island, sweeps);
     }
     if (!island.in_turn) return true;

@@ -16,6 +16,10 @@
 namespace flying {
 namespace {
 
+/// [steps] Impacts that follow each other so soon, where there is next to no room, aren't followed for long: a few
+/// dozen such bodies would take more than a second of computing for one of motion.
+constexpr double k_shortest_bounce = 0x1p-8;
+
 /// The box as four static half-planes, their normals inwards.
 [[nodiscard]] std::vector<EventBody> make_walls(const WorldDef& world)
 {
@@ -129,7 +133,10 @@ Expected<World> World::set_up(const Scene& scene, const WorldOptions& options)
     engine_options.skips_absent_field = plan.skips_absent_field;
     engine_options.skips_apart_rings = plan.skips_apart_rings;
     engine_options.skips_far_vertices = plan.skips_far_vertices;
-    engine_options.ends_bounces = options.engine == EngineChoice::automatic;
+    if (options.engine == EngineChoice::automatic) {
+        engine_options.ends_bounces = true;
+        engine_options.shortest_bounce = k_shortest_bounce * options.step;
+    }
     const Hybrid::Setting setting{options.engine, options.step, scene.world.field, plan.sleeps, plan.warm_starts};
     // [world.make.options]
     Hybrid hybrid(EventEngine(std::move(bodies), engine_options), std::move(materials), setting);
