@@ -4,27 +4,28 @@
 
 #include "app/clock.hpp"
 #include "files/interrupt.hpp"
+#include "world/event_share.hpp"
 
 namespace flying {
 
 namespace {
 
-/// Events between looks at the clock and at signals: a few milliseconds at most.
-constexpr long k_events_at_once = 500;
-
 /// Nothing where the world got there.
 std::optional<RunEnd> advance_to(World& world, double time, Progress& progress, double& engine_seconds)
 {
+    EventShare share;
     while (true) {
         const long before = world.events();
         const double started = seconds_now();
-        const std::optional<RunFailure> failure = world.advance(time, k_events_at_once);
-        engine_seconds += seconds_now() - started;
+        const std::optional<RunFailure> failure = world.advance(time, share.size());
+        const double seconds = seconds_now() - started;
+        engine_seconds += seconds;
         if (failure) return RunEnd(*failure);
         if (const int signal = interrupted()) return RunEnd(Interrupted{signal});
         progress.update(world.time(), world.events());
         // More events may wait at the very time at which the clock stands
-        if (world.time() >= time && world.events() - before < k_events_at_once) return std::nullopt;
+        if (world.time() >= time && world.events() - before < share.size()) return std::nullopt;
+        share.took(seconds);
     }
 }
 

@@ -19,6 +19,7 @@
 #include "scene/generate_words.hpp"
 #include "scene/read.hpp"
 #include "scene/write.hpp"
+#include "world/event_share.hpp"
 #include "world/world.hpp"
 #include "json/report_json.hpp"
 #include "json/saved_run.hpp"
@@ -121,12 +122,12 @@ public:
     /// Goes on in shares, between which Python may do other things, and may be interrupted.
     bool advance(double time, std::int64_t max_events)
     {
-        constexpr std::int64_t k_share = 4096;
         World& world = this->world();
+        EventShare at_once;
         if (std::isnan(time)) throw py::value_error("time: found nan, expected a number of seconds");
         std::int64_t left = max_events < 0 ? INT64_MAX : max_events;
         while (left > 0) {
-            const std::int64_t share = std::min(left, k_share);
+            const std::int64_t share = std::min(left, at_once.size());
             const std::int64_t before = world.events();
             std::optional<RunFailure> failure;
             is_busy_ = true;
@@ -134,7 +135,9 @@ public:
                 const py::gil_scoped_release others_may_run;
                 const auto start = std::chrono::steady_clock::now();
                 failure = world.advance(time, share);
-                seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+                const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+                seconds_ += seconds;
+                at_once.took(seconds);
             }
             is_busy_ = false;
             if (failure) {

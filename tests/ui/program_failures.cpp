@@ -149,6 +149,17 @@ TEST_CASE("a signal stops a run, takes its files away and gives status 128 and t
     }
 }
 
+TEST_CASE("a signal soon stops a run whose steps are slow")
+{
+    // Signals were looked at after every 500 events, steps of a large heap among them: that is half a minute and more
+    const Folder folder;
+    REQUIRE(folder.run("$FLYING generate pile --count 20000 --until 100 > s.toml").status == 0);
+    const Outcome outcome =
+        folder.run("timeout --preserve-status --foreground -s TERM -k 10 2 $FLYING simulate s.toml --engine rest");
+    CAPTURE(outcome.errors);
+    CHECK(outcome.status == 143);
+}
+
 TEST_CASE("a second signal ends a run at once, takes its files away and says so")
 {
     // It is held once its trace is begun, so that both wait for it when it goes on: it handles one right after the other,
