@@ -163,7 +163,7 @@ std::optional<EventFailure> EventEngine::strike(const Event& event, int a, int b
     bool ended = true;
     bool stays_on = false;
     bool sinks = false;
-    int most_crowded = options_.most_crowded;
+    bool has_room = false;
     std::optional<double> bounces_end;
     {
         const StageTimer timer(options_.seconds, seconds_.impact);
@@ -186,10 +186,9 @@ std::optional<EventFailure> EventEngine::strike(const Event& event, int a, int b
         // blows of a light one is not
         const bool is_held = since.last() < options_.shortest_bounce && is_cramped(bodies_, a, b, meeting_, since);
         const bool creeps = is_creeping(bodies_, a, b, meeting_);
-        const bool has_room = !creeps && (a_moved || b_moved);
+        has_room = !creeps && (a_moved || b_moved);
         count_crowding(a, has_room && !is_held);
         count_crowding(b, has_room && !is_held);
-        if (has_room) most_crowded += bounces_by_masses(bodies_);
         // [events.impact.crowding]
 
         // Each of many impacts at one moment may come late by a rounding. Beyond the tolerance of touching, what has
@@ -225,11 +224,11 @@ std::optional<EventFailure> EventEngine::strike(const Event& event, int a, int b
 
     const int crowding_a = bodies_.is_fixed(a) ? 0 : bodies_.sheet(a).crowding;
     const int crowding_b = bodies_.is_fixed(b) ? 0 : bodies_.sheet(b).crowding;
-    if (std::max(crowding_a, crowding_b) > (sinks ? k_sinking : most_crowded)) {
-        return EventFailure{EventFailure::Kind::crowded, event.time, event.a, event.b};
-    }
-
-    return std::nullopt;
+    const int crowding = std::max(crowding_a, crowding_b);
+    const int most = sinks ? k_sinking : options_.most_crowded;
+    if (crowding <= most) return std::nullopt;
+    if (has_room && !sinks && crowding - most <= bounces_by_masses(bodies_)) return std::nullopt;
+    return EventFailure{EventFailure::Kind::crowded, event.time, event.a, event.b};
 }
 
 void EventEngine::count_crowding(int body, bool has_room)
