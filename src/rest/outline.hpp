@@ -41,6 +41,7 @@ public:
     Outline(const Shape& shape, const CollisionShape& parts);
 
     [[nodiscard]] std::span<const Side> sides() const { return sides_; }
+    [[nodiscard]] std::span<const Corner> corners() const { return corners_; }
     [[nodiscard]] std::span<const Side> sides_of(int part) const
     {
         return std::span(sides_).subspan(first_side_[part], first_side_[part + 1] - first_side_[part]);

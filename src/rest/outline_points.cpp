@@ -45,6 +45,53 @@ using Corner = Outline::Corner;
            outline.holds(corner.place, touch);
 }
 
+/// How two corners part that lie in each other.
+struct Parting
+{
+    Vec2 normal = Vec2::Zero(); ///< from A to B
+    double separation = -std::numeric_limits<double>::infinity();
+    bool is_known = false;
+};
+
+/// The nearest of their four sides over which the other can leave: neither side of its own leads behind that, or the
+/// two would cross and not part. Not known where one of them isn't behind both sides of the other.
+///
+/// a, b  corners of bodies with these outlines, all in the frame of A
+[[nodiscard]] Parting part_corners(const Outline& outline_a, const Corner& a, const Outline& outline_b, const Corner& b,
+                                   const Pose& b_from_a, double touch)
+{
+    const Vec2 way = b.place - a.place;
+    const double to_a = std::max(a.before.dot(way), a.after.dot(way));
+    const double to_b = std::max(b.before.dot(-way), b.after.dot(-way));
+    if (a.radius > 0.0 || b.radius > 0.0 || !(std::max(to_a, to_b) < -touch)) return {};
+    if (!outline_a.holds(b.place, touch) || !outline_b.holds(b_from_a * a.place, touch)) return {};
+    Parting best;
+    const auto offer = [&](const Vec2& normal, const Corner& corner, double height, double sense) {
+        const bool crosses = cross(corner.before, normal) > 0.0 || cross(corner.after, normal) < 0.0;
+        if (!crosses && height > best.separation) best = {sense * normal, height, true};
+    };
+    offer(a.before, b, a.before.dot(way), 1.0);
+    offer(a.after, b, a.after.dot(way), 1.0);
+    offer(b.before, a, b.before.dot(-way), -1.0);
+    offer(b.after, a, b.after.dot(-way), -1.0);
+    return best;
+}
+
+/// Where an end of the side lies in the body of the corner: how these two part. Not known where that is over this side,
+/// or one that looks the same way.
+///
+/// corners_from_sides  where the body with the side lies, as that with the corner sees it
+[[nodiscard]] Parting part_otherwise(const Outline& with_sides, const Side& side, const Outline& with_corners,
+                                     const Corner& corner, const Pose& corners_from_sides, double touch)
+{
+    for (const Corner& end : with_sides.corners()) {
+        if (end.place != side.start && end.place != side.finish) continue;
+        const Parting parting = part_corners(with_sides, end, with_corners, corner, corners_from_sides, touch);
+        if (parting.is_known && !(parting.normal.dot(side.normal) > rest_tolerance::k_one_face)) return parting;
+    }
+    return {};
+}
+
 /// Points of one pair of parts, in one frame; the best two of them.
 class BestPoints
 {
@@ -95,12 +142,13 @@ private:
 /// Corners of one body over sides of the other.
 ///
 /// sides_from_corners  where the body with the corners lies, as the one with the sides sees it
+/// corners_from_sides  the other way round
 /// owner               1 where the corners are B's, else 0
 /// add                 takes a contact in the frame of the sides, with the normal out of these
 template <class Add>
 void add_corners_over_sides(const OutlineSide& with_sides, const OutlineSide& with_corners,
-                            const Pose& sides_from_corners, std::uint32_t owner, double margin, double touch,
-                            const Add& add)
+                            const Pose& sides_from_corners, const Pose& corners_from_sides, std::uint32_t owner,
+                            double margin, double touch, const Add& add)
 {
     for (const Corner& there : with_corners.outline.corners_of(with_corners.part)) {
         const Corner corner = seen_from(sides_from_corners, there);
@@ -116,10 +164,16 @@ void add_corners_over_sides(const OutlineSide& with_sides, const OutlineSide& wi
             if (along < -(side.rises_before ? beyond : touch)) continue;
             if (along > side.length + (side.rises_after ? beyond : touch)) continue;
             if (is_sunk && !leaves_over(with_sides.outline, side, corner, touch)) continue;
+            Parting parting{side.normal, separation};
+            if (is_sunk) {
+                const Parting other =
+                    part_otherwise(with_sides.outline, side, with_corners.outline, corner, corners_from_sides, touch);
+                if (other.is_known) parting = other;
+            }
             const std::uint32_t feature =
                 static_cast<std::uint32_t>(side.edge) << 16 | static_cast<std::uint32_t>(corner.vertex) << 1 | owner;
-            add(Contact{corner.place - (corner.radius + 0.5 * separation) * side.normal, side.normal, separation,
-                        feature});
+            add(Contact{corner.place - (corner.radius + 0.5 * parting.separation) * parting.normal, parting.normal,
+                        parting.separation, feature});
         }
     }
 }
@@ -169,8 +223,9 @@ Manifold outline_points(const OutlineSide& a, const OutlineSide& b, double margi
     const Pose a_from_b = relative_pose(a.pose, b.pose);
     const Pose b_from_a = relative_pose(b.pose, a.pose);
     BestPoints points;
-    add_corners_over_sides(a, b, a_from_b, 1u, margin, touch, [&](const Contact& contact) { points.add(contact); });
-    add_corners_over_sides(b, a, b_from_a, 0u, margin, touch, [&](const Contact& contact) {
+    add_corners_over_sides(a, b, a_from_b, b_from_a, 1u, margin, touch,
+                           [&](const Contact& contact) { points.add(contact); });
+    add_corners_over_sides(b, a, b_from_a, a_from_b, 0u, margin, touch, [&](const Contact& contact) {
         points.add(
             {a_from_b * contact.point, -(a_from_b.rotation * contact.normal), contact.separation, contact.feature});
     });

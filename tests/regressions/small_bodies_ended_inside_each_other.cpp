@@ -55,8 +55,7 @@ Scene stars_and_discs(double radius, double restitution, std::uint64_t seed)
 
 TEST_CASE("small stars and discs that fall in a heap keep apart by a hundredth of their size")
 {
-    // Of 36 heaps of each size six in all went deeper for some frames, in one that was looked at where two tips met
-    // head-on; none at the end. None of 36 with a radius of 0.5 m did
+    // Of 84 heaps of each size nine in all go deeper for a frame, to 0.016, while a tip turns fast; none at the end
     const int scenes = tried(3);
     for (const double radius : {0.02, 0.005, 0.0015}) {
         for (int seed = 1; seed <= scenes; ++seed) {
