@@ -1,6 +1,7 @@
 #include "rest/narrow_phase.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "broadphase/box_cells.hpp"
 #include "rest/near_points.hpp"
@@ -58,6 +59,22 @@ namespace {
     return bodies.has_cuts(pair.a) || bodies.has_cuts(pair.b);
 }
 
+/// The least distance between two parallel lines that have the part between them; infinite for a half-plane.  [m]
+[[nodiscard]] double width_of(const Shape& part)
+{
+    if (const auto* disc = std::get_if<Disc>(&part)) return 2.0 * disc->radius;
+    double width = std::numeric_limits<double>::infinity();
+    const auto* polygon = std::get_if<Polygon>(&part);
+    if (!polygon) return width;
+    for (const Edge& edge : polygon->edges()) {
+        double deepest = 0.0;
+        for (const Vec2& vertex : polygon->vertices())
+            deepest = std::max(deepest, edge.normal.dot(polygon->vertices()[edge.from] - vertex));
+        width = std::min(width, deepest);
+    }
+    return width;
+}
+
 // Where surfaces of neighbours act as one (collide/seams.hpp): what neighbours what.
 
 /// Adds the seams of a part with a part of another body.
@@ -79,15 +96,16 @@ void find_seams_with(const RestBodies& bodies, int body, int part, int neighbour
 
 /// Adds those of one body of a pair with others that go with it, beside it, while the other body of the pair passes a
 /// corner of its.
+///
+/// near  a corner that is no further from a contact is passed [m]
 void find_moving_seams(const RestBodies& bodies, const PairList& list, const RestPair& pair, Owner owner,
-                       const Pose& pose, const Manifold& manifold, std::vector<Seam>& seams)
+                       const Pose& pose, const Manifold& manifold, double near, std::vector<Seam>& seams)
 {
     const int body = owner == Owner::a ? pair.a : pair.b;
     const int part = owner == Owner::a ? pair.part_a : pair.part_b;
     const int toucher = owner == Owner::a ? pair.b : pair.a;
     const auto& polygon = std::get<Polygon>(bodies.shapes[body].parts[part].shape);
     const double sign = owner == Owner::a ? 0.5 : -0.5;
-    const double near = rest_tolerance::k_watch * std::min(bodies.radius[pair.a], bodies.radius[pair.b]);
     for (int k = 0; k < manifold.count; ++k) {
         const Contact& contact = manifold.contacts[k];
         const Vec2 point = contact.point - (sign * contact.separation) * contact.normal;
@@ -121,9 +139,13 @@ void find_moving_seams(const RestBodies& bodies, const PairList& list, const Res
 
 } // namespace
 
-/// Those that last: of what never moves.
+/// Seams that last: of what never moves.
 NarrowPhase::NarrowPhase(const RestBodies& bodies)
 {
+    for (const CollisionShape& shape : bodies.shapes) {
+        std::vector<double>& widths = widths_.emplace_back();
+        for (const ConvexPart& part : shape.parts) widths.push_back(width_of(part.shape));
+    }
     seams_.resize(bodies.list.size());
     std::vector<BoxCells::Entry> boxes;
     std::vector<int> walls;
@@ -161,7 +183,10 @@ NarrowPhase::NarrowPhase(const RestBodies& bodies)
 void NarrowPhase::mend(const RestBodies& bodies, const PairList& pairs, const RestPair& pair, const Pose& pose_a,
                        const Pose& pose_b, double margin, Manifold& manifold) const
 {
-    const double near = rest_tolerance::k_watch * std::min(bodies.radius[pair.a], bodies.radius[pair.b]);
+    // What lies on a slim body is not what lies beside it
+    const double size = std::min(
+        {bodies.radius[pair.a], bodies.radius[pair.b], widths_[pair.a][pair.part_a], widths_[pair.b][pair.part_b]});
+    const double near = rest_tolerance::k_watch * size;
     std::vector<Seam> moving;
     for (const Owner owner : {Owner::a, Owner::b}) {
         const bool of_a = owner == Owner::a;
@@ -176,7 +201,7 @@ void NarrowPhase::mend(const RestBodies& bodies, const PairList& pairs, const Re
         const std::vector<Seam>& fixed = seams_[body][part];
         if (!fixed.empty()) mend_at_seams(*polygon, pose, fixed, owner, other, other_pose, near, margin, manifold);
         moving.clear();
-        find_moving_seams(bodies, pairs, pair, owner, pose, manifold, moving);
+        find_moving_seams(bodies, pairs, pair, owner, pose, manifold, near, moving);
         if (!moving.empty()) mend_at_seams(*polygon, pose, moving, owner, other, other_pose, near, margin, manifold);
     }
 }

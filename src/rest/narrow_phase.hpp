@@ -29,6 +29,7 @@ private:
     void mend(const RestBodies& bodies, const PairList& pairs, const RestPair& pair, const Pose& pose_a,
               const Pose& pose_b, double margin, Manifold& manifold) const;
 
+    std::vector<std::vector<double>> widths_;           // of each body and part [m]
     std::vector<std::vector<std::vector<Seam>>> seams_; // of each body and part, with neighbours where neither moves
 };
 
