@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "math/orientation.hpp"
+#include "math/tolerance.hpp"
 
 namespace flying {
 
@@ -111,36 +112,49 @@ Ring joined_ring(const Polygon& polygon)
     return ring;
 }
 
+/// The sign of the turn; 0 also where c is no further from the line of a and b than `room` [m].
+int turn_beyond(const Vec2& a, const Vec2& b, const Vec2& c, double room)
+{
+    if (std::abs(cross(b - a, c - a)) <= room * (b - a).norm()) return 0;
+    return orientation(a, b, c);
+}
+
 /// The triangle before, at and after a place of the ring can be cut off: it turns left and holds no other vertex.
-bool is_ear(std::span<const Vec2> vertices, const Ring& ring, std::size_t place)
+///
+/// room  so near to a side of the triangle a vertex counts as on it [m]
+bool is_ear(std::span<const Vec2> vertices, const Ring& ring, std::size_t place, double room)
 {
     const Vec2& a = vertices[ring[(place + ring.size() - 1) % ring.size()]];
     const Vec2& b = vertices[ring[place]];
     const Vec2& c = vertices[ring[(place + 1) % ring.size()]];
-    if (orientation(a, b, c) <= 0) return false;
+    if (turn_beyond(a, b, c, room) <= 0 || turn_beyond(b, c, a, room) <= 0 || turn_beyond(c, a, b, room) <= 0)
+        return false;
 
     // Look first at the box round the triangle, which is cheap
-    const Vec2 low = a.cwiseMin(b).cwiseMin(c);
-    const Vec2 high = a.cwiseMax(b).cwiseMax(c);
+    const Vec2 low = a.cwiseMin(b).cwiseMin(c) - Vec2(room, room);
+    const Vec2 high = a.cwiseMax(b).cwiseMax(c) + Vec2(room, room);
     for (const int v : ring) {
         const Vec2& p = vertices[v];
         if (p.x() < low.x() || p.x() > high.x() || p.y() < low.y() || p.y() > high.y()) continue;
         if (p == a || p == b || p == c) continue;
-        if (orientation(a, b, p) >= 0 && orientation(b, c, p) >= 0 && orientation(c, a, p) >= 0) return false;
+        if (turn_beyond(a, b, p, room) >= 0 && turn_beyond(b, c, p, room) >= 0 && turn_beyond(c, a, p, room) >= 0)
+            return false;
     }
     return true;
 }
 
-/// The inside of a ring as triangles, each turning counter-clockwise.
-std::vector<Ring> triangles_of(std::span<const Vec2> vertices, Ring ring)
+/// The inside of a ring as triangles, each turning counter-clockwise. As long as there is any that no vertex comes
+/// near, such a one is cut off: of vertices that stand on one line but for rounding others would leave slivers.
+std::vector<Ring> triangles_of(std::span<const Vec2> vertices, Ring ring, double rounding)
 {
     std::vector<Ring> triangles;
     std::size_t place = 0;
     std::size_t failures = 0;
     while (ring.size() >= 3) {
         place %= ring.size();
-        const bool stuck = failures > ring.size(); // happens to no polygon, but must not hang
-        if (!stuck && !is_ear(vertices, ring, place)) {
+        const double room = failures > ring.size() ? 0.0 : rounding;
+        const bool stuck = failures > 2 * ring.size() + 1; // happens to no polygon, but must not hang
+        if (!stuck && !is_ear(vertices, ring, place, room)) {
             ++place;
             ++failures;
             continue;
@@ -155,8 +169,8 @@ std::vector<Ring> triangles_of(std::span<const Vec2> vertices, Ring ring)
     return triangles;
 }
 
-/// [sine] A side and a cut that turn by less at their common vertex stand in one line. Twice what the contacts of resting
-/// bodies once allowed two normals to differ by.
+/// [sine] A side and a cut that turn by less at their common vertex stand in one line. Twice what the contacts of
+/// resting bodies once allowed two normals to differ by.
 constexpr double k_in_line = 0x1p-9;
 
 /// At the vertex `at` of a ring a side of the polygon and a cut follow each other in one line.
@@ -232,7 +246,8 @@ std::vector<Polygon> convex_parts(const Polygon& polygon)
     if (polygon.is_convex()) return {polygon};
 
     const std::span<const Vec2> vertices = polygon.vertices();
-    std::vector<Ring> rings = triangles_of(vertices, joined_ring(polygon));
+    std::vector<Ring> rings =
+        triangles_of(vertices, joined_ring(polygon), tolerance::coordinate_rounding(polygon.radius()));
     merge_convex(polygon, rings);
 
     std::vector<Polygon> parts;

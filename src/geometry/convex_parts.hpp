@@ -13,8 +13,8 @@ namespace flying {
 /// Holes are joined to the outer ring by bridges, the ring is cut into triangles ear by ear, and triangles are put
 /// together again wherever the result stays convex (Hertel, Mehlhorn, "Fast triangulation of simple polygons", 1983):
 /// at most four times as many parts as the fewest possible, but for the next rule. All decisions on convexity are exact
-/// (math/orientation.hpp), so that vertices on one line do no harm. The time grows with the square of the number of
-/// vertices.
+/// (math/orientation.hpp); vertices that stand on one line but for rounding leave no slivers between them. The time
+/// grows with the square of the number of vertices.
 ///
 /// No part has a side of the polygon and a cut in one line, one after the other: what lies on such a line would lie on
 /// both, and a search for contacts with sides alone could not tell the two apart by their normals. A plus sign is
