@@ -29,7 +29,7 @@ struct Seam
         buried  ///< neighbours hide both edges: what gets there touches them, and not this polygon
     };
     Bend bend = Bend::none;
-    bool is_loose = false; ///< the two may part: the polygon needs what touches its corner, whatever lies beside it
+    bool is_loose = false; ///< the two may part: what touches the very corner touches both
 };
 
 /// Part of an edge that can be struck: beyond its ends there may be a crack that is none, and a neighbour may hide an
