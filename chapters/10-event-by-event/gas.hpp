@@ -168,7 +168,7 @@ private:
     void note_impact()
     {
         // Walls have the ids after those of the discs
-        const Event& impact = gas_.last_impact();
+        const Event& impact = gas_.last_impacts().back();
         const BodyState a = gas_.flyer(impact.a).state;
         if (impact.b < discs_) {
             const BodyState b = gas_.flyer(impact.b).state;

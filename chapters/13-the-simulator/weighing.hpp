@@ -19,7 +19,6 @@ enum class Scales
     original
 };
 
-
 /// Area, centre and second moment of a shape: as they are, or as the original had them.
 /// Its rectangles and regular polygons were right; any other shape it cut into triangles
 /// about the mean of the corners, and gave each a positive area.
@@ -29,8 +28,6 @@ inline AreaMoments moments_by(Scales scales, const ShapeDef& def, const Polygon&
     if (scales == Scales::right || !is_any) return moments_of(polygon);
     return moments_without_sign(polygon.vertices());
 }
-
-
 
 /// The bodies of a scene of polygons, without walls.
 inline std::vector<EventBody> weigh(const Scene& scene, Scales scales)
@@ -55,23 +52,17 @@ inline std::vector<EventBody> weigh(const Scene& scene, Scales scales)
     return bodies;
 }
 
-
-
 /// The same, and the four walls of its box.
 inline std::vector<EventBody> weigh_in_box(const Scene& scene, Scales scales)
 {
     std::vector<EventBody> bodies = weigh(scene, scales);
     const BoxDef& box = *scene.world.box;
     const Material smooth{scene.world.restitution, scene.world.friction};
-    const HalfPlane walls[] = {{{1.0, 0.0}, box.min.x()},
-                               {{-1.0, 0.0}, -box.max.x()},
-                               {{0.0, 1.0}, box.min.y()},
-                               {{0.0, -1.0}, -box.max.y()}};
+    const HalfPlane walls[] = {
+        {{1.0, 0.0}, box.min.x()}, {{-1.0, 0.0}, -box.max.x()}, {{0.0, 1.0}, box.min.y()}, {{0.0, -1.0}, -box.max.y()}};
     for (const HalfPlane& wall : walls) bodies.push_back({wall, {}, {}, smooth, true});
     return bodies;
 }
-
-
 
 /// An impact: when, and of which two.
 struct Meeting
@@ -89,13 +80,11 @@ inline std::vector<Meeting> meetings_of(EventEngine& engine, double until)
         const std::int64_t before = engine.counts().impacts;
         if (engine.advance(until, 1)) break;
         if (engine.counts().impacts == before) continue;
-        const Event& impact = engine.last_impact();
+        const Event& impact = engine.last_impacts().back();
         meetings.push_back({impact.time, impact.a, impact.b});
     }
     return meetings;
 }
-
-
 
 /// Kinetic energy with the masses that the bodies were given.  [J]
 inline double kinetic_energy(const EventEngine& engine)
@@ -110,6 +99,5 @@ inline double kinetic_energy(const EventEngine& engine)
     }
     return sum;
 }
-
 
 } // namespace flying

@@ -50,6 +50,7 @@ void EventEngine::go_on_from(const Resume& resume, const std::vector<BodyState>&
 
     // Put the bodies into the cells in which they are by now, and foresee all anew
     foreseen_.clear();
+    at_once_.clear();
     set_up_cells();
     predict_all();
 }
@@ -72,8 +73,18 @@ std::optional<EventFailure> EventEngine::advance(double time, std::int64_t most)
 {
     constexpr int k_fast_rows = 4096; // as many as the fast memory holds
     const bool fetches_ahead = neighbours_.has_cells() && body_count() > k_fast_rows;
-    noticed_ = false;
-    for (std::int64_t handled = 0; !foreseen_.is_empty();) {
+    noticed_.now = false;
+    for (std::int64_t handled = 0; !at_once_.is_empty() || !foreseen_.is_empty();) {
+        if (!at_once_.is_empty()) {
+            if (handled == most) return std::nullopt;
+            const std::vector<Event> impacts = at_once_.take(bodies_);
+            if (impacts.empty()) continue;
+            ++counts_.events;
+            ++handled;
+            if (auto failure = handle_impacts(impacts)) return failure;
+            if (noticed_.now) return std::nullopt;
+            continue;
+        }
         const Event event = foreseen_.next();
         if (!(event.time <= time)) break;
         if (handled == most) return std::nullopt;
@@ -87,10 +98,14 @@ std::optional<EventFailure> EventEngine::advance(double time, std::int64_t most)
         }
         // [events.advance.stale]
         now_ = std::max(now_, event.time);
+        if (event.kind == Event::Kind::impact && may_have_company(event)) {
+            gather_at_once(event);
+            continue;
+        }
         ++counts_.events;
         ++handled;
         if (auto failure = handle(event)) return failure;
-        if (noticed_) return std::nullopt;
+        if (noticed_.now) return std::nullopt;
     }
     now_ = std::max(now_, time);
     return std::nullopt;
@@ -100,7 +115,7 @@ std::optional<EventFailure> EventEngine::handle(const Event& event)
 {
     switch (event.kind) {
     case Event::Kind::impact:
-        return handle_impact(event);
+        return handle_impacts({&event, 1});
     case Event::Kind::look:
     case Event::Kind::later:
         handle_look(event);
@@ -112,30 +127,79 @@ std::optional<EventFailure> EventEngine::handle(const Event& event)
     return std::nullopt;
 }
 
-std::optional<EventFailure> EventEngine::handle_impact(const Event& event)
+/// Another impact may come at the same moment.
+bool EventEngine::may_have_company(const Event& impact)
+{
+    const double end = end_of_moment(impact.time);
+    if (!foreseen_.is_empty() && foreseen_.next().time <= end) return true;
+    if (impact.owner == Event::Owner::none) return false;
+    const Waiting& waiting = foreseen_.waiting(ForeseenEvents::owner_of(bodies_, impact));
+    return waiting.count > 0 &&
+           waiting.entries[waiting.first(impact.owner == Event::Owner::b ? impact.b : impact.a)].time <= end;
+}
+
+/// Take all impacts of the moment of the first one out of the queue. What isn't one goes back.
+void EventEngine::gather_at_once(const Event& first)
+{
+    const double end = end_of_moment(first.time);
+    std::vector<Event> impacts{first};
+    std::vector<Event> others;
+    if (first.owner != Event::Owner::none) await(ForeseenEvents::owner_of(bodies_, first));
+    while (!foreseen_.is_empty() && foreseen_.next().time <= end) {
+        const Event event = foreseen_.next();
+        foreseen_.pop();
+        const bool is_called = foreseen_.is_called(bodies_, event);
+        if (!bodies_.is_current(event)) {
+            ++counts_.stale;
+            if (is_called) await(ForeseenEvents::owner_of(bodies_, event));
+        } else if (event.kind == Event::Kind::look) {
+            ++counts_.events;
+            handle_look(event);
+        } else if (event.kind == Event::Kind::impact && is_at_once(bodies_, event, first.time)) {
+            impacts.push_back(event);
+            if (is_called) await(ForeseenEvents::owner_of(bodies_, event));
+        } else others.push_back(event);
+    }
+    for (const Event& event : others) foreseen_.put_back(event);
+    at_once_.put(bodies_, surfaces_, std::move(impacts));
+}
+
+/// One impact, or a group of them that push together.
+std::optional<EventFailure> EventEngine::handle_impacts(std::span<const Event> impacts)
 {
     using Kind = BodyRows::Kind;
-    const int a = bodies_.row_of(event.a);
-    const int b = bodies_.row_of(event.b);
-    noticed_ = notices_all_ || bodies_[a].kind == Kind::lies || bodies_[b].kind == Kind::lies;
-    if (!strike_discs(event, a, b)) {
-        if (auto failure = strike(event, a, b)) return failure;
+    noticed_.now = noticed_.all;
+    for (const Event& impact : impacts) {
+        const bool lies = bodies_[bodies_.row_of(impact.a)].kind == Kind::lies ||
+                          bodies_[bodies_.row_of(impact.b)].kind == Kind::lies;
+        noticed_.now = noticed_.now || lies;
     }
+    noticed_.impacts.assign(impacts.begin(), impacts.end());
+    const bool is_alone = impacts.size() == 1;
+    std::optional<EventFailure> failure;
+    if (!is_alone || !strike_discs(impacts[0])) failure = strike(impacts);
+    if (failure && is_alone) return failure;
 
     // [events.impact.foresee]
     Predictor predictor = this->predictor();
-    predict_after_impact(predictor, a, -1);
-    predict_after_impact(predictor, b, bodies_.is_fixed(a) ? -1 : a);
+    if (is_alone) {
+        const int a = bodies_.row_of(impacts[0].a);
+        const int b = bodies_.row_of(impacts[0].b);
+        predict_after_impact(predictor, a, -1);
+        predict_after_impact(predictor, b, bodies_.is_fixed(a) ? -1 : a);
+    } else predict_after_impacts(predictor, impacts);
     if (foreseen_.has_grown()) foreseen_.sweep(bodies_);
     if (neighbours_.has_cells() && counts_.cells > line_up_at_) line_up_again();
     // [events.impact.foresee]
-    return std::nullopt;
+    return failure;
 }
 
 /// Let two plain discs strike each other. False, and nothing done, where they are anything else.
-bool EventEngine::strike_discs(const Event& event, int a, int b)
+bool EventEngine::strike_discs(const Event& event)
 {
     if (!rules_.is_plain) return false;
+    const int a = bodies_.row_of(event.a);
+    const int b = bodies_.row_of(event.b);
     const StageTimer timer(options_.seconds, seconds_.impact);
     const std::optional<DiscBlow> blow = blow_of_discs(bodies_, a, b, event.time);
     if (!blow) return false;
@@ -157,78 +221,63 @@ bool EventEngine::strike_discs(const Event& event, int a, int b)
 /// Impacts in a row, without room between them, after which a pair that sinks is crowded.
 constexpr int k_sinking = 16;
 
-/// Let any two bodies strike each other.
-std::optional<EventFailure> EventEngine::strike(const Event& event, int a, int b)
+/// Let any bodies strike each other.
+std::optional<EventFailure> EventEngine::strike(std::span<const Event> impacts)
 {
+    if (encounters_.size() < impacts.size()) encounters_.resize(impacts.size());
+    const std::span<Encounter> encounters(encounters_.data(), impacts.size());
     bool ended = true;
-    bool stays_on = false;
-    bool sinks = false;
-    bool has_room = false;
-    std::optional<double> bounces_end;
     {
         const StageTimer timer(options_.seconds, seconds_.impact);
-
-        // [events.impact.meet]
-        // Bring the two bodies, and no other, to the moment of the impact
-        const TimeSinceImpact since = time_since_impact(bodies_, a, b, event.time);
-        const bool a_moved = bodies_.move_to(a, event.time);
-        const bool b_moved = bodies_.move_to(b, event.time);
-        if (bodies_.has_spun_out(a) || bodies_.has_spun_out(b)) {
-            return EventFailure{EventFailure::Kind::spun_out, event.time, event.a, event.b};
+        if (const Event* lost = meet(bodies_, surfaces_, impacts, encounters)) {
+            return EventFailure{EventFailure::Kind::spun_out, lost->time, lost->a, lost->b};
         }
-        find_meeting(bodies_, surfaces_, a, b, event.time, meeting_);
-        max_overlap_ = std::max(max_overlap_, meeting_.overlap);
-        // [events.impact.meet]
-
-        // [events.impact.crowding]
-        // Where neither went anywhere since its last impact, or next to nowhere, or they creep
-        // into each other, both are being crowded; a heavy body that hardly moves between the
-        // blows of a light one is not
-        const bool is_held = since.last() < options_.shortest_bounce && is_cramped(bodies_, a, b, meeting_, since);
-        const bool creeps = is_creeping(bodies_, a, b, meeting_);
-        has_room = !creeps && (a_moved || b_moved);
-        count_crowding(a, has_room && !is_held);
-        count_crowding(b, has_room && !is_held);
-        // [events.impact.crowding]
-
-        // Each of many impacts at one moment may come late by a rounding. Beyond the tolerance of touching, what has
-        // come behind a side would be lost to the search
-        const auto is_polygon = [&](int body) { return std::holds_alternative<Polygon>(bodies_.shape_of(body)); };
-        const auto is_wall = [&](int body) { return std::holds_alternative<HalfPlane>(bodies_.shape_of(body)); };
-        const bool has_sides = (is_polygon(a) && !is_wall(b)) || (is_polygon(b) && !is_wall(a));
-        const auto is_deep = [&](const Touch& point) { return point.separation < -0.5 * meeting_.touch; };
-        sinks = !has_room && has_sides && std::any_of(meeting_.touches.begin(), meeting_.touches.end(), is_deep);
-
-        // [events.impact.push]
-        // Push them apart
-        const ImpactResult result =
-            resolve_impact({bodies_[a].velocity, bodies_.sheet(a).spin, bodies_.sheet(a).inertia},
-                           {bodies_[b].velocity, bodies_.sheet(b).spin, bodies_.sheet(b).inertia}, meeting_.points,
-                           combine(bodies_.sheet(a).material, bodies_.sheet(b).material));
-        energy_lost_ -= bodies_.energy_change(a, result.velocity_a, result.spin_a);
-        energy_lost_ -= bodies_.energy_change(b, result.velocity_b, result.spin_b);
-        set_motion(a, result.velocity_a, result.spin_a);
-        set_motion(b, result.velocity_b, result.spin_b);
-        ended = result.ended;
-        if (result.any_push) ++counts_.impacts;
-        log_impact(event, a, b);
-        // [events.impact.push]
-        if (options_.ends_bounces) {
-            if (rules_.falls) bounces_end = end_of_bounces(bodies_, a, b, meeting_, event.time, bounces_);
-            stays_on = stays(bodies_, a, b, meeting_);
+        for (Encounter& one : encounters) {
+            max_overlap_ = std::max(max_overlap_, one.meeting.overlap);
+            const bool has_room = judge_room(bodies_, options_.shortest_bounce, one);
+            count_crowding(one.a, has_room);
+            count_crowding(one.b, has_room);
+        }
+        const Push push = push_apart(bodies_, encounters);
+        for (const Push::Motion& after : push.motions) {
+            energy_lost_ -= bodies_.energy_change(after.row, after.velocity, after.spin);
+            set_motion(after.row, after.velocity, after.spin);
+        }
+        counts_.impacts += push.impacts;
+        ended = push.ended;
+        for (Encounter& one : encounters) {
+            log_impact(one.impact, one.a, one.b);
+            if (!options_.ends_bounces) continue;
+            if (rules_.falls) {
+                one.bounces_end = end_of_bounces(bodies_, one.a, one.b, one.meeting, one.impact.time, bounces_);
+            }
+            one.stays = stays(bodies_, one.a, one.b, one.meeting);
         }
     }
-    if (!ended) return EventFailure{EventFailure::Kind::unresolved, event.time, event.a, event.b};
-    if (bounces_end) return EventFailure{EventFailure::Kind::settled, event.time, event.a, event.b, *bounces_end};
-    if (stays_on) return EventFailure{EventFailure::Kind::stays, event.time, event.a, event.b};
+    for (const Encounter& one : encounters) {
+        if (auto failure = failure_of(one, ended)) return failure;
+    }
+    return std::nullopt;
+}
 
-    const int crowding_a = bodies_.is_fixed(a) ? 0 : bodies_.sheet(a).crowding;
-    const int crowding_b = bodies_.is_fixed(b) ? 0 : bodies_.sheet(b).crowding;
+/// Where an impact ends what can be told by impacts.
+/// ended  its bodies no longer approach
+std::optional<EventFailure> EventEngine::failure_of(const Encounter& one, bool ended) const
+{
+    const auto fail = [&](EventFailure::Kind kind) {
+        return EventFailure{kind, one.impact.time, one.impact.a, one.impact.b, one.bounces_end.value_or(0.0)};
+    };
+    if (!ended) return fail(EventFailure::Kind::unresolved);
+    if (one.bounces_end) return fail(EventFailure::Kind::settled);
+    if (one.stays) return fail(EventFailure::Kind::stays);
+
+    const int crowding_a = bodies_.is_fixed(one.a) ? 0 : bodies_.sheet(one.a).crowding;
+    const int crowding_b = bodies_.is_fixed(one.b) ? 0 : bodies_.sheet(one.b).crowding;
     const int crowding = std::max(crowding_a, crowding_b);
-    const int most = sinks ? k_sinking : options_.most_crowded;
+    const int most = one.sinks ? k_sinking : options_.most_crowded;
     if (crowding <= most) return std::nullopt;
-    if (has_room && !sinks && crowding - most <= bounces_by_masses(bodies_)) return std::nullopt;
-    return EventFailure{EventFailure::Kind::crowded, event.time, event.a, event.b};
+    if (one.has_room && !one.sinks && crowding - most <= bounces_by_masses(bodies_)) return std::nullopt;
+    return fail(EventFailure::Kind::crowded);
 }
 
 void EventEngine::count_crowding(int body, bool has_room)
@@ -245,7 +294,6 @@ void EventEngine::set_motion(int body, const Vec2& velocity, double spin)
 
 void EventEngine::log_impact(const Event& event, int row_a, int row_b)
 {
-    last_impact_ = event;
     log_.add(static_cast<std::uint64_t>(event.a) << 32 | static_cast<std::uint32_t>(event.b));
     const BodyRows::Row& a = bodies_[row_a];
     const BodyRows::Row& b = bodies_[row_b];
@@ -354,6 +402,28 @@ void EventEngine::predict_after_impact(Predictor& predictor, int body, int partn
     predictor.predict_cell(body, bodies_[body].time);
     predictor.predict_struck(body, partner);
     await(body);
+}
+
+/// The same for all bodies of a group, each pair of them once.
+void EventEngine::predict_after_impacts(Predictor& predictor, std::span<const Event> impacts)
+{
+    const StageTimer timer(options_.seconds, seconds_.predict);
+    std::vector<int> struck;
+    for (const Event& impact : impacts) {
+        for (const int body : {bodies_.row_of(impact.a), bodies_.row_of(impact.b)}) {
+            if (!bodies_.is_fixed(body)) struck.push_back(body);
+        }
+    }
+    std::sort(struck.begin(), struck.end());
+    struck.erase(std::unique(struck.begin(), struck.end()), struck.end());
+    for (const int body : struck) {
+        const auto is_left = [&](int other) {
+            return other > body || !std::binary_search(struck.begin(), struck.end(), other);
+        };
+        predictor.predict_cell(body, bodies_[body].time);
+        predictor.predict_partners(body, is_left);
+        await(body);
+    }
 }
 
 /// Foresee all of a body that has just been put where it is.

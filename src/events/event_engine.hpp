@@ -2,9 +2,12 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "events/at_once.hpp"
 #include "events/body_rows.hpp"
+#include "events/encounter.hpp"
 #include "events/event_counts.hpp"
 #include "events/event_options.hpp"
 #include "events/foreseen.hpp"
@@ -56,8 +59,8 @@ public:
     [[nodiscard]] bool is_static(int body) const { return bodies_.is_fixed(bodies_.row_of(body)); }
 
     [[nodiscard]] std::uint64_t log_hash() const { return log_.value(); }
-    /// The impact handled last; its bodies are -1 before the first.
-    [[nodiscard]] const Event& last_impact() const { return last_impact_; }
+    /// The impacts handled last: those of one group at one moment; none before the first.
+    [[nodiscard]] std::span<const Event> last_impacts() const { return noticed_.impacts; }
     [[nodiscard]] double max_overlap() const { return max_overlap_; }
     [[nodiscard]] const EventCounts& counts() const { return counts_; }
     [[nodiscard]] const EventSeconds& seconds() const { return seconds_; }
@@ -69,9 +72,9 @@ public:
     void place(int body, Presence presence, const BodyState& state);
     [[nodiscard]] Presence presence(int body) const { return bodies_.presence(bodies_.row_of(body)); }
     /// Come back from `advance` after every impact, or only after those that strike a body that lies.
-    void notice_all(bool all) { notices_all_ = all; }
+    void notice_all(bool all) { noticed_.all = all; }
     /// The last impact made `advance` come back early.
-    [[nodiscard]] bool noticed() const { return noticed_; }
+    [[nodiscard]] bool noticed() const { return noticed_.now; }
     /// What impacts have taken from the kinetic energy.  [J]
     [[nodiscard]] double energy_lost() const { return energy_lost_; }
 
@@ -93,9 +96,12 @@ public:
 
 private:
     [[nodiscard]] std::optional<EventFailure> handle(const Event& event);
-    [[nodiscard]] std::optional<EventFailure> handle_impact(const Event& event);
-    [[nodiscard]] std::optional<EventFailure> strike(const Event& event, int a, int b);
-    [[nodiscard]] bool strike_discs(const Event& event, int a, int b);
+    [[nodiscard]] bool may_have_company(const Event& impact);
+    void gather_at_once(const Event& first);
+    [[nodiscard]] std::optional<EventFailure> handle_impacts(std::span<const Event> impacts);
+    [[nodiscard]] bool strike_discs(const Event& event);
+    [[nodiscard]] std::optional<EventFailure> strike(std::span<const Event> impacts);
+    [[nodiscard]] std::optional<EventFailure> failure_of(const Encounter& one, bool ended) const;
     void handle_look(const Event& event);
     void handle_cell(const Event& event);
 
@@ -105,6 +111,7 @@ private:
     [[nodiscard]] Predictor predictor();
     void predict_all();
     void predict_after_impact(Predictor& predictor, int body, int partner);
+    void predict_after_impacts(Predictor& predictor, std::span<const Event> impacts);
     void predict_anew(int body);
     void await(int body) { counts_.stale += foreseen_.await(bodies_, body); }
 
@@ -123,14 +130,18 @@ private:
     double max_overlap_ = 0.0;     // [m]
     double energy_lost_ = 0.0;     // to impacts [J]
     Hash log_;
-    Event last_impact_;
-    bool notices_all_ = false;
-    bool noticed_ = false;
+    ImpactsAtOnce at_once_;
+    struct
+    {
+        bool all = false;           // every impact is
+        bool now = false;           // the last ones were
+        std::vector<Event> impacts; // the last ones
+    } noticed_;
     std::int64_t line_up_at_ = 0; // when so many cells have been left, rows are put in order again
     EventCounts counts_;
     EventSeconds seconds_;
-    MeetingPoints meeting_; // workspace of one impact
-    std::vector<int> near_; // workspace: rows of those about one body
+    std::vector<Encounter> encounters_; // workspace of impacts
+    std::vector<int> near_;             // workspace: rows of those about one body
 };
 
 } // namespace flying

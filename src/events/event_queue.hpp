@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -16,7 +17,12 @@ struct Event
         later,  ///< the pair was looked at for as long as both were thought to fly: ask the same for more
         impact, ///< the pair meets
     };
-    enum class Owner : std::uint8_t { none, a, b }; ///< whose first event it is
+    enum class Owner : std::uint8_t
+    {
+        none,
+        a,
+        b
+    }; ///< whose first event it is
 
     double time = 0.0;       ///< [s]
     int a = -1;              ///< lower id
@@ -39,14 +45,20 @@ struct Event
     return p.b < q.b;
 }
 
+/// Until when another event may belong to the same moment: so near are times that may differ by rounding alone. Whether
+/// it does must be seen from the bodies.  [s]
+[[nodiscard]] inline double end_of_moment(double time)
+{
+    return time + 0x1p-30 * std::abs(time);
+}
+
 /// Events by the order in which they happen. What lies farther off waits in days, unordered, until its day comes (a
-/// calendar: Paul, "A complexity O(1) priority queue for event driven molecular dynamics simulations", 2007). Then the day
-/// is put in order, once; what is foreseen for today while it lasts goes to a heap beside it. Events that are overtaken
-/// stay until they come up, or until `keep_if` sweeps them out.
+/// calendar: Paul, "A complexity O(1) priority queue for event driven molecular dynamics simulations", 2007). Then the
+/// day is put in order, once; what is foreseen for today while it lasts goes to a heap beside it. Events that are
+/// overtaken stay until they come up, or until `keep_if` sweeps them out.
 class EventQueue
 {
 public:
-
     void push(const Event& event)
     {
         // Every event finds its day by the same rounding, so that no two change their

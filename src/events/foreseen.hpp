@@ -66,6 +66,8 @@ public:
     /// The first of all events; only where there is one.
     [[nodiscard]] const Event& next() { return queue_.next(); }
     void pop() { queue_.pop(); }
+    /// What was taken out too early.
+    void put_back(const Event& event) { queue_.push(event); }
     /// The event that comes so many places after the first, as far as it is known; else null.
     [[nodiscard]] const Event* upcoming(std::size_t places) const { return queue_.upcoming(places); }
 

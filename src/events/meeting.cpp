@@ -75,15 +75,19 @@ void touch_surface(const BodyRows& bodies, const StaticSurfaces& surfaces, int a
 
 } // namespace
 
-void find_meeting(const BodyRows& bodies, const StaticSurfaces& surfaces, int a, int b, double time,
-                  MeetingPoints& meeting)
+double touch_tolerance(const BodyRows& bodies, int a, int b, double time)
 {
     const double radius_a = std::isinf(bodies[a].radius) ? bodies[b].radius : bodies[a].radius;
     const double radius_b = std::isinf(bodies[b].radius) ? bodies[a].radius : bodies[b].radius;
     const double reach = std::max(bodies[a].position.norm(), bodies[b].position.norm());
-    const GapTolerance tolerance = gap_tolerance(std::min(radius_a, radius_b), std::max(radius_a, radius_b), reach,
-                                                 bodies.top_speed(a) + bodies.top_speed(b), time);
+    return gap_tolerance(std::min(radius_a, radius_b), std::max(radius_a, radius_b), reach,
+                         bodies.top_speed(a) + bodies.top_speed(b), time)
+        .touch;
+}
 
+void find_meeting(const BodyRows& bodies, const StaticSurfaces& surfaces, int a, int b, double time,
+                  MeetingPoints& meeting)
+{
     Shape disc_a = Disc{};
     Shape disc_b = Disc{};
     const Shape& shape_a = bodies.shape_from_row(a, disc_a);
@@ -94,14 +98,14 @@ void find_meeting(const BodyRows& bodies, const StaticSurfaces& surfaces, int a,
     constexpr double k_gather = 16.0; // the depth that a prediction accepts, and rounding on either side of it
     constexpr double k_widen = 16.0;
     constexpr int k_most_tries = 8;
-    double slack = k_gather * tolerance.touch;
+    meeting.touch = touch_tolerance(bodies, a, b, time);
+    double slack = k_gather * meeting.touch;
     for (int k = 0; k < k_most_tries; ++k, slack *= k_widen) {
         find_touches(shape_a, pose_a, shape_b, pose_b, slack, meeting.touches);
         if (!meeting.touches.empty()) break;
     }
 
     meeting.points.clear();
-    meeting.touch = tolerance.touch;
     meeting.overlap = 0.0;
     const bool has_seams = !surfaces.seams_of(bodies[a].id).empty() || !surfaces.seams_of(bodies[b].id).empty();
     if (has_seams) touch_surface(bodies, surfaces, a, b, slack, meeting);

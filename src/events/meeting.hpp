@@ -18,6 +18,11 @@ struct MeetingPoints
     double overlap = 0.0;            ///< the deepest of the points, 0 where none overlaps [m]
 };
 
+/// The gap, of either sign, at which two bodies touch, when they are about where they are now.  [m]
+/// a, b  rows
+/// time  [s]
+[[nodiscard]] double touch_tolerance(const BodyRows& bodies, int a, int b, double time);
+
 /// All points at which a pair touches; where rounding hides even the one that was foreseen, the search is widened until
 /// it shows. Where a static body's surface goes on over others, those at which they are touched are among them.
 ///

@@ -193,7 +193,7 @@ void Predictor::predict_general(int p, int q, double from, int windows)
     options.windows = windows;
     if (rules_.puts_off) {
         const double end = std::min(foreseen_.end_of_flight(bodies_, p), foreseen_.end_of_flight(bodies_, q));
-        if (end < k_never) options.horizon = next_after(end);
+        if (end < k_never) options.horizon = next_after(end_of_moment(end));
     }
     options.skips_far_features = rules_.skips_far_features;
     options.skips_apart_rings = rules_.skips_apart_rings;

@@ -32,6 +32,25 @@ StaticSurfaces::StaticSurfaces(const BodyRows& bodies)
         add(bodies, one.body, two.body);
         add(bodies, two.body, one.body);
     });
+    name_surfaces();
+}
+
+void StaticSurfaces::name_surfaces()
+{
+    surface_.assign(beside_.size(), -1);
+    std::vector<int> found;
+    for (int first = 0; first < static_cast<int>(beside_.size()); ++first) {
+        if (surface_[first] >= 0) continue;
+        found.assign(1, first);
+        while (!found.empty()) {
+            const int id = found.back();
+            found.pop_back();
+            surface_[id] = first;
+            for (const int other : beside_[id]) {
+                if (surface_[other] < 0) found.push_back(other);
+            }
+        }
+    }
 }
 
 /// The seams of one body with another, both named by their rows.

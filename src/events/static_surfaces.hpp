@@ -20,11 +20,16 @@ public:
     /// Those whose surface goes on where the body's ends.
     [[nodiscard]] std::span<const int> beside(int id) const { return beside_[id]; }
 
+    /// The surface that a body is of: the first of all that lie beside each other in a row.
+    [[nodiscard]] int surface_of(int id) const { return surface_[id]; }
+
 private:
+    void name_surfaces();
     void add(const BodyRows& bodies, int one, int two);
 
     std::vector<std::vector<Seam>> seams_; // by id
     std::vector<std::vector<int>> beside_; // by id
+    std::vector<int> surface_;             // by id
 };
 
 } // namespace flying

@@ -6,10 +6,9 @@
 
 namespace flying {
 
-/// Throw back what arrives at contacts that are closed, by the law of two bodies that the event engine has, too
-/// (response/impact.hpp): one after the other, always the first pair in the order of the points that arrives, until
-/// no point approaches faster than it may: the order in which events come at one moment, so that a row of balls answers
-/// a blow as it would in flight. Never adds energy, since no impact of two bodies does.
+/// Throw back what arrives at contacts that are closed, by the law that the event engine has, too
+/// (response/impacts_at_once.hpp): in rounds, as events come at one moment, so that a row of balls answers a blow as it
+/// would in flight. Never adds energy.
 ///
 /// velocities  of all bodies, changed for those that are struck
 /// points      closed ones, those of two bodies in a row

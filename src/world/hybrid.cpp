@@ -121,7 +121,7 @@ std::optional<EventFailure> Hybrid::advance(double time, std::int64_t most)
             return failure;
         }
         if (failure) take(*failure);
-        else if (flying_.noticed()) answer_impact(flying_.last_impact());
+        else if (flying_.noticed()) answer_impacts(flying_.last_impacts());
         else if (!steps) break;
         else if (flying_.time() >= *step_ends_) {
             finish_step();
@@ -169,11 +169,12 @@ double Hybrid::step_length() const
     return length_of_step(setting_.step, resting_->time(), *step_ends_);
 }
 
-void Hybrid::answer_impact(const Event& impact)
+void Hybrid::answer_impacts(std::span<const Event> impacts)
 {
     // A body that slept and was struck wakes, and all that it touches
-    if (const std::vector<Blow> blows = blows_of(impact.a, impact.b); !blows.empty()) {
-        cut(impact.time);
+    const double time = impacts.front().time;
+    if (const std::vector<Blow> blows = blows_of(impacts); !blows.empty()) {
+        cut(time);
         for (const Blow& blow : blows) take_blow(blow);
         follow_sleep();
         take_in_all_near();
@@ -181,21 +182,27 @@ void Hybrid::answer_impact(const Event& impact)
     }
 
     // A body that was thrown towards those that lean joins them
-    for (const int body : {impact.a, impact.b}) {
-        if (movers_.of(body) != BodyMover::events || !comes_near(body)) continue;
-        cut(impact.time);
-        take_in_all_near();
-        return;
+    for (const Event& impact : impacts) {
+        for (const int body : {impact.a, impact.b}) {
+            if (movers_.of(body) != BodyMover::events || !comes_near(body)) continue;
+            cut(time);
+            take_in_all_near();
+            return;
+        }
     }
 }
 
 // [hybrid.blows_of]
-/// What the event engine has just given to those of a pair that slept.
-std::vector<Hybrid::Blow> Hybrid::blows_of(int a, int b) const
+/// What the event engine has just given to those that slept, of all that impacts struck at one moment.
+std::vector<Hybrid::Blow> Hybrid::blows_of(std::span<const Event> impacts) const
 {
     std::vector<Blow> blows;
-    for (const int body : {a, b}) {
-        if (movers_.of(body) == BodyMover::asleep) blows.push_back({body, flying_.flyer(body).state});
+    for (const Event& impact : impacts) {
+        for (const int body : {impact.a, impact.b}) {
+            const auto is_same = [&](const Blow& blow) { return blow.body == body; };
+            if (movers_.of(body) != BodyMover::asleep || std::any_of(blows.begin(), blows.end(), is_same)) continue;
+            blows.push_back({body, flying_.flyer(body).state});
+        }
     }
     return blows;
 }
@@ -224,7 +231,7 @@ void Hybrid::take_blow(const Blow& blow)
 void Hybrid::take(const EventFailure& failure)
 {
     set_up_resting();
-    const std::vector<Blow> blows = blows_of(failure.a, failure.b);
+    const std::vector<Blow> blows = blows_of(flying_.last_impacts());
     cut(failure.time);
     for (const Blow& blow : blows) take_blow(blow);
     std::vector<int> bodies;

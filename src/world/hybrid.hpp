@@ -126,8 +126,8 @@ private:
     void cut(double time);
     void step_by(double length, double end);
     void finish_step();
-    void answer_impact(const Event& impact);
-    [[nodiscard]] std::vector<Blow> blows_of(int a, int b) const;
+    void answer_impacts(std::span<const Event> impacts);
+    [[nodiscard]] std::vector<Blow> blows_of(std::span<const Event> impacts) const;
     void take_blow(const Blow& blow);
     void take(const EventFailure& failure);
     void take_in(const std::vector<int>& bodies, Change change);

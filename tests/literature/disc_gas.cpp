@@ -28,7 +28,7 @@ struct Block
     long collisions = 0;
     double transfer = 0.0; ///< sum of the normal speeds of the collisions
     double time = 0.0;
-    double discs = 0.0;    ///< in the bulk, summed over samples
+    double discs = 0.0; ///< in the bulk, summed over samples
     long samples = 0;
 };
 
@@ -41,7 +41,8 @@ bool is_within(const Vec2& point, double low, double high)
 /// distribution with the same mean square. Speeds in a box of fixed energy lie on such a sphere.
 double sphere_over_normal(double dimensions)
 {
-    return std::sqrt(0.5 * dimensions) * std::exp(std::lgamma(0.5 * dimensions) - std::lgamma(0.5 * (dimensions + 1.0)));
+    return std::sqrt(0.5 * dimensions) *
+           std::exp(std::lgamma(0.5 * dimensions) - std::lgamma(0.5 * (dimensions + 1.0)));
 }
 
 } // namespace
@@ -49,7 +50,8 @@ double sphere_over_normal(double dimensions)
 Gas make_gas(const BoxOptions& options)
 {
     const int count = options.side * options.side;
-    constexpr double k_walls_keep = 0.5; // walls keep discs off: the box is wider by as much as the runs ask for [diameters]
+    constexpr double k_walls_keep =
+        0.5; // walls keep discs off: the box is wider by as much as the runs ask for [diameters]
     constexpr double k_square = 0.7; // side of a square
     const double area = options.squares ? k_square * k_square : 0.25 * std::numbers::pi;
     const double width = std::sqrt(count * area / options.packing) + k_walls_keep;
@@ -130,7 +132,7 @@ Figures measure(Gas& gas, double packing, double margin, int blocks, long collis
                 if (engine.advance(next_sample, 1)) return figures;
                 if (engine.counts().impacts == impacts) continue;
                 impacts = engine.counts().impacts;
-                const Event& impact = engine.last_impact();
+                const Event& impact = engine.last_impacts().back();
                 if (impact.b >= gas.count) continue;
                 const BodyState a = engine.flyer(impact.a).state;
                 const BodyState b = engine.flyer(impact.b).state;

@@ -226,7 +226,7 @@ TEST_CASE("bodies of a wall that is struck are let go where whole steps end, how
         for (int k = 0; k < 4; ++k) scene.bodies.push_back(body(RectangleDef{0.6, 0.3}, {0.6 * k, 0.15 + 0.3 * row}));
     }
     int let_go = 0;
-    for (const double speed : {20.0, 30.0, 40.0, 60.0}) {
+    for (const double speed : {20.0, 25.0, 30.0, 40.0, 50.0, 60.0, 80.0}) {
         CAPTURE(speed);
         Scene struck = scene;
         struck.bodies.push_back(body(DiscDef{0.3}, {-8.0, 1.0}, {speed, 1.0}));

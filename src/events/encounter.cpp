@@ -1,0 +1,119 @@
+#include "events/encounter.hpp"
+
+#include <algorithm>
+#include <variant>
+
+#include "math/tolerance.hpp"
+#include "response/impacts_at_once.hpp"
+
+namespace flying {
+namespace {
+
+[[nodiscard]] ImpactBody impact_body(const BodyRows& bodies, int row)
+{
+    return {bodies[row].velocity, bodies.sheet(row).spin, bodies.sheet(row).inertia};
+}
+
+[[nodiscard]] Material material_of(const BodyRows& bodies, const Encounter& one)
+{
+    return combine(bodies.sheet(one.a).material, bodies.sheet(one.b).material);
+}
+
+[[nodiscard]] Push push_together(const BodyRows& bodies, std::span<const Encounter> encounters)
+{
+    std::vector<int> rows;
+    for (const Encounter& one : encounters) rows.insert(rows.end(), {one.a, one.b});
+    std::sort(rows.begin(), rows.end());
+    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+    std::vector<ImpactBody> struck;
+    for (const int row : rows) struck.push_back(impact_body(bodies, row));
+    const auto place_of = [&](int row) {
+        return static_cast<int>(std::lower_bound(rows.begin(), rows.end(), row) - rows.begin());
+    };
+    std::vector<ImpactPair> pairs;
+    std::vector<ImpactPoint> points;
+    std::vector<double> slowest;
+    for (const Encounter& one : encounters) {
+        const std::size_t first = points.size();
+        points.insert(points.end(), one.meeting.points.begin(), one.meeting.points.end());
+        slowest.resize(points.size(), tolerance::k_approach * (bodies.top_speed(one.a) + bodies.top_speed(one.b)));
+        pairs.push_back({place_of(one.a), place_of(one.b), first, points.size(), material_of(bodies, one)});
+    }
+    Push push;
+    push.impacts = resolve_impacts(struck, pairs, points, slowest, 1);
+    for (std::size_t k = 0; k < rows.size(); ++k) push.motions.push_back({rows[k], struck[k].velocity, struck[k].spin});
+    return push;
+}
+
+} // namespace
+
+const Event* meet(BodyRows& bodies, const StaticSurfaces& surfaces, std::span<const Event> impacts,
+                  std::span<Encounter> encounters)
+{
+    // [events.impact.meet]
+    // Bring the two bodies of each impact, and no other, to its moment
+    const double time = impacts[0].time;
+    for (std::size_t k = 0; k < impacts.size(); ++k) {
+        Encounter& one = encounters[k];
+        one.impact = impacts[k];
+        one.a = bodies.row_of(impacts[k].a);
+        one.b = bodies.row_of(impacts[k].b);
+        one.since = time_since_impact(bodies, one.a, one.b, time);
+        one.bounces_end.reset();
+        one.stays = false;
+    }
+    std::vector<int> moved; // of a group, whose members are brought there once
+    const auto move = [&](int row) {
+        const bool has_moved = bodies.move_to(row, time);
+        if (has_moved && impacts.size() > 1) moved.push_back(row);
+        return has_moved || std::find(moved.begin(), moved.end(), row) != moved.end();
+    };
+    for (std::size_t k = 0; k < impacts.size(); ++k) {
+        Encounter& one = encounters[k];
+        const bool a_moved = move(one.a);
+        const bool b_moved = move(one.b);
+        one.moved = a_moved || b_moved;
+        if (bodies.has_spun_out(one.a) || bodies.has_spun_out(one.b)) return &impacts[k];
+    }
+    for (Encounter& one : encounters) find_meeting(bodies, surfaces, one.a, one.b, time, one.meeting);
+    // [events.impact.meet]
+    return nullptr;
+}
+
+bool judge_room(const BodyRows& bodies, double shortest_bounce, Encounter& one)
+{
+    // [events.impact.crowding]
+    // Where neither went anywhere since its last impact, or next to nowhere, or they creep
+    // into each other, both are being crowded; a heavy body that hardly moves between the
+    // blows of a light one is not
+    const bool is_held = one.since.last() < shortest_bounce && is_cramped(bodies, one.a, one.b, one.meeting, one.since);
+    const bool creeps = is_creeping(bodies, one.a, one.b, one.meeting);
+    one.has_room = !creeps && one.moved;
+    // [events.impact.crowding]
+
+    // Each of many impacts at one moment may come late by a rounding. Beyond the tolerance of touching, what has
+    // come behind a side would be lost to the search
+    const auto is_polygon = [&](int body) { return std::holds_alternative<Polygon>(bodies.shape_of(body)); };
+    const auto is_wall = [&](int body) { return std::holds_alternative<HalfPlane>(bodies.shape_of(body)); };
+    const bool has_sides = (is_polygon(one.a) && !is_wall(one.b)) || (is_polygon(one.b) && !is_wall(one.a));
+    const auto is_deep = [&](const Touch& point) { return point.separation < -0.5 * one.meeting.touch; };
+    one.sinks =
+        !one.has_room && has_sides && std::any_of(one.meeting.touches.begin(), one.meeting.touches.end(), is_deep);
+    return one.has_room && !is_held;
+}
+
+Push push_apart(const BodyRows& bodies, std::span<const Encounter> encounters)
+{
+    if (encounters.size() > 1) return push_together(bodies, encounters);
+
+    // [events.impact.push]
+    const Encounter& one = encounters[0];
+    const ImpactResult result = resolve_impact(impact_body(bodies, one.a), impact_body(bodies, one.b),
+                                               one.meeting.points, material_of(bodies, one));
+    // [events.impact.push]
+    return {{{one.a, result.velocity_a, result.spin_a}, {one.b, result.velocity_b, result.spin_b}},
+            result.any_push ? 1 : 0,
+            result.ended};
+}
+
+} // namespace flying

@@ -1,0 +1,308 @@
+#include "response/impacts_at_once.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+#include "response/push_line.hpp"
+#include "response/tied_pairs.hpp"
+
+namespace flying {
+namespace {
+
+/// Sweeps of compression, after which what was found is given back, if it isn't all.
+constexpr int k_sweeps = 1000;
+
+[[nodiscard]] bool moves(const ImpactBody& body)
+{
+    return body.inertia.inv_mass > 0.0 || body.inertia.inv_moment_of_inertia > 0.0;
+}
+
+/// What pushes do to one body of a group.
+struct Share
+{
+    ImpactBody before;
+    Vec2 impulse = Vec2::Zero(); ///< not given yet [N s]
+    double moment = 0.0;         ///< likewise [N m s]
+    int lines = 0;               ///< along which it is pushed; 0 of a body that isn't in the group
+};
+
+/// A point of a group, with its impulses of compression.
+struct GroupPoint
+{
+    int a = 0;
+    int b = 0;
+    PointFrame frame;
+    Material material;
+    double response_n = 0.0; ///< of the shares of both bodies that the push along the normal meets [1/kg]
+    double response_t = 0.0; ///< likewise along the tangent
+    double normal = 0.0;     ///< >= 0 [N s]
+    double tangent = 0.0;    ///< at most mu times as much
+};
+
+/// Pairs that push together.
+class Group
+{
+public:
+    /// shares  of all bodies, with no lines; so they are again when the group is gone
+    Group(std::span<ImpactBody> bodies, std::vector<Share>& shares) : bodies_(bodies), shares_(shares) {}
+    ~Group()
+    {
+        for (const int body : movers_) shares_[body] = {};
+    }
+    Group(const Group&) = delete;
+    Group& operator=(const Group&) = delete;
+
+    /// Add the points of a pair that approach or rest.
+    void add(const ImpactPair& pair, std::span<const ImpactPoint> points)
+    {
+        for (std::size_t k = pair.first; k < pair.end; ++k) {
+            GroupPoint point;
+            point.a = pair.a;
+            point.b = pair.b;
+            point.frame = frame_at(points[k]);
+            point.material = pair.material;
+            const double v_n = speed_along(point.frame.normal, motion_of(point));
+            const double v_t = speed_along(point.frame.tangent, motion_of(point));
+            top_speed_ = std::max({top_speed_, std::abs(v_n), std::abs(v_t), bodies_[pair.a].velocity.norm(),
+                                   bodies_[pair.b].velocity.norm()});
+            if (v_n <= tolerance::k_approach * top_speed_) points_.push_back(point);
+        }
+    }
+
+    /// Find the impulses that end the approach of all points at once, as far as the sweeps come.
+    void compress()
+    {
+        split_masses();
+        const double enough = 4.0 * tolerance::k_epsilon * top_speed_;
+        double change = enough;
+        for (int sweep = 0; sweep < k_sweeps && change >= enough; ++sweep) {
+            change = 0.0;
+            for (GroupPoint& p : points_) {
+                const PairMotion motion = motion_of(p);
+                const double mu = p.material.friction;
+                const double j = std::max(0.0, p.normal - speed_along(p.frame.normal, motion) / p.response_n);
+                change = std::max(change, std::abs(j - p.normal) * p.response_n);
+                push(p, p.frame.normal, j - p.normal);
+                p.normal = j;
+                if (mu == 0.0) continue;
+                const double wanted = p.tangent - speed_along(p.frame.tangent, motion) / p.response_t;
+                const double q = std::clamp(wanted, -mu * j, mu * j);
+                change = std::max(change, std::abs(q - p.tangent) * p.response_t);
+                push(p, p.frame.tangent, q - p.tangent);
+                p.tangent = q;
+            }
+            give(1.0);
+        }
+        end_together();
+        for (const int body : movers_) bodies_[body] = shares_[body].before;
+    }
+
+    /// Push with (1 + e) times what was found: no more than keeps the energy, and of the friction what loses most.
+    void give_back()
+    {
+        const auto gain = [](const GroupPoint& p) { return 1.0 + p.material.restitution; };
+        give_no_more(2.0, &PointFrame::normal, [&](const GroupPoint& p) { return gain(p) * p.normal; });
+        give_no_more(1.0, &PointFrame::tangent, [&](const GroupPoint& p) { return gain(p) * p.tangent; });
+    }
+
+private:
+    [[nodiscard]] PairMotion motion_of(const GroupPoint& p) const
+    {
+        return {bodies_[p.a].velocity, bodies_[p.b].velocity, bodies_[p.a].spin, bodies_[p.b].spin};
+    }
+
+    /// Each line along which a body is pushed meets as much of its mass as any other.
+    void split_masses()
+    {
+        for (const GroupPoint& p : points_) {
+            for (const int body : {p.a, p.b}) {
+                if (!moves(bodies_[body])) continue;
+                Share& share = shares_[body];
+                if (share.lines == 0) movers_.push_back(body);
+                share.before = bodies_[body];
+                share.lines += p.material.friction > 0.0 ? 2 : 1;
+            }
+        }
+        const auto inertia_of = [&](int body) -> Inertia {
+            const Inertia& whole = bodies_[body].inertia;
+            return {shares_[body].lines * whole.inv_mass, shares_[body].lines * whole.inv_moment_of_inertia};
+        };
+        for (GroupPoint& p : points_) {
+            const PairInertia inertia{inertia_of(p.a), inertia_of(p.b)};
+            p.response_n = inverse_mass(p.frame.normal, inertia);
+            p.response_t = inverse_mass(p.frame.tangent, inertia);
+        }
+    }
+
+    void push(const GroupPoint& p, const PushLine& line, double j)
+    {
+        shares_[p.a].impulse -= j * line.direction;
+        shares_[p.a].moment -= j * line.arm_a;
+        shares_[p.b].impulse += j * line.direction;
+        shares_[p.b].moment += j * line.arm_b;
+    }
+
+    /// Where the sweeps were not enough: as much of all that was found as ends the approach on the whole.
+    void end_together()
+    {
+        double left = 0.0;
+        for (GroupPoint& p : points_) {
+            left += p.normal * speed_along(p.frame.normal, motion_of(p));
+            push(p, p.frame.normal, p.normal);
+        }
+        const double part = 1.0 - left / taken_up();
+        give(0.0);
+        for (GroupPoint& p : points_) p.normal *= part;
+    }
+
+    /// Twice the energy that bodies at rest would take up from what they were pushed with since the last time; that is
+    /// dropped.  [J]
+    double taken_up()
+    {
+        double sum = 0.0;
+        for (const int body : movers_) {
+            Share& share = shares_[body];
+            const Inertia& inertia = bodies_[body].inertia;
+            sum += inertia.inv_mass * share.impulse.squaredNorm() +
+                   inertia.inv_moment_of_inertia * (share.moment * share.moment);
+        }
+        return sum;
+    }
+
+    /// Give all bodies a part of what they were pushed with since the last time.
+    void give(double part)
+    {
+        for (const int body : movers_) {
+            ImpactBody& one = bodies_[body];
+            Share& share = shares_[body];
+            one.velocity += part * (one.inertia.inv_mass * share.impulse);
+            one.spin += part * (one.inertia.inv_moment_of_inertia * share.moment);
+            share.impulse = Vec2::Zero();
+            share.moment = 0.0;
+        }
+    }
+
+    /// Push at all points, with the part at which the energy that is lost is at its most, or so many times as much; at
+    /// most with all.
+    template <typename Impulse>
+    void give_no_more(double times, PushLine PointFrame::*line, const Impulse& impulse_of)
+    {
+        double work = 0.0; // at first; it shrinks as bodies give way
+        for (const GroupPoint& p : points_) {
+            work += impulse_of(p) * speed_along(p.frame.*line, motion_of(p));
+            push(p, p.frame.*line, impulse_of(p));
+        }
+        give(work < 0.0 ? std::min(1.0, -times * work / taken_up()) : 0.0);
+    }
+
+    std::span<ImpactBody> bodies_;
+    std::vector<Share>& shares_;
+    std::vector<GroupPoint> points_;
+    std::vector<int> movers_;
+    double top_speed_ = 0.0; // [m/s]
+};
+
+/// Lets two bodies strike each other. Whether any point was pushed.
+bool strike(std::span<ImpactBody> bodies, const ImpactPair& pair, std::span<const ImpactPoint> points)
+{
+    ImpactBody& a = bodies[pair.a];
+    ImpactBody& b = bodies[pair.b];
+    const ImpactResult after = resolve_impact(a, b, points.subspan(pair.first, pair.end - pair.first), pair.material);
+    if (!after.any_push) return false;
+    if (moves(a)) a = {after.velocity_a, after.spin_a, a.inertia};
+    if (moves(b)) b = {after.velocity_b, after.spin_b, b.inertia};
+    return true;
+}
+
+/// Which pairs each body that moves belongs to.
+class PairsOfBodies
+{
+public:
+    PairsOfBodies() = default;
+    PairsOfBodies(std::span<const ImpactBody> bodies, std::span<const ImpactPair> pairs) : begins_(bodies.size() + 1)
+    {
+        const auto each = [&](auto&& act) {
+            for (std::size_t k = 0; k < pairs.size(); ++k) {
+                for (const int body : {pairs[k].a, pairs[k].b}) {
+                    if (moves(bodies[body])) act(body, static_cast<int>(k));
+                }
+            }
+        };
+        each([&](int body, int) { ++begins_[body + 1]; });
+        std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
+        pairs_.resize(begins_.back());
+        std::vector<std::size_t> next = begins_;
+        each([&](int body, int k) { pairs_[next[body]++] = k; });
+    }
+    [[nodiscard]] bool is_empty() const { return begins_.empty(); }
+    void append(int body, std::vector<int>& list) const
+    {
+        list.insert(list.end(), pairs_.begin() + begins_[body], pairs_.begin() + begins_[body + 1]);
+    }
+
+private:
+    std::vector<std::size_t> begins_; // by body, and one more
+    std::vector<int> pairs_;
+};
+
+} // namespace
+
+int resolve_impacts(std::span<ImpactBody> bodies, std::span<const ImpactPair> pairs,
+                    std::span<const ImpactPoint> points, std::span<const double> slowest, int most)
+{
+    const auto approaches = [&](const ImpactPair& pair) {
+        const PairMotion motion{bodies[pair.a].velocity, bodies[pair.b].velocity, bodies[pair.a].spin,
+                                bodies[pair.b].spin};
+        for (std::size_t k = pair.first; k < pair.end; ++k) {
+            if (speed_along(frame_at(points[k]).normal, motion) < -slowest[k]) return true;
+        }
+        return false;
+    };
+    const auto tie = [&](int body) { return moves(bodies[body]) ? body : -1; };
+    std::vector<Share> shares(bodies.size());
+    std::vector<int> candidates(pairs.size()); // all at first; then those of the bodies that were struck
+    std::iota(candidates.begin(), candidates.end(), 0);
+    PairsOfBodies pairs_of;
+    std::vector<int> chosen;
+    std::vector<std::array<int, 2>> ties; // of those chosen
+    int impacts = 0;
+    while (impacts < most) {
+        // Find who approaches, and who shares a body
+        chosen.clear();
+        ties.clear();
+        for (const int k : candidates) {
+            if (!approaches(pairs[k])) continue;
+            chosen.push_back(k);
+            ties.push_back({tie(pairs[k].a), tie(pairs[k].b)});
+        }
+        if (chosen.empty()) break;
+
+        if (pairs_of.is_empty()) pairs_of = PairsOfBodies(bodies, pairs);
+
+        // Strike
+        candidates.clear();
+        for (const std::vector<int>& group : tied_pairs(ties)) {
+            if (group.size() == 1) {
+                if (!strike(bodies, pairs[chosen[group[0]]], points)) continue;
+            } else {
+                Group together(bodies, shares);
+                for (const int k : group) together.add(pairs[chosen[k]], points);
+                together.compress();
+                together.give_back();
+            }
+            impacts += static_cast<int>(group.size());
+            for (const int k : group) {
+                for (const int body : {pairs[chosen[k]].a, pairs[chosen[k]].b}) pairs_of.append(body, candidates);
+            }
+        }
+        std::sort(candidates.begin(), candidates.end());
+        candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+    }
+    return impacts;
+}
+
+} // namespace flying
