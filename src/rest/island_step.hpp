@@ -4,6 +4,7 @@
 #include "rest/heap_sweeps.hpp"
 #include "rest/impacts.hpp"
 #include "rest/projection.hpp"
+#include "rest/rest_way.hpp"
 #include "rest/slip_ends.hpp"
 
 namespace flying {
@@ -21,10 +22,12 @@ public:
     /// with its overlap taken off.  [s]
     ///
     /// may_be_halved  there may be more parts, where nothing says where to part it
-    [[nodiscard]] double end_early(RestData& data, Island& island, bool may_be_halved);
+    /// within         where a look into the whole step goes; null where there is none
+    [[nodiscard]] double end_early(RestData& data, Island& island, bool may_be_halved, WithinStep* within);
 
 private:
     void find_lossless(RestData& data, Island& island, bool sweeps);
+    void look_within(RestData& data, const Island& island, WithinStep& within);
 
     // The stages, each with what it needs for its own work
     Impacts impacts_;

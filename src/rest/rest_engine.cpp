@@ -339,17 +339,22 @@ void RestEngine::go_on_from(const Memory& memory)
     data_.pairs.remember(std::move(pairs), data_.bodies.list, awake_);
 }
 
-std::vector<std::vector<Leg>> RestEngine::foresee(double length, double end)
+std::vector<std::optional<BodyState>> RestEngine::foresee(double length, double end, double since)
 {
     const Memory before = memory();
     const RestCounts counts = data_.counts;
-    std::vector<std::vector<Leg>> legs(data_.bodies.list.size());
-    legs_ = &legs;
+    const SolveCounts solves = data_.solver.counts();
+    WithinStep within{since, {}};
+    within.states.resize(data_.bodies.list.size());
+    within_ = &within;
     step_by(length, end);
-    legs_ = nullptr;
+    within_ = nullptr;
     go_on_from(before);
     data_.counts = counts;
-    return legs;
+    data_.solver.counts() = solves;
+    std::vector<std::optional<BodyState>> states;
+    for (const int place : data_.bodies.place) states.push_back(within.states[place]);
+    return states;
 }
 
 } // namespace flying

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -53,8 +54,10 @@ public:
     /// length  > 0 [s]
     /// end     the moment at which it ends, which the caller knows better than as a sum [s]
     void step_by(double length, double end);
-    /// The ways on which such a step would lead, of each body that is awake. Nothing is changed by it.
-    [[nodiscard]] std::vector<std::vector<Leg>> foresee(double length, double end);
+    /// Where bodies are, and how they move, a time after such a step begins: of each body, if it is awake. Nothing is
+    /// changed by it.
+    /// since  0 ... length [s]
+    [[nodiscard]] std::vector<std::optional<BodyState>> foresee(double length, double end, double since);
     /// Let the next step begin at `time` [s]; for an engine in which all bodies sleep.
     void set_time(double time);
 
@@ -191,7 +194,6 @@ private:
     void scale_loads_awake(double factor);
     [[nodiscard]] bool stood_alike(int member) const;
     void move_island(const Island& island);
-    void note_legs(const Island& island);
     [[nodiscard]] bool bounces(const RestPair& pair, double load) const;
     [[nodiscard]] bool stays_apart(const RestPair& pair, double within) const;
 
@@ -213,7 +215,7 @@ private:
     std::vector<char> marks_;        // of each body, while some are marked; else 0
     Parts parts_;
     RestSeconds seconds_;
-    std::vector<std::vector<Leg>>* legs_ = nullptr; // of each body, as it is known outside, while they are noted
+    WithinStep* within_ = nullptr; // while a step is looked into
 };
 
 } // namespace flying

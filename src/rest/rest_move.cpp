@@ -33,30 +33,6 @@ void expect(RestData& data, const Island& island, std::span<char> marks)
 
 } // namespace
 
-/// Write down how a group goes through a step, or a part of one, that has been found but not yet gone.
-void RestEngine::note_legs(const Island& island)
-{
-    if (!legs_) return;
-
-    // Impacts come at its beginning
-    for (const int member : island.members) {
-        const Mover& start = data_.motion.before[member];
-        const Mover& end = data_.motion.now[member];
-        Leg leg{data_.motion.span,
-                data_.bodies.list[member].state,
-                data_.motion.shift[member],
-                data_.motion.turn[member],
-                Vec2(end.v_x, end.v_y),
-                end.spin,
-                Leg::Kind::bent};
-        leg.start.velocity = Vec2(start.v_x, start.v_y);
-        leg.start.spin = start.spin;
-        if (!island.is_exact) leg.kind = Leg::Kind::even;
-        else if (island.has_ways) leg.kind = Leg::Kind::curved;
-        (*legs_)[data_.bodies.order[member]].push_back(leg);
-    }
-}
-
 /// A body had no motion when the step began either, and what is expected of it now was expected then.
 bool RestEngine::stood_alike(int member) const
 {
@@ -68,8 +44,6 @@ bool RestEngine::stood_alike(int member) const
 
 void RestEngine::move_island(const Island& island)
 {
-    note_legs(island);
-
     // Remember what the points bore
     bool same = true;
     for (const ContactPoint& c : island.points) {

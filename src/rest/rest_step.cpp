@@ -197,7 +197,8 @@ void RestEngine::finish_islands(int depth, std::span<const int> pairs)
     again.members.clear();
     again.pairs.clear();
     for (Island& island : islands_.all()) {
-        if (island.cut_at == 0.0) island.cut_at = island_step_.end_early(data_, island, may_be_halved(island, depth));
+        if (island.cut_at == 0.0)
+            island.cut_at = island_step_.end_early(data_, island, may_be_halved(island, depth), within_);
         if (island.cut_at > 0.0) {
             const int part = static_cast<int>(again.parts.size());
             const int first = static_cast<int>(again.members.size());
@@ -362,7 +363,6 @@ bool RestEngine::go_back(Meetings& met)
         data_.bodies.in_large_island[k] = old.in_large_island;
         data_.motion.pull[k] = old.pull;
         data_.motion.expected_angular_acceleration[k] = old.expected_angular_acceleration;
-        if (legs_) (*legs_)[data_.bodies.order[k]].clear();
         again.members.push_back(k);
         parts_.of[k] = 0;
     }

@@ -1,56 +1,55 @@
 #include "rest/rest_way.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace flying {
 namespace {
 
-/// The number at a share s of a leg that grows by `way` in all: the cubic with the slopes of its ends, for a whole leg.
-[[nodiscard]] double cubic(double s, double way, double slope_start, double slope_end)
+/// One coordinate of a body on its way.
+struct Along
+{
+    double way = 0.0;
+    double velocity = 0.0;
+};
+
+/// The cubic with the velocities of its ends, at a share s of a time h.
+///
+/// way         in all of that time
+/// start, end  the velocities
+[[nodiscard]] Along cubic(double s, double h, double way, double start, double end)
 {
     const double t = 1.0 - s;
-    return s * s * (3.0 - 2.0 * s) * way + s * t * (t * slope_start - s * slope_end);
+    const double mean = way / h;
+    return {s * s * (3.0 - 2.0 * s) * way + s * t * h * (t * start - s * end),
+            6.0 * s * t * mean + t * (1.0 - 3.0 * s) * start + s * (3.0 * s - 2.0) * end};
 }
 
-/// Its slope.
-[[nodiscard]] double slope(double s, double way, double slope_start, double slope_end)
+/// Straight on, while the velocity changes evenly.
+[[nodiscard]] Along straight(double s, double way, double start, double end)
 {
-    const double t = 1.0 - s;
-    return 6.0 * s * t * way + t * (1.0 - 3.0 * s) * slope_start + s * (3.0 * s - 2.0) * slope_end;
+    return {s * way, start + s * (end - start)};
 }
 
 } // namespace
 
-BodyState along(const std::vector<Leg>& legs, double time)
+void go_along(StepMotion& motion, const Island& island, double time)
 {
-    // Find the leg; what rounding leaves beyond the last belongs to it
-    std::size_t k = 0;
-    double before = 0.0;
-    while (k + 1 < legs.size() && before + legs[k].length <= time) before += legs[k++].length;
-    const Leg& leg = legs[k];
-    const double h = leg.length;
-    const double s = h > 0.0 ? std::clamp((time - before) / h, 0.0, 1.0) : 1.0;
-    BodyState state = leg.start;
-    const double bow = leg.kind == Leg::Kind::bent ? 0.5 * s * (1.0 - s) * h : 0.0;
-    if (leg.kind == Leg::Kind::curved) {
-        state.position += Vec2(cubic(s, leg.shift.x(), h * leg.start.velocity.x(), h * leg.velocity.x()),
-                               cubic(s, leg.shift.y(), h * leg.start.velocity.y(), h * leg.velocity.y()));
-        state.angle += cubic(s, leg.turn, h * leg.start.spin, h * leg.spin);
-    } else {
-        state.position += s * leg.shift - bow * (leg.velocity - leg.start.velocity);
-        state.angle += s * leg.turn - bow * (leg.spin - leg.start.spin);
+    const double h = motion.span;
+    const double s = time / h;
+    const auto at = [&](double way, double start, double end) {
+        return island.is_exact ? cubic(s, h, way, start, end) : straight(s, way, start, end);
+    };
+    for (const int member : island.members) {
+        const Mover& old = motion.before[member];
+        Mover& now = motion.now[member];
+        const Along x = at(motion.shift[member].x(), old.v_x, now.v_x);
+        const Along y = at(motion.shift[member].y(), old.v_y, now.v_y);
+        const Along turn = at(motion.turn[member], old.spin, now.spin);
+        motion.shift[member] = Vec2(x.way, y.way);
+        motion.turn[member] = turn.way;
+        now.v_x = x.velocity;
+        now.v_y = y.velocity;
+        now.spin = turn.velocity;
     }
-    if (leg.kind == Leg::Kind::curved && h > 0.0) {
-        state.velocity = Vec2(slope(s, leg.shift.x(), h * leg.start.velocity.x(), h * leg.velocity.x()),
-                              slope(s, leg.shift.y(), h * leg.start.velocity.y(), h * leg.velocity.y())) /
-                         h;
-        state.spin = slope(s, leg.turn, h * leg.start.spin, h * leg.spin) / h;
-    } else {
-        state.velocity = leg.start.velocity + s * (leg.velocity - leg.start.velocity);
-        state.spin = leg.start.spin + s * (leg.spin - leg.start.spin);
-    }
-    return state;
+    motion.span = time;
 }
 
 } // namespace flying

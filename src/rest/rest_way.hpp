@@ -1,31 +1,21 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
-#include "motion/body.hpp"
+#include "rest/island.hpp"
 
 namespace flying {
 
-/// A stretch of a body's way through a step: no impact within it, one at its start perhaps.
-struct Leg
+/// Where bodies are within a step, and how they move: what a step would say that had ended there.
+struct WithinStep
 {
-    double length = 0.0; ///< [s]
-    BodyState start;     ///< with the velocities after such an impact
-    Vec2 shift = Vec2::Zero();
-    double turn = 0.0;
-    Vec2 velocity = Vec2::Zero(); ///< with which it ends, like the spin
-    double spin = 0.0;
-    enum class Kind : unsigned char
-    {
-        even,  ///< straight on, while velocities change evenly: all that is known where impacts and loads mix
-        bent,  ///< velocities change evenly, and the way bends as they do
-        curved ///< the way is smooth, and velocities are its slope
-    };
-    Kind kind = Kind::bent;
+    double since = 0.0;                           ///< since the whole step began [s]
+    std::vector<std::optional<BodyState>> states; ///< of each body as it lies in memory; of those that the step moves
 };
 
-/// Where a body is on its way, and how it moves, a time after the step began.  [s]
-/// legs  of one body, in order, at least one
-[[nodiscard]] BodyState along(const std::vector<Leg>& legs, double time);
+/// Of a step, or a part of one, that has been found: goes as much of it as lasts so long [s]. Where bodies move by the
+/// mean of their velocities, the way is smooth, and velocities are its slope; in flight it is a parabola.
+void go_along(StepMotion& motion, const Island& island, double time);
 
 } // namespace flying

@@ -154,7 +154,7 @@ void Hybrid::cut(double time)
 
 void Hybrid::step_by(double length, double end)
 {
-    ways_.clear();
+    within_.clear();
     resting_->step_by(length, end);
     double change = 0.0;
     resting_->for_each_moved([&](int body, const BodyState& before) {
@@ -223,7 +223,7 @@ void Hybrid::take_blow(const Blow& blow)
     energy_of_blows_ += (energy(body, state) - energy(body, old)) - noted;
     movers_.give(std::span(&body, 1), BodyMover::rest);
     others_sleep_ = true;
-    ways_.clear();
+    within_.clear();
     resting_->set_state(body, state);
 }
 
@@ -264,7 +264,7 @@ void Hybrid::take_in(const std::vector<int>& bodies, Change change)
         clear_[body] = 0;
     }
     movers_.give(bodies, BodyMover::rest);
-    ways_.clear();
+    within_.clear();
     changes_.push_back(std::move(change));
 }
 
@@ -400,9 +400,11 @@ BodyState Hybrid::state(int body)
     }
     const double since = clock_ - resting_->time();
     const bool is_within = is_within_step(body);
-    if (is_within && ways_.empty()) ways_ = resting_->foresee(step_length(), *step_ends_);
-    const bool moves = is_within && !ways_[body].empty();
-    BodyState state = moves ? along(ways_[body], since) : resting_->state(body);
+    if (is_within && (within_.empty() || since != within_at_)) {
+        within_ = resting_->foresee(step_length(), *step_ends_, since);
+        within_at_ = since;
+    }
+    BodyState state = is_within && within_[body] ? *within_[body] : resting_->state(body);
     state.time = clock_;
     return state;
 }

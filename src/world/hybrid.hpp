@@ -157,7 +157,8 @@ private:
     std::vector<Change> changes_;
     double energy_of_steps_ = 0.0;
     double energy_of_blows_ = 0.0;
-    std::vector<std::vector<Leg>> ways_; // through the present step, where it was looked at within; else empty
+    std::vector<std::optional<BodyState>> within_; // the present step, where it was looked into; else empty
+    double within_at_ = 0.0;                       // since it began [s]
 };
 
 } // namespace flying
