@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <span>
 
 #include "broadphase/box_cells.hpp"
@@ -24,16 +25,16 @@ namespace {
     const auto* b = std::get_if<Polygon>(&bodies.shapes[pair.b].parts[pair.part_b].shape);
     if (!a || !b) return {};
     const Pose a_from_b = relative_pose(pose_a, pose_b);
-    const Axis axis = greatest_separation(*a, *b, a_from_b);
-    if (!(axis.separation < -known)) return {};
-    const bool of_a = axis.owner == Owner::a;
+    const std::optional<Axis> axis = overlapping_axis(*a, *b, a_from_b, pair.memory.edges, known);
+    if (!axis) return {};
+    const bool of_a = axis->owner == Owner::a;
     const std::vector<char>& real = bodies.real_edges[of_a ? pair.a : pair.b][of_a ? pair.part_a : pair.part_b];
-    if (!real.empty() && !real[axis.edge]) return {};
+    if (!real.empty() && !real[axis->edge]) return {};
     // The corner that is deepest under the side stands beyond its ends, or else it is a point of the outlines
-    const Vec2 corner = of_a ? Vec2(a_from_b * b->vertices()[axis.vertex])
-                             : Vec2(relative_pose(pose_b, pose_a) * a->vertices()[axis.vertex]);
+    const Vec2 corner = of_a ? Vec2(a_from_b * b->vertices()[axis->vertex])
+                             : Vec2(relative_pose(pose_b, pose_a) * a->vertices()[axis->vertex]);
     if (bodies.outlines[of_a ? pair.a : pair.b].holds(corner, touch)) return {};
-    return make_manifold(*a, pose_a, *b, pose_b, a_from_b, axis, 0.0);
+    return make_manifold(*a, pose_a, *b, pose_b, a_from_b, *axis, 0.0);
 }
 
 /// The points of a pair of which a body is cut into parts, or both are: those of their outlines.
