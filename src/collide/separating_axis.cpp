@@ -110,4 +110,12 @@ Axis greater_of(const BestEdges& edges, const Polygon& a, const Polygon& b, cons
     return of_b.separation > of_a.separation ? of_b : of_a;
 }
 
+std::optional<Axis> overlapping_axis(const Polygon& a, const Polygon& b, const Pose& a_from_b, const BestEdges& guess,
+                                     double depth)
+{
+    if (!(greater_of(guess, a, b, a_from_b).separation < -0.5 * depth)) return std::nullopt;
+    const Axis axis = greatest_separation(a, b, a_from_b);
+    return axis.separation < -depth ? std::optional(axis) : std::nullopt;
+}
+
 } // namespace flying

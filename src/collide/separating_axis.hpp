@@ -9,6 +9,8 @@
 #include "geometry/polygon.hpp"
 #include "math/rotation.hpp"
 
+#include <optional>
+
 namespace flying {
 
 /// Whose edge an axis stands on.
@@ -59,5 +61,12 @@ struct BestEdges
 
 /// The one of two edges with the greater separation, A's where they are equal.
 [[nodiscard]] Axis greater_of(const BestEdges& edges, const Polygon& a, const Polygon& b, const Pose& a_from_b);
+
+/// The axis of greatest separation of two that overlap by more than a depth; nothing where they don't.
+///
+/// guess  edges that may part them: where one does, no other is looked at. The same comes out to the bit for any others
+/// depth  half of it is more than rounding explains [m]
+[[nodiscard]] std::optional<Axis> overlapping_axis(const Polygon& a, const Polygon& b, const Pose& a_from_b,
+                                                   const BestEdges& guess, double depth);
 
 } // namespace flying

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
+#include <span>
 
 #include "broadphase/box_cells.hpp"
 #include "rest/near_points.hpp"
@@ -23,16 +25,16 @@ namespace {
     const auto* b = std::get_if<Polygon>(&bodies.shapes[pair.b].parts[pair.part_b].shape);
     if (!a || !b) return {};
     const Pose a_from_b = relative_pose(pose_a, pose_b);
-    const Axis axis = greatest_separation(*a, *b, a_from_b);
-    if (!(axis.separation < -known)) return {};
-    const bool of_a = axis.owner == Owner::a;
+    const std::optional<Axis> axis = overlapping_axis(*a, *b, a_from_b, pair.memory.edges, known);
+    if (!axis) return {};
+    const bool of_a = axis->owner == Owner::a;
     const std::vector<char>& real = bodies.real_edges[of_a ? pair.a : pair.b][of_a ? pair.part_a : pair.part_b];
-    if (!real.empty() && !real[axis.edge]) return {};
+    if (!real.empty() && !real[axis->edge]) return {};
     // The corner that is deepest under the side stands beyond its ends, or else it is a point of the outlines
-    const Vec2 corner = of_a ? Vec2(a_from_b * b->vertices()[axis.vertex])
-                             : Vec2(relative_pose(pose_b, pose_a) * a->vertices()[axis.vertex]);
+    const Vec2 corner = of_a ? Vec2(a_from_b * b->vertices()[axis->vertex])
+                             : Vec2(relative_pose(pose_b, pose_a) * a->vertices()[axis->vertex]);
     if (bodies.outlines[of_a ? pair.a : pair.b].holds(corner, touch)) return {};
-    return make_manifold(*a, pose_a, *b, pose_b, a_from_b, axis, 0.0);
+    return make_manifold(*a, pose_a, *b, pose_b, a_from_b, *axis, 0.0);
 }
 
 /// The points of a pair of which a body is cut into parts, or both are: those of their outlines.
@@ -116,20 +118,23 @@ void find_moving_seams(const RestBodies& bodies, const PairList& list, const Res
         const auto is_here = [&](const Vec2& vertex) { return (vertex - local).squaredNorm() <= near * near; };
         if (std::none_of(polygon.vertices().begin(), polygon.vertices().end(), is_here)) continue;
 
-        // Look at those whose circles come here
-        const auto look_at = [&](const RestPair& next) {
-            const bool is_first = next.a == body;
-            const int other = is_first ? next.b : next.a;
-            if (other == toucher || (is_first ? next.part_a : next.part_b) != part) return;
-            const int others_part = is_first ? next.part_b : next.part_a;
-            const ConvexPart& neighbour = bodies.shapes[other].parts[others_part];
-            const Vec2 way = point - bodies.poses[other] * neighbour.centre;
-            const double reach = neighbour.radius + 2.0 * near;
-            if (way.squaredNorm() > reach * reach) return;
+        // Look at those that go with it, and of these at the parts whose circles come here
+        const auto look_at = [&](std::span<const RestPair> pairs) {
+            const bool is_first = pairs.front().a == body;
+            const int other = is_first ? pairs.front().b : pairs.front().a;
+            if (other == toucher) return;
             // Together go two that part, while the third passes by its size, by no more than what is near
             const double part_ways = (velocity - bodies.velocity_of(other, point)).squaredNorm();
             if (part_ways > rest_tolerance::k_watch * rest_tolerance::k_watch * pass) return;
-            find_seams_with(bodies, body, part, other, others_part, seams);
+            for (const RestPair& next : pairs) {
+                if ((is_first ? next.part_a : next.part_b) != part) continue;
+                const int others_part = is_first ? next.part_b : next.part_a;
+                const ConvexPart& neighbour = bodies.shapes[other].parts[others_part];
+                const Vec2 way = point - bodies.poses[other] * neighbour.centre;
+                const double reach = neighbour.radius + 2.0 * near;
+                if (way.squaredNorm() > reach * reach) continue;
+                find_seams_with(bodies, body, part, other, others_part, seams);
+            }
         };
         list.for_each_of(body, look_at);
         break;

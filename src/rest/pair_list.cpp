@@ -328,11 +328,15 @@ void PairList::Pairs::clear_index(int bodies)
 
 void PairList::Pairs::make_index()
 {
-    next_of_second.resize(pairs.size());
-    for (int k = static_cast<int>(pairs.size()) - 1; k >= 0; --k) {
-        firsts[pairs[k].a] = k;
-        next_of_second[k] = seconds[pairs[k].b];
-        seconds[pairs[k].b] = k;
+    const int count = static_cast<int>(pairs.size());
+    ends.resize(count);
+    next_of_second.resize(count);
+    for (int k = count - 1; k >= 0; --k) {
+        const RestPair& pair = pairs[k];
+        const bool goes_on = k + 1 < count && pairs[k + 1].a == pair.a && pairs[k + 1].b == pair.b;
+        ends[k] = goes_on ? ends[k + 1] : k + 1;
+        next_of_second[k] = goes_on ? next_of_second[k + 1] : seconds[pair.b];
+        firsts[pair.a] = seconds[pair.b] = k;
     }
 }
 

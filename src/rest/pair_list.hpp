@@ -112,40 +112,46 @@ public:
     /// All of them, in order.
     [[nodiscard]] std::vector<RestPair> all() const;
 
-    /// Call visit(pair) for every pair of a body, in order: first those whose first body it is.
+    /// Call visit(pairs) for every other body with which a body has pairs, with all of those: first where it is the
+    /// first of two, each time in order.
     template <typename Visit>
     void for_each_of(int body, Visit&& visit) const
     {
         if (body >= static_cast<int>(awake_.firsts.size())) return;
         for (int k = awake_.firsts[body], m = asleep_.firsts[body]; k >= 0 || m >= 0;) {
             const bool is_next = m < 0 || (k >= 0 && awake_.pairs[k].b < asleep_.pairs[m].b);
-            visit(is_next ? awake_.pairs[k] : asleep_.pairs[m]);
+            visit(is_next ? awake_.of_two(k) : asleep_.of_two(m));
             if (is_next) k = awake_.next_of_first(k);
             else m = asleep_.next_of_first(m);
         }
         for (int k = awake_.seconds[body], m = asleep_.seconds[body]; k >= 0 || m >= 0;) {
             const bool is_next = m < 0 || (k >= 0 && awake_.pairs[k].a < asleep_.pairs[m].a);
-            visit(is_next ? awake_.pairs[k] : asleep_.pairs[m]);
+            visit(is_next ? awake_.of_two(k) : asleep_.of_two(m));
             if (is_next) k = awake_.next_of_second[k];
             else m = asleep_.next_of_second[m];
         }
     }
 
 private:
-    /// Pairs in order, and where to find those of a body.
+    /// Pairs in order, and where to find those of a body: those of the same two stand together.
     struct Pairs
     {
         std::vector<RestPair> pairs;
         std::vector<int> firsts;         // of each body, its first pair as the first of two; -1 for none
         std::vector<int> seconds;        // the same as the second of two
-        std::vector<int> next_of_second; // of each pair, the next with the same second body; -1 at the end
+        std::vector<int> ends;           // of each pair, the number after the last one of its two bodies
+        std::vector<int> next_of_second; // of each pair, the next with the same second body and another first; or -1
 
         void clear_index(int bodies);
         void make_index();
+        [[nodiscard]] std::span<const RestPair> of_two(int pair) const
+        {
+            return std::span(pairs).subspan(pair, ends[pair] - pair);
+        }
         [[nodiscard]] int next_of_first(int pair) const
         {
-            const bool goes_on = pair + 1 < static_cast<int>(pairs.size()) && pairs[pair + 1].a == pairs[pair].a;
-            return goes_on ? pair + 1 : -1;
+            const int next = ends[pair];
+            return next < static_cast<int>(pairs.size()) && pairs[next].a == pairs[pair].a ? next : -1;
         }
     };
     struct Home

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "collide/separating_axis.hpp"
 #include "rest/energy_limit.hpp"
@@ -100,13 +101,14 @@ namespace {
     const Pose a_from_b = relative_pose(pose_a, pose_b);
     const double clear = part_a.radius + part_b.radius;
     if ((a_from_b * part_b.centre - part_a.centre).squaredNorm() > clear * clear) return contact;
-    const Axis axis = greatest_separation(*a, *b, a_from_b);
-    if (!(axis.separation < -data.bodies.touch_gap(pair.a, pair.b))) return contact;
-    const bool of_a = axis.owner == Owner::a;
-    contact.separation = axis.separation;
-    contact.normal = of_a ? Vec2(pose_a.rotation * a->edges()[axis.edge].normal)
-                          : Vec2(-(pose_b.rotation * b->edges()[axis.edge].normal));
-    contact.point = of_a ? pose_b * b->vertices()[axis.vertex] : pose_a * a->vertices()[axis.vertex];
+    const double touch = data.bodies.touch_gap(pair.a, pair.b);
+    const std::optional<Axis> axis = overlapping_axis(*a, *b, a_from_b, pair.memory.edges, touch);
+    if (!axis) return contact;
+    const bool of_a = axis->owner == Owner::a;
+    contact.separation = axis->separation;
+    contact.normal = of_a ? Vec2(pose_a.rotation * a->edges()[axis->edge].normal)
+                          : Vec2(-(pose_b.rotation * b->edges()[axis->edge].normal));
+    contact.point = of_a ? pose_b * b->vertices()[axis->vertex] : pose_a * a->vertices()[axis->vertex];
     return contact;
 }
 

@@ -65,10 +65,10 @@ void RestEngine::set_active(int number, bool active)
 void RestEngine::wake_all_with(int body)
 {
     sleepers_.wake(sleepers_.island_of(body));
-    data_.pairs.for_each_of(body, [&](const RestPair& pair) {
-        if (pair.count == 0) return;
-        sleepers_.wake(sleepers_.island_of(pair.a));
-        sleepers_.wake(sleepers_.island_of(pair.b));
+    data_.pairs.for_each_of(body, [&](std::span<const RestPair> pairs) {
+        if (std::none_of(pairs.begin(), pairs.end(), [](const RestPair& pair) { return pair.count > 0; })) return;
+        sleepers_.wake(sleepers_.island_of(pairs.front().a));
+        sleepers_.wake(sleepers_.island_of(pairs.front().b));
     });
 }
 

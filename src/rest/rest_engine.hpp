@@ -170,6 +170,7 @@ private:
     {
         std::vector<Again> at;  ///< at each depth of parts within parts
         int made = 0;           ///< of the step of an island
+        int looks = 0;          ///< in these, at pairs that both move
         bool are_again = false; ///< of a whole step that is made again
         std::vector<int> of;    ///< of each body, while pairs are sorted out; -1 for none
     };

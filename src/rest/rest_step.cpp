@@ -52,7 +52,7 @@ void RestEngine::step()
         for (const int member : island.members) before_[member].island = island.members.front();
         for (const ContactPoint& point : island.points) data_.max_overlap = std::max(data_.max_overlap, -point.gap);
     }
-    parts_.made = 0;
+    parts_.made = parts_.looks = 0;
     parts_.are_again = false;
     solve_islands(0);
     watch.stop(seconds_.solve);
@@ -216,10 +216,11 @@ void RestEngine::finish_islands(int depth, std::span<const int> pairs)
     if (!again.parts.empty()) find_pairs_of(again, pairs);
 }
 
-/// There may be more parts of its step.
+/// There may be more parts of its step, at impacts that have moments of their own.
 bool RestEngine::may_be_parted(const Island& island, int depth) const
 {
-    return !is_heap(island) && depth < rest_tolerance::k_most_parts && parts_.made < rest_tolerance::k_most_parts;
+    if (is_heap(island) || std::max(depth, parts_.made) >= rest_tolerance::k_most_parts) return false;
+    return parts_.looks < rest_tolerance::k_most_looks || is_lossless(island);
 }
 
 /// The same where nothing says where to part it; the step of a small island, however many impacts it had.
@@ -276,12 +277,17 @@ void RestEngine::make_parts(int depth, std::span<const double> cuts)
 {
     const double whole = data_.motion.span;
     const double after_whole = data_.motion.after;
+    const auto both_move = [&](int index) {
+        const RestPair& pair = data_.pairs.pairs()[index];
+        return !data_.bodies.list[pair.a].is_static && !data_.bodies.list[pair.b].is_static;
+    };
     for (std::size_t k = 0; k < parts_.at[depth].parts.size(); ++k) {
         const Again::Part part = parts_.at[depth].parts[k];
         const std::span<const int> members =
             std::span(parts_.at[depth].members).subspan(part.first_member, part.member_count);
         const std::span<const int> pairs = std::span(parts_.at[depth].pairs).subspan(part.first_pair, part.pair_count);
-        if (depth == 0) parts_.made = 0;
+        const auto looks = static_cast<int>(std::count_if(pairs.begin(), pairs.end(), both_move));
+        if (depth == 0) parts_.made = parts_.looks = 0;
         double before = whole;
         double begun = 0.0;
         std::vector<double> ends(cuts.begin(), cuts.end());
@@ -291,6 +297,7 @@ void RestEngine::make_parts(int depth, std::span<const double> cuts)
             const double length = end - begun;
             if (!(length > 0.0)) continue;
             ++parts_.made;
+            parts_.looks += looks;
             data_.motion.span = length;
             begun = end;
             data_.motion.after = after_whole + (whole - end);

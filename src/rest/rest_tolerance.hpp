@@ -112,6 +112,11 @@ inline constexpr double k_standing = 4.0;
 /// runs through a row of balls, some for each.
 inline constexpr int k_most_parts = 256;
 
+/// Looks, in such parts, at pairs that both move, of an island that loses energy: what impacts come after that have no
+/// moments of their own, as in a heap. Of twelve bodies with many teeth each two are dozens of pairs, and they get some
+/// thirty parts; discs in a row get all, and facets of the ground don't count.
+inline constexpr int k_most_looks = 4096;
+
 // ---- Heaps (heap_sweeps)
 /// [speeds that the field gives in a step] An island that was slower and stays so is at rest: what it was about to do
 /// is the price of its sleep. From rest, what accelerates by no more than this share of the field doesn't start.

@@ -1,6 +1,8 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "collide/manifold.hpp"
@@ -336,4 +338,29 @@ TEST_CASE("polygons that overlap have a contact, thin and small ones, too")
         CHECK(manifold.count > 0);
     }
     CHECK(overlapping > 5000);
+}
+
+TEST_CASE("whatever edges are guessed to part two polygons, those that overlap do so along the same axis to the bit")
+{
+    Random random(508);
+    int overlapping = 0;
+    for (int k = 0; k < 40000; ++k) {
+        const Polygon a = random_convex(random);
+        const Polygon b = random_convex(random);
+        const Pose a_from_b = random_pose(random, 0.7 * (a.radius() + b.radius()));
+        const double depth = std::exp2(random.uniform(-40.0, -2.0));
+        const auto any_edge = [&](const Polygon& polygon) {
+            const int count = static_cast<int>(polygon.edges().size());
+            return std::min(static_cast<int>(random.uniform(0.0, count)), count - 1);
+        };
+        const std::optional<Axis> found = overlapping_axis(a, b, a_from_b, {any_edge(a), any_edge(b)}, depth);
+        const Axis axis = greatest_separation(a, b, a_from_b);
+        CAPTURE(k);
+        REQUIRE(found.has_value() == (axis.separation < -depth));
+        if (!found) continue;
+        ++overlapping;
+        CHECK(found->separation == axis.separation);
+        CHECK((found->owner == axis.owner && found->edge == axis.edge && found->vertex == axis.vertex));
+    }
+    CHECK((overlapping > 5000 && overlapping < 35000));
 }
