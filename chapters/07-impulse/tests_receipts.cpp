@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include "response/impacts_at_once.hpp"
 #include "response/one_point.hpp"
 #include "response/several_points.hpp"
 #include "strikes.hpp"
@@ -285,6 +286,30 @@ TEST_CASE("five balls in a row: both laws keep the momentum, and at e = 1 the en
 }
 
 
+
+TEST_CASE("a ball that meets two at once pushes both alike")
+{
+    for (int i = 0; i <= 40; ++i) {
+        const double e = 0.025 * i;
+        const double alpha = 0.2 + 0.03 * i;
+        const double m = 0.2 + 0.1 * i;
+        const double u = 3.0;
+        const Vec2 up(std::cos(alpha), std::sin(alpha));
+        const Vec2 down(up.x(), -up.y());
+        std::vector<flying::ImpactBody> bodies = {
+            {Vec2(u, 0.0), 0.0, {1.0, 2.0}}, {Vec2::Zero(), 0.0, {1.0 / m, 2.0 / m}}, {Vec2::Zero(), 0.0, {1.0 / m, 2.0 / m}}};
+        const std::vector<flying::ImpactPoint> points = {{up, -up, up}, {down, -down, down}};
+        const std::vector<flying::ImpactPair> pairs = {{0, 1, 0, 1, {e, 0.0}}, {0, 2, 1, 2, {e, 0.0}}};
+        const std::vector<double> slowest(2, 1e-12);
+        flying::resolve_impacts(bodies, pairs, points, slowest, 2);
+        const double cosine = std::cos(alpha);
+        const double p = (1.0 + e) * m * u * cosine / (1.0 + 2.0 * m * cosine * cosine);
+        CHECK_EQUATION("impulse.two_at_once", m * bodies[1].velocity.norm(), p, 1e-13, {"M", 1.0}, {"m", m}, {"u", u}, {"e", e}, {"\\alpha", alpha});
+        CHECK_TWIN("impulse.two_at_once", m * bodies[1].velocity.norm(), (1.0 + e) * m * u * cosine / (1.0 + m), 1e-13);
+        CHECK(std::abs(bodies[1].velocity.y() + bodies[2].velocity.y()) < 1e-14);
+        CHECK(std::abs(bodies[0].velocity.y()) < 1e-14);
+    }
+}
 
 TEST_CASE("a block that rocks from one corner to the other keeps what the angle of its diagonal leaves")
 {

@@ -22,8 +22,7 @@ Pose inverse(const Pose& a_from_b)
 }
 
 /// Separation of one vertex of the other polygon from the line of the owner's edge.  [m]
-double separation_of(const Polygon& owner, const Edge& edge, const Vec2& vertex,
-                     const Pose& owner_from_other)
+double separation_of(const Polygon& owner, const Edge& edge, const Vec2& vertex, const Pose& owner_from_other)
 {
     const Vec2 from_edge = owner_from_other * vertex - owner.vertices()[edge.from];
     return edge.normal.dot(from_edge);
@@ -51,8 +50,7 @@ int lowest_vertex(const Polygon& polygon, const Vec2& direction)
 }
 
 /// The axis of greatest separation among the owner's edges, in one round of both polygons; and the next greatest.
-Axis greatest_of_owner(const Polygon& owner, const Polygon& other,
-                       const Pose& owner_from_other, double& next)
+Axis greatest_of_owner(const Polygon& owner, const Polygon& other, const Pose& owner_from_other, double& next)
 {
     Axis best = axis_of_edge(owner, 0, other, owner_from_other);
     next = -std::numeric_limits<double>::infinity();
@@ -65,8 +63,7 @@ Axis greatest_of_owner(const Polygon& owner, const Polygon& other,
             vertex = other.edges()[vertex].to;
             --steps_left;
         }
-        const double separation =
-            separation_of(owner, edge, other.vertices()[vertex], owner_from_other);
+        const double separation = separation_of(owner, edge, other.vertices()[vertex], owner_from_other);
         next = std::max(next, std::min(separation, best.separation));
         if (separation > best.separation) best = {Owner::a, k, vertex, separation};
     }
@@ -75,13 +72,11 @@ Axis greatest_of_owner(const Polygon& owner, const Polygon& other,
 
 } // namespace
 
-Axis axis_of_edge(const Polygon& owner, int edge, const Polygon& other,
-                  const Pose& owner_from_other)
+Axis axis_of_edge(const Polygon& owner, int edge, const Polygon& other, const Pose& owner_from_other)
 {
     const Edge& side = owner.edges()[edge];
     const int vertex = lowest_vertex(other, normal_in_other(side, owner_from_other));
-    return {Owner::a, edge, vertex,
-            separation_of(owner, side, other.vertices()[vertex], owner_from_other)};
+    return {Owner::a, edge, vertex, separation_of(owner, side, other.vertices()[vertex], owner_from_other)};
 }
 
 Axis greatest_separation(const Polygon& a, const Polygon& b, const Pose& a_from_b)

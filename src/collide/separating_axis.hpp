@@ -56,7 +56,8 @@ struct BestEdges
     double lead = 0.0; ///< by which the separation of each exceeds those of its polygon's other edges, at least [m]
 };
 
-/// Time linear in the number of edges. Where two edges share the greatest separation, the first wins, and the lead is 0.
+/// Time linear in the number of edges. Where two edges share the greatest separation, the first wins, and the lead is
+/// 0.
 [[nodiscard]] BestEdges best_edges(const Polygon& a, const Polygon& b, const Pose& a_from_b);
 
 /// The one of two edges with the greater separation, A's where they are equal.

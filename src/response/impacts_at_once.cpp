@@ -73,6 +73,7 @@ public:
         }
     }
 
+    // [response.at_once.compress]
     /// Find the impulses that end the approach of all points at once, as far as the sweeps come.
     void compress()
     {
@@ -100,6 +101,7 @@ public:
         end_together();
         for (const int body : movers_) bodies_[body] = shares_[body].before;
     }
+    // [response.at_once.compress]
 
     /// Push with (1 + e) times what was found: no more than keeps the energy, and of the friction what loses most.
     void give_back()
@@ -186,6 +188,7 @@ private:
         }
     }
 
+    // [response.at_once.give_back]
     /// Push at all points, with the part at which the energy that is lost is at its most, or so many times as much; at
     /// most with all.
     template <typename Impulse>
@@ -198,6 +201,7 @@ private:
         }
         give(work < 0.0 ? std::min(1.0, -times * work / taken_up()) : 0.0);
     }
+    // [response.at_once.give_back]
 
     std::span<ImpactBody> bodies_;
     std::vector<Share>& shares_;

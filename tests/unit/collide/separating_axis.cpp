@@ -167,7 +167,8 @@ TEST_CASE("a feature keeps its number while the bodies move a little, and differ
     for (int k = 0; k < 2; ++k) CHECK(first.contacts[k].feature == moved.contacts[k].feature);
 }
 
-TEST_CASE("two contacts of a manifold have two names, whichever comes first, and a disc's one contact is renamed with its owners")
+TEST_CASE("two contacts of a manifold have two names, whichever comes first, and a disc's one contact is renamed with "
+          "its owners")
 {
     Random random(505);
     int pairs = 0;
@@ -182,8 +183,8 @@ TEST_CASE("two contacts of a manifold have two names, whichever comes first, and
         const Pose pose_a = {Vec2::Zero(), Rotation::of(angle_a)};
         const Pose pose_b = {Vec2(x, y), Rotation::of(angle_b)};
         for (const bool swapped : {false, true}) {
-            const Manifold manifold = swapped ? make_manifold(b, pose_b, a, pose_a, 0.1)
-                                              : make_manifold(a, pose_a, b, pose_b, 0.1);
+            const Manifold manifold =
+                swapped ? make_manifold(b, pose_b, a, pose_a, 0.1) : make_manifold(a, pose_a, b, pose_b, 0.1);
             if (manifold.count < 2) continue;
             ++pairs;
             REQUIRE(manifold.contacts[0].feature != manifold.contacts[1].feature);
