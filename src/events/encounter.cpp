@@ -19,8 +19,17 @@ namespace {
     return combine(bodies.sheet(one.a).material, bodies.sheet(one.b).material);
 }
 
-[[nodiscard]] Push push_together(const BodyRows& bodies, std::span<const Encounter> encounters)
+/// They touch corner on corner, and nowhere else.
+[[nodiscard]] bool is_at_corner(const Encounter& one)
 {
+    return one.meeting.touches.size() == 1 && one.meeting.touches.front().feature.kind == FeatureKind::corner;
+}
+
+[[nodiscard]] Push push_together(const BodyRows& bodies, std::span<const Encounter> all)
+{
+    // Two corners that meet may slide past each other, if others push first
+    std::vector<Encounter> encounters(all.begin(), all.end());
+    if (!std::all_of(all.begin(), all.end(), is_at_corner)) std::erase_if(encounters, is_at_corner);
     std::vector<int> rows;
     for (const Encounter& one : encounters) rows.insert(rows.end(), {one.a, one.b});
     std::sort(rows.begin(), rows.end());

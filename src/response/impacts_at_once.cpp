@@ -156,7 +156,8 @@ private:
             left += p.normal * speed_along(p.frame.normal, motion_of(p));
             push(p, p.frame.normal, p.normal);
         }
-        const double part = 1.0 - left / taken_up();
+        const double taken = taken_up();
+        const double part = taken > 0.0 ? 1.0 - left / taken : 1.0; // both may be too small for their squares
         give(0.0);
         for (GroupPoint& p : points_) p.normal *= part;
     }

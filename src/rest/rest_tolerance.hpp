@@ -112,10 +112,10 @@ inline constexpr double k_standing = 4.0;
 /// runs through a row of balls, some for each.
 inline constexpr int k_most_parts = 256;
 
-/// Looks, in such parts, at pairs that both move, of an island that loses energy: what impacts come after that have no
-/// moments of their own, as in a heap. Of twelve bodies with many teeth each two are dozens of pairs, and they get some
-/// thirty parts; discs in a row get all, and facets of the ground don't count.
-inline constexpr int k_most_looks = 4096;
+/// Looks, in such parts, at pairs that both move, of an island that loses energy: as many as a dozen bodies of one
+/// piece each can need. Of a dozen with many teeth each two are several pairs; what impacts come after that have no
+/// moments of their own, as in a heap.
+inline constexpr int k_most_looks = 66 * k_most_parts;
 
 // ---- Heaps (heap_sweeps)
 /// [speeds that the field gives in a step] An island that was slower and stays so is at rest: what it was about to do
