@@ -102,6 +102,24 @@ TEST_CASE("a disc that strikes two walls at once comes straight back, and at e =
     }
 }
 
+TEST_CASE("speeds whose squares are too small to be written down do no harm")
+{
+    for (const double speed : {1e-100, 1e-160, 1e-200, 1e-300}) {
+        Cluster cluster;
+        const int middle = cluster.add(1.0, {speed, 0.0});
+        cluster.add(1.0, Vec2::Zero());
+        cluster.add(1.0, Vec2::Zero());
+        cluster.touch(middle, 1, towards(30.0), {0.5, 0.0});
+        cluster.touch(middle, 2, towards(-30.0), {0.5, 0.0});
+        const std::vector<double> slowest(2, 0.0);
+        (void)resolve_impacts(cluster.bodies, cluster.pairs, cluster.points, slowest, 10);
+        for (const ImpactBody& body : cluster.bodies) {
+            CHECK(std::isfinite(body.velocity.x()));
+            CHECK(body.velocity.norm() <= speed);
+        }
+    }
+}
+
 TEST_CASE("a row of balls that touch hands a blow on, and two blows at once from both sides")
 {
     for (const bool two : {false, true}) {
