@@ -10,7 +10,8 @@
 
 namespace flying {
 
-void ImpactsAtOnce::put(const BodyRows& bodies, const StaticSurfaces& surfaces, std::vector<Event> impacts)
+std::vector<Event> ImpactsAtOnce::put(const BodyRows& bodies, const StaticSurfaces& surfaces,
+                                      std::vector<Event> impacts)
 {
     // Two bodies that came into each other's sight have both foreseen it; and static ones side by side are struck as
     // one
@@ -25,11 +26,15 @@ void ImpactsAtOnce::put(const BodyRows& bodies, const StaticSurfaces& surfaces, 
     const auto tie = [&](int id) { return never_moves(id) ? -1 : id; };
     std::vector<std::array<int, 2>> pairs;
     for (const Event& impact : impacts) pairs.push_back({tie(impact.a), tie(impact.b)});
+    std::vector<Event> left;
     for (const std::vector<int>& members : tied_pairs(pairs)) {
-        groups_.emplace_back();
-        for (const int k : members) groups_.back().push_back(impacts[k]);
+        std::vector<Event> group;
+        for (const int k : members) group.push_back(impacts[k]);
+        if (group.front().time == impacts.front().time) groups_.push_back(std::move(group));
+        else left.insert(left.end(), group.begin(), group.end());
     }
     std::reverse(groups_.begin(), groups_.end());
+    return left;
 }
 
 std::vector<Event> ImpactsAtOnce::take(const BodyRows& bodies)

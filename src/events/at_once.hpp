@@ -15,7 +15,10 @@ class ImpactsAtOnce
 public:
     [[nodiscard]] bool is_empty() const { return groups_.empty(); }
     /// Take up impacts of one moment, in any order.
-    void put(const BodyRows& bodies, const StaticSurfaces& surfaces, std::vector<Event> impacts);
+    ///
+    /// Returns those whose groups come a rounding later than the first of all: something else may happen before.
+    [[nodiscard]] std::vector<Event> put(const BodyRows& bodies, const StaticSurfaces& surfaces,
+                                         std::vector<Event> impacts);
     /// The next group, without what was overtaken in the meantime: empty where all of it was. Only where there is one.
     [[nodiscard]] std::vector<Event> take(const BodyRows& bodies);
     void clear() { groups_.clear(); }

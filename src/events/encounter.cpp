@@ -27,11 +27,8 @@ namespace {
 
 [[nodiscard]] Push push_together(const BodyRows& bodies, std::span<const Encounter> all)
 {
-    // Two corners that meet may slide past each other, if others push first
-    std::vector<Encounter> encounters(all.begin(), all.end());
-    if (!std::all_of(all.begin(), all.end(), is_at_corner)) std::erase_if(encounters, is_at_corner);
     std::vector<int> rows;
-    for (const Encounter& one : encounters) rows.insert(rows.end(), {one.a, one.b});
+    for (const Encounter& one : all) rows.insert(rows.end(), {one.a, one.b});
     std::sort(rows.begin(), rows.end());
     rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
     std::vector<ImpactBody> struck;
@@ -39,6 +36,10 @@ namespace {
     const auto place_of = [&](int row) {
         return static_cast<int>(std::lower_bound(rows.begin(), rows.end(), row) - rows.begin());
     };
+
+    // Two corners that meet may slide past each other, if others push first
+    std::vector<Encounter> encounters(all.begin(), all.end());
+    if (!std::all_of(all.begin(), all.end(), is_at_corner)) std::erase_if(encounters, is_at_corner);
     std::vector<ImpactPair> pairs;
     std::vector<ImpactPoint> points;
     std::vector<double> slowest;

@@ -160,8 +160,8 @@ void EventEngine::gather_at_once(const Event& first)
             if (is_called) await(ForeseenEvents::owner_of(bodies_, event));
         } else others.push_back(event);
     }
+    for (const Event& event : at_once_.put(bodies_, surfaces_, std::move(impacts))) foreseen_.put_back(event);
     for (const Event& event : others) foreseen_.put_back(event);
-    at_once_.put(bodies_, surfaces_, std::move(impacts));
 }
 
 /// One impact, or a group of them that push together.

@@ -12,8 +12,8 @@ struct HappensAfter
     [[nodiscard]] bool operator()(const Event& p, const Event& q) const { return happens_before(q, p); }
 };
 
-/// Least events of one day, and most days in half a calendar: days are few enough for the ends of all their lists to stay
-/// in the fast memory, into which new events are written, and no longer than that asks, for each is sorted.
+/// Least events of one day, and most days in half a calendar: days are few enough for the ends of all their lists to
+/// stay in the fast memory, into which new events are written, and no longer than that asks, for each is sorted.
 constexpr std::size_t k_events_a_day = 256;
 constexpr std::size_t k_days = 128;
 
@@ -59,8 +59,8 @@ void EventQueue::turn_page()
     sort_today();
 }
 
-/// Put today in order, the last first. The hours of a day are as many as its events, which find theirs by their times, so
-/// that few comparisons are left: each would be a guess, wrong every other time.
+/// Put today in order, the last first. The hours of a day are as many as its events, which find theirs by their times,
+/// so that few comparisons are left: each would be a guess, wrong every other time.
 void EventQueue::sort_today()
 {
     const std::size_t count = today_.size();
