@@ -38,12 +38,12 @@ namespace {
     };
 
     // Two corners that meet may slide past each other, if others push first
-    std::vector<Encounter> encounters(all.begin(), all.end());
-    if (!std::all_of(all.begin(), all.end(), is_at_corner)) std::erase_if(encounters, is_at_corner);
+    const bool all_at_corners = std::all_of(all.begin(), all.end(), is_at_corner);
     std::vector<ImpactPair> pairs;
     std::vector<ImpactPoint> points;
     std::vector<double> slowest;
-    for (const Encounter& one : encounters) {
+    for (const Encounter& one : all) {
+        if (!all_at_corners && is_at_corner(one)) continue;
         const std::size_t first = points.size();
         points.insert(points.end(), one.meeting.points.begin(), one.meeting.points.end());
         slowest.resize(points.size(), tolerance::k_approach * (bodies.top_speed(one.a) + bodies.top_speed(one.b)));

@@ -132,10 +132,8 @@ bool EventEngine::may_have_company(const Event& impact)
 {
     const double end = end_of_moment(impact.time);
     if (!foreseen_.is_empty() && foreseen_.next().time <= end) return true;
-    if (impact.owner == Event::Owner::none) return false;
-    const Waiting& waiting = foreseen_.waiting(ForeseenEvents::owner_of(bodies_, impact));
-    return waiting.count > 0 &&
-           waiting.entries[waiting.first(impact.owner == Event::Owner::b ? impact.b : impact.a)].time <= end;
+    return impact.owner != Event::Owner::none &&
+           foreseen_.waiting(ForeseenEvents::owner_of(bodies_, impact)).has_by(end);
 }
 
 /// Take all impacts of the moment of the first one out of the queue. What isn't one goes back.

@@ -33,8 +33,8 @@ struct Event
 };
 
 /// The order in which events happen: by time; at one time, what may foresee more
-/// impacts before the impacts; then by the lower id, then by the higher. No two events
-/// that count are equal in all of these.
+/// impacts before the impacts; then by the lower id, then by the higher. Events that count are equal in all of these
+/// only where both bodies of an impact foresaw it; the first of the two overtakes the other.
 [[nodiscard]] inline bool happens_before(const Event& p, const Event& q)
 {
     if (p.time != q.time) return p.time < q.time;

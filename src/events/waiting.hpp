@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -8,8 +9,8 @@
 
 namespace flying {
 
-/// What is foreseen of a body beyond its first event. Only that one goes into the queue; the others wait here, in one line
-/// of the fast memory, until it is over or overtaken. Most of them never come up: the body is struck before.
+/// What is foreseen of a body beyond its first event. Only that one goes into the queue; the others wait here, in one
+/// line of the fast memory, until it is over or overtaken. Most of them never come up: the body is struck before.
 struct alignas(64) Waiting
 {
     /// An event of the body, without what the body itself knows.
@@ -40,8 +41,12 @@ struct alignas(64) Waiting
     {
         const Entry& entry = entries[k];
         const bool is_first = entry.with < 0 || id < entry.with;
-        return {entry.time,  is_first ? id : entry.with, is_first ? entry.with : id,
-                entry.stamp, kinds[k],                   is_first ? Event::Owner::a : Event::Owner::b};
+        return {entry.time,
+                is_first ? id : entry.with,
+                is_first ? entry.with : id,
+                entry.stamp,
+                kinds[k],
+                is_first ? Event::Owner::a : Event::Owner::b};
     }
     /// The one that happens first, of at least one.
     [[nodiscard]] int first(int id) const
@@ -52,6 +57,12 @@ struct alignas(64) Waiting
             if (entries[k].time < entries[first].time || happens_before(event(k, id), event(first, id))) first = k;
         }
         return first;
+    }
+    /// One of them happens no later than that.  [s]
+    [[nodiscard]] bool has_by(double time) const
+    {
+        return std::any_of(entries.begin(), entries.begin() + count,
+                           [&](const Entry& entry) { return entry.time <= time; });
     }
     void drop(int k)
     {

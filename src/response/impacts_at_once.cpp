@@ -56,7 +56,7 @@ public:
     Group(const Group&) = delete;
     Group& operator=(const Group&) = delete;
 
-    /// Add the points of a pair that approach or rest.
+    /// Add the points of a pair.
     void add(const ImpactPair& pair, std::span<const ImpactPoint> points)
     {
         for (std::size_t k = pair.first; k < pair.end; ++k) {
@@ -69,7 +69,7 @@ public:
             const double v_t = speed_along(point.frame.tangent, motion_of(point));
             top_speed_ = std::max({top_speed_, std::abs(v_n), std::abs(v_t), bodies_[pair.a].velocity.norm(),
                                    bodies_[pair.b].velocity.norm()});
-            if (v_n <= tolerance::k_approach * top_speed_) points_.push_back(point);
+            points_.push_back(point);
         }
     }
 
@@ -77,6 +77,10 @@ public:
     /// Find the impulses that end the approach of all points at once, as far as the sweeps come.
     void compress()
     {
+        const auto parts = [&](const GroupPoint& p) {
+            return speed_along(p.frame.normal, motion_of(p)) > tolerance::k_approach * top_speed_;
+        };
+        std::erase_if(points_, parts);
         split_masses();
         const double enough = 4.0 * tolerance::k_epsilon * top_speed_;
         double change = enough;
@@ -285,7 +289,6 @@ int resolve_impacts(std::span<ImpactBody> bodies, std::span<const ImpactPair> pa
             ties.push_back({tie(pairs[k].a), tie(pairs[k].b)});
         }
         if (chosen.empty()) break;
-
         if (pairs_of.is_empty()) pairs_of = PairsOfBodies(bodies, pairs);
 
         // Strike

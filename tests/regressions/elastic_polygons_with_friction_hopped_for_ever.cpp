@@ -3,7 +3,10 @@
 // hopped on by less than a millionth of a micrometre, hundred thousands of times a second, in one of sixteen scenes for
 // good.
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <vector>
 
 #include "math/random.hpp"
 #include "support/bodies.hpp"
@@ -59,10 +62,14 @@ TEST_CASE("heaps of elastic boxes with friction take a hundred impacts for each 
         scene.world.restitution = 1.0;
         scene.world.friction = 0.5;
         scene.world.box = BoxDef{{0.0, 0.0}, {9.0, 40.0}};
+        std::vector<double> squares; // of the radii of gyration
         for (int k = 0; k < 80; ++k) {
             const double width = random.uniform(0.3, 0.8);
-            BodyDef body = rectangle(width, random.uniform(0.3, 0.8), {0.6 + 0.97 * (k % 9), 0.6 + 1.15 * (k / 9)});
+            const double height = random.uniform(0.3, 0.8);
+            BodyDef body = rectangle(width, height, {0.6 + 0.97 * (k % 9), 0.6 + 1.15 * (k / 9)});
             body.angle = random.uniform(0.0, 3.0);
+            body.mass = width * height;
+            squares.push_back((width * width + height * height) / 12.0);
             scene.bodies.push_back(body);
         }
         World world = world_of(scene);
@@ -72,10 +79,16 @@ TEST_CASE("heaps of elastic boxes with friction take a hundred impacts for each 
         CHECK(report.max_overlap <= 0.01 * 0.15);
         run(world, 12.0);
 
-        // A box that rocks from corner to corner, and slips on neither, loses nothing
-        int awake = 0;
-        for (int k = 0; k < world.body_count(); ++k) awake += world.state(k).velocity.norm() > 1e-3 ? 1 : 0;
-        CHECK(awake <= 1);
+        // A box that rocks from corner to corner, and slips on neither, loses nothing: leave out the fastest
+        std::vector<double> kinetic;
+        for (int k = 0; k < 80; ++k) {
+            const BodyState state = world.state(k);
+            const double spin = state.spin * state.spin;
+            kinetic.push_back(0.5 * *scene.bodies[k].mass * (state.velocity.squaredNorm() + spin * squares[k]));
+        }
+        std::sort(kinetic.begin(), kinetic.end());
+        kinetic.pop_back();
+        CHECK(std::accumulate(kinetic.begin(), kinetic.end(), 0.0) <= 1e-6 * report.initial_total);
     }
 }
 
