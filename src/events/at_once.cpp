@@ -17,7 +17,6 @@ std::vector<Event> ImpactsAtOnce::put(const BodyRows& bodies, const StaticSurfac
     // one
     const auto never_moves = [&](int id) { return bodies.never_moves(bodies.row_of(id)); };
     const auto struck = [&](int id) { return never_moves(id) ? surfaces.surface_of(id) : id; };
-    std::sort(impacts.begin(), impacts.end(), happens_before);
     std::set<std::pair<int, int>> seen;
     std::erase_if(impacts, [&](const Event& impact) {
         return !seen.insert(std::minmax({struck(impact.a), struck(impact.b)})).second;

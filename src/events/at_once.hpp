@@ -14,7 +14,7 @@ class ImpactsAtOnce
 {
 public:
     [[nodiscard]] bool is_empty() const { return groups_.empty(); }
-    /// Take up impacts of one moment, in any order.
+    /// Take up impacts of one moment, in their order.
     ///
     /// Returns those whose groups come a rounding later than the first of all: something else may happen before.
     [[nodiscard]] std::vector<Event> put(const BodyRows& bodies, const StaticSurfaces& surfaces,

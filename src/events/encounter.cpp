@@ -25,7 +25,7 @@ namespace {
     return one.meeting.touches.size() == 1 && one.meeting.touches.front().feature.kind == FeatureKind::corner;
 }
 
-[[nodiscard]] Push push_together(const BodyRows& bodies, std::span<const Encounter> all)
+void push_together(const BodyRows& bodies, std::span<const Encounter> all, Push& push)
 {
     std::vector<int> rows;
     for (const Encounter& one : all) rows.insert(rows.end(), {one.a, one.b});
@@ -49,10 +49,10 @@ namespace {
         slowest.resize(points.size(), tolerance::k_approach * (bodies.top_speed(one.a) + bodies.top_speed(one.b)));
         pairs.push_back({place_of(one.a), place_of(one.b), first, points.size(), material_of(bodies, one)});
     }
-    Push push;
     push.impacts = resolve_impacts(struck, pairs, points, slowest, 1);
+    push.ended = true;
+    push.motions.clear();
     for (std::size_t k = 0; k < rows.size(); ++k) push.motions.push_back({rows[k], struck[k].velocity, struck[k].spin});
-    return push;
 }
 
 } // namespace
@@ -101,29 +101,34 @@ bool judge_room(const BodyRows& bodies, double shortest_bounce, Encounter& one)
     one.has_room = !creeps && one.moved;
     // [events.impact.crowding]
 
+    one.sinks = false;
+    if (one.has_room) return !is_held;
+
     // Each of many impacts at one moment may come late by a rounding. Beyond the tolerance of touching, what has
     // come behind a side would be lost to the search
     const auto is_polygon = [&](int body) { return std::holds_alternative<Polygon>(bodies.shape_of(body)); };
     const auto is_wall = [&](int body) { return std::holds_alternative<HalfPlane>(bodies.shape_of(body)); };
     const bool has_sides = (is_polygon(one.a) && !is_wall(one.b)) || (is_polygon(one.b) && !is_wall(one.a));
     const auto is_deep = [&](const Touch& point) { return point.separation < -0.5 * one.meeting.touch; };
-    one.sinks =
-        !one.has_room && has_sides && std::any_of(one.meeting.touches.begin(), one.meeting.touches.end(), is_deep);
-    return one.has_room && !is_held;
+    one.sinks = has_sides && std::any_of(one.meeting.touches.begin(), one.meeting.touches.end(), is_deep);
+    return false;
 }
 
-Push push_apart(const BodyRows& bodies, std::span<const Encounter> encounters)
+void push_apart(const BodyRows& bodies, std::span<const Encounter> encounters, Push& push)
 {
-    if (encounters.size() > 1) return push_together(bodies, encounters);
+    if (encounters.size() > 1) {
+        push_together(bodies, encounters, push);
+        return;
+    }
 
     // [events.impact.push]
     const Encounter& one = encounters[0];
     const ImpactResult result = resolve_impact(impact_body(bodies, one.a), impact_body(bodies, one.b),
                                                one.meeting.points, material_of(bodies, one));
     // [events.impact.push]
-    return {{{one.a, result.velocity_a, result.spin_a}, {one.b, result.velocity_b, result.spin_b}},
-            result.any_push ? 1 : 0,
-            result.ended};
+    push.impacts = result.any_push ? 1 : 0;
+    push.ended = result.ended;
+    push.motions.assign({{one.a, result.velocity_a, result.spin_a}, {one.b, result.velocity_b, result.spin_b}});
 }
 
 } // namespace flying

@@ -55,6 +55,7 @@ struct Push
 
 /// Pushes two bodies apart that meet; or all of a group, in one round: of those, what still approaches strikes again,
 /// at the same moment.
-[[nodiscard]] Push push_apart(const BodyRows& bodies, std::span<const Encounter> encounters);
+/// push  is written anew; its memory is used again
+void push_apart(const BodyRows& bodies, std::span<const Encounter> encounters, Push& push);
 
 } // namespace flying

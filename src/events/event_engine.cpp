@@ -154,7 +154,7 @@ void EventEngine::gather_at_once(const Event& first)
             ++counts_.events;
             handle_look(event);
         } else if (event.kind == Event::Kind::impact && is_at_once(bodies_, event, first.time)) {
-            impacts.push_back(event);
+            impacts.insert(std::upper_bound(impacts.begin(), impacts.end(), event, happens_before), event);
             if (is_called) await(ForeseenEvents::owner_of(bodies_, event));
         } else others.push_back(event);
     }
@@ -236,13 +236,13 @@ std::optional<EventFailure> EventEngine::strike(std::span<const Event> impacts)
             count_crowding(one.a, has_room);
             count_crowding(one.b, has_room);
         }
-        const Push push = push_apart(bodies_, encounters);
-        for (const Push::Motion& after : push.motions) {
+        push_apart(bodies_, encounters, push_);
+        for (const Push::Motion& after : push_.motions) {
             energy_lost_ -= bodies_.energy_change(after.row, after.velocity, after.spin);
             set_motion(after.row, after.velocity, after.spin);
         }
-        counts_.impacts += push.impacts;
-        ended = push.ended;
+        counts_.impacts += push_.impacts;
+        ended = push_.ended;
         for (Encounter& one : encounters) {
             log_impact(one.impact, one.a, one.b);
             if (!options_.ends_bounces) continue;

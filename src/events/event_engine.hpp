@@ -141,6 +141,7 @@ private:
     EventCounts counts_;
     EventSeconds seconds_;
     std::vector<Encounter> encounters_; // workspace of impacts
+    Push push_;                         // likewise
     std::vector<int> near_;             // workspace: rows of those about one body
 };
 
