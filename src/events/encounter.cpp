@@ -27,28 +27,21 @@ namespace {
 
 void push_together(const BodyRows& bodies, std::span<const Encounter> all, Push& push)
 {
-    std::vector<int> rows;
-    for (const Encounter& one : all) rows.insert(rows.end(), {one.a, one.b});
-    std::sort(rows.begin(), rows.end());
-    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-    std::vector<ImpactBody> struck;
-    for (const int row : rows) struck.push_back(impact_body(bodies, row));
-    const auto place_of = [&](int row) {
-        return static_cast<int>(std::lower_bound(rows.begin(), rows.end(), row) - rows.begin());
-    };
-
     // Two corners that meet may slide past each other, if others push first
     const bool all_at_corners = std::all_of(all.begin(), all.end(), is_at_corner);
     std::vector<ImpactPair> pairs;
     std::vector<ImpactPoint> points;
     std::vector<double> slowest;
     for (const Encounter& one : all) {
-        if (!all_at_corners && is_at_corner(one)) continue;
         const std::size_t first = points.size();
-        points.insert(points.end(), one.meeting.points.begin(), one.meeting.points.end());
+        if (all_at_corners || !is_at_corner(one))
+            points.insert(points.end(), one.meeting.points.begin(), one.meeting.points.end());
         slowest.resize(points.size(), tolerance::k_approach * (bodies.top_speed(one.a) + bodies.top_speed(one.b)));
-        pairs.push_back({place_of(one.a), place_of(one.b), first, points.size(), material_of(bodies, one)});
+        pairs.push_back({one.a, one.b, first, points.size(), material_of(bodies, one)});
     }
+    const std::vector<int> rows = number_anew(pairs);
+    std::vector<ImpactBody> struck;
+    for (const int row : rows) struck.push_back(impact_body(bodies, row));
     push.impacts = resolve_impacts(struck, pairs, points, slowest, 1);
     push.ended = true;
     push.motions.clear();

@@ -83,9 +83,8 @@ public:
         std::erase_if(points_, parts);
         split_masses();
         const double enough = 4.0 * tolerance::k_epsilon * top_speed_;
-        double change = enough;
-        for (int sweep = 0; sweep < k_sweeps && change >= enough; ++sweep) {
-            change = 0.0;
+        for (int sweep = 0; sweep < k_sweeps; ++sweep) {
+            double change = 0.0;
             for (GroupPoint& p : points_) {
                 const PairMotion motion = motion_of(p);
                 const double mu = p.material.friction;
@@ -101,6 +100,7 @@ public:
                 p.tangent = q;
             }
             give(1.0);
+            if (change <= enough) break; // both are zero where all is too slow for numbers
         }
         end_together();
         for (const int body : movers_) bodies_[body] = shares_[body].before;
@@ -259,6 +259,22 @@ private:
 };
 
 } // namespace
+
+std::vector<int> number_anew(std::span<ImpactPair> pairs)
+{
+    std::vector<int> bodies;
+    for (const ImpactPair& pair : pairs) bodies.insert(bodies.end(), {pair.a, pair.b});
+    std::sort(bodies.begin(), bodies.end());
+    bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+    const auto place_of = [&](int body) {
+        return static_cast<int>(std::lower_bound(bodies.begin(), bodies.end(), body) - bodies.begin());
+    };
+    for (ImpactPair& pair : pairs) {
+        pair.a = place_of(pair.a);
+        pair.b = place_of(pair.b);
+    }
+    return bodies;
+}
 
 int resolve_impacts(std::span<ImpactBody> bodies, std::span<const ImpactPair> pairs,
                     std::span<const ImpactPoint> points, std::span<const double> slowest, int most)

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include "response/impact.hpp"
 
@@ -16,6 +17,10 @@ struct ImpactPair
     std::size_t end = 0;   ///< one past its last
     Material material;     ///< of the pair, as `combine` tells
 };
+
+/// Number the bodies of pairs anew, from 0, without gaps and in their order.
+/// Returns the number that each had before.
+[[nodiscard]] std::vector<int> number_anew(std::span<ImpactPair> pairs);
 
 /// Let all bodies that touch at one moment strike each other, in rounds, until none approaches.
 ///

@@ -36,14 +36,7 @@ int throw_back(std::span<Mover> velocities, std::span<const ContactPoint> points
         pairs.back().end = k + 1;
         places.push_back(impact_point(c));
     }
-    std::vector<int> members;
-    for (const ImpactPair& pair : pairs) members.insert(members.end(), {pair.a, pair.b});
-    std::sort(members.begin(), members.end());
-    members.erase(std::unique(members.begin(), members.end()), members.end());
-    for (ImpactPair& pair : pairs) {
-        for (int* const body : {&pair.a, &pair.b})
-            *body = static_cast<int>(std::lower_bound(members.begin(), members.end(), *body) - members.begin());
-    }
+    const std::vector<int> members = number_anew(pairs);
     std::vector<ImpactBody> bodies;
     for (const int member : members) {
         const Mover& m = velocities[member];

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "math/tolerance.hpp"
 #include "rest/energy_limit.hpp"
 #include "rest/find_contacts.hpp"
 #include "rest/heap_sweeps.hpp"
@@ -39,7 +40,7 @@ struct ApproachSpeeds
     double by_field = 0.0; ///< what the field alone brings about in a small part of a whole step [m/s]
 
     ApproachSpeeds(const RestData& data, const Island& island)
-        : rounding(solve_rounding(island) +
+        : rounding(solve_rounding(island) + tolerance::k_least_speed +
                    rest_tolerance::k_stagnant * rest_tolerance::k_residual * top_speed(data, island)),
           by_field(rest_tolerance::k_blow * field_speed(data, island) * (data.options.step / data.motion.span))
     {
