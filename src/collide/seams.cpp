@@ -203,7 +203,7 @@ void mend_at_seams(const Polygon& part, const Pose& world_from_part, std::span<c
             if (height < std::min(contact.separation, 0.0) - k_sunk * near) continue;
             const double over = from_corner.dot(seam.onwards);
             if (over > seam.crack && seam.bend != Seam::Bend::hollow) return false;
-            if (over < -seam.crack && seam.bend == Seam::Bend::none && is_no_corner) return false;
+            if (over < -seam.crack && seam.bend == Seam::Bend::none && is_no_corner && manifold.count > 1) return false;
             contact.separation = height;
             contact.normal = world_from_part.rotation * Vec2(sign * instead);
             contact.point = world_from_part * Vec2(nearest.point - 0.5 * contact.separation * instead);

@@ -100,8 +100,8 @@ void find_seams(const Polygon& part, const Pose& part_from_other, const Shape& o
 /// The rule in contacts: what a body touches at a seam, it touches as it would touch the joint surface. A contact along
 /// a normal that is none of that surface's, or on a corner that is none of it, becomes one of the body's nearest point
 /// along the surface's normal; but it goes where another contact bears what it would: the nearest point of the body is
-/// over the neighbour, or, where the surface goes straight on, anywhere else than at the seam. Neighbours that are
-/// loose lend no normal to what lies on them along an edge of its own.
+/// over the neighbour, or, where the surface goes straight on and the pair has another point, anywhere else than at the
+/// seam. Neighbours that are loose lend no normal to what lies on them along an edge of its own.
 ///
 /// seams        of the polygon
 /// owner        which of the manifold's two bodies the polygon is

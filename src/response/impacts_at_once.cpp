@@ -103,17 +103,28 @@ public:
             if (change <= enough) break; // both are zero where all is too slow for numbers
         }
         end_together();
-        for (const int body : movers_) bodies_[body] = shares_[body].before;
+        take_back();
     }
     // [response.at_once.compress]
 
-    /// Push with (1 + e) times what was found: no more than keeps the energy, and of the friction what loses most.
+    // [response.at_once.give_back]
+    /// Push with (1 + e) times what was found, and of the friction with the part at which most energy is lost; with all
+    /// of it scaled down where it would add energy.
     void give_back()
     {
-        const auto gain = [](const GroupPoint& p) { return 1.0 + p.material.restitution; };
-        give_no_more(2.0, &PointFrame::normal, [&](const GroupPoint& p) { return gain(p) * p.normal; });
-        give_no_more(1.0, &PointFrame::tangent, [&](const GroupPoint& p) { return gain(p) * p.tangent; });
+        const auto along_normal = [](const GroupPoint& p) { return (1.0 + p.material.restitution) * p.normal; };
+        const auto along_tangent = [](const GroupPoint& p) { return (1.0 + p.material.restitution) * p.tangent; };
+        static_cast<void>(push_all(&PointFrame::normal, along_normal));
+        give(1.0);
+        const double slip = push_all(&PointFrame::tangent, along_tangent);
+        const double part = slip < 0.0 ? std::min(1.0, -slip / taken_up()) : 0.0;
+        take_back();
+
+        double work = push_all(&PointFrame::normal, along_normal);
+        work += push_all(&PointFrame::tangent, [&](const GroupPoint& p) { return part * along_tangent(p); });
+        give(work < 0.0 ? std::min(1.0, -2.0 * work / taken_up()) : 0.0);
     }
+    // [response.at_once.give_back]
 
 private:
     [[nodiscard]] PairMotion motion_of(const GroupPoint& p) const
@@ -155,24 +166,18 @@ private:
     /// Where the sweeps were not enough: as much of all that was found as ends the approach on the whole.
     void end_together()
     {
-        double left = 0.0;
-        for (GroupPoint& p : points_) {
-            left += p.normal * speed_along(p.frame.normal, motion_of(p));
-            push(p, p.frame.normal, p.normal);
-        }
+        const double left = push_all(&PointFrame::normal, [](const GroupPoint& p) { return p.normal; });
         const double taken = taken_up();
         const double part = taken > 0.0 ? 1.0 - left / taken : 1.0; // both may be too small for their squares
-        give(0.0);
         for (GroupPoint& p : points_) p.normal *= part;
     }
 
-    /// Twice the energy that bodies at rest would take up from what they were pushed with since the last time; that is
-    /// dropped.  [J]
-    double taken_up()
+    /// Twice the energy that bodies at rest would take up from what they were pushed with since the last time.  [J]
+    [[nodiscard]] double taken_up() const
     {
         double sum = 0.0;
         for (const int body : movers_) {
-            Share& share = shares_[body];
+            const Share& share = shares_[body];
             const Inertia& inertia = bodies_[body].inertia;
             sum += inertia.inv_mass * share.impulse.squaredNorm() +
                    inertia.inv_moment_of_inertia * (share.moment * share.moment);
@@ -193,20 +198,25 @@ private:
         }
     }
 
-    // [response.at_once.give_back]
-    /// Push at all points, with the part at which the energy that is lost is at its most, or so many times as much; at
-    /// most with all.
+    /// Push at all points.
+    /// Returns the work of it at the speeds that they have.  [J]
     template <typename Impulse>
-    void give_no_more(double times, PushLine PointFrame::*line, const Impulse& impulse_of)
+    [[nodiscard]] double push_all(PushLine PointFrame::*line, const Impulse& impulse_of)
     {
-        double work = 0.0; // at first; it shrinks as bodies give way
+        double work = 0.0;
         for (const GroupPoint& p : points_) {
             work += impulse_of(p) * speed_along(p.frame.*line, motion_of(p));
             push(p, p.frame.*line, impulse_of(p));
         }
-        give(work < 0.0 ? std::min(1.0, -times * work / taken_up()) : 0.0);
+        return work;
     }
-    // [response.at_once.give_back]
+
+    /// All bodies move as before, and nothing pushes them yet.
+    void take_back()
+    {
+        give(0.0);
+        for (const int body : movers_) bodies_[body] = shares_[body].before;
+    }
 
     std::span<ImpactBody> bodies_;
     std::vector<Share>& shares_;
