@@ -9,11 +9,23 @@ namespace flying {
 
 using rest_tolerance::k_over_relaxation;
 
-void AlternatingDirections::solve(PieceSystem& pieces, ContactProblem& problem, double tolerance, int rounds)
+namespace {
+
+/// What a point does that takes an impulse of what it is asked for.
+[[nodiscard]] PieceSystem::Mode mode_of(const double* impulse, const double* asked)
+{
+    if (!(impulse[0] > 0.0)) return PieceSystem::Mode::apart;
+    if (impulse[1] == asked[1]) return PieceSystem::Mode::stuck;
+    return asked[1] > 0.0 ? PieceSystem::Mode::slips_backwards : PieceSystem::Mode::slips_forwards;
+}
+
+} // namespace
+
+void AlternatingDirections::solve(PieceSystem& pieces, ContactProblem& problem, const Rounds& rounds)
 {
     pieces.set_soft(problem);
     start(pieces, problem);
-    if (pieces.factorise(problem)) go_round(pieces, problem, tolerance, rounds);
+    if (pieces.factorise(problem)) go_round(pieces, problem, rounds);
     pieces.set_hard();
 }
 
@@ -22,6 +34,7 @@ void AlternatingDirections::start(PieceSystem& pieces, ContactProblem& problem)
 {
     asked_.resize(problem.impulse.size());
     spring_.resize(problem.impulse.size());
+    does_.assign(problem.points.size(), PieceSystem::Mode::apart);
     for (std::size_t k = 0; k < problem.points.size(); ++k) {
         const ContactPoint& c = problem.points[k];
         if (std::isinf(c.bound)) { // without a spring
@@ -42,11 +55,12 @@ void AlternatingDirections::start(PieceSystem& pieces, ContactProblem& problem)
     }
 }
 
-/// Round by round, until no point is moved by more than the tolerance, or long enough.
-void AlternatingDirections::go_round(PieceSystem& pieces, ContactProblem& problem, double tolerance, int rounds)
+void AlternatingDirections::go_round(PieceSystem& pieces, ContactProblem& problem, const Rounds& rounds)
 {
-    double moved = 2.0 * tolerance; // [m/s]
-    for (int round = 0; round < rounds && moved >= tolerance; ++round) {
+    double moved = 2.0 * rounds.tolerance; // [m/s]
+    int last_change = 0;
+    for (int round = 0; round < rounds.most && moved >= rounds.tolerance; ++round) {
+        if (round - last_change > rounds.lasting) break;
         // [rest.alternate.together]
         // All points are springs, and all bodies follow
         pieces.clear_pushes();
@@ -75,6 +89,9 @@ void AlternatingDirections::go_round(PieceSystem& pieces, ContactProblem& proble
             asked[1] += k_over_relaxation * tangent;
             j[0] = std::max(asked[0], 0.0);
             j[1] = std::clamp(asked[1], -c.friction * j[0], c.friction * j[0]);
+            const PieceSystem::Mode does = mode_of(j, asked);
+            if (does != does_[k]) last_change = round;
+            does_[k] = does;
             moved = std::max({moved, std::abs(normal) / c.normal_mass, std::abs(tangent) / c.tangent_mass});
         }
         // [rest.alternate.alone]

@@ -45,20 +45,6 @@ bool is_all_but_still(const RestData& data, int body, const Mover& mover)
     return kinetic_energy(mover) <= rest_tolerance::k_rounding * lift;
 }
 
-double work_of_contacts(const RestData& data, const Island& island)
-{
-    double work = 0.0;
-    for (const ContactPoint& c : island.points) {
-        const auto power = [&](const std::vector<Mover>& movers) {
-            const Mover& a = movers[c.a];
-            const Mover& b = movers[c.b];
-            return c.normal * normal_speed(c, a, b) + c.tangent * tangent_speed(c, a, b);
-        };
-        work += 0.5 * (power(data.motion.before) + power(data.motion.now));
-    }
-    return work;
-}
-
 double neutral_share(const RestData& data, const Island& island, std::span<const Mover> before,
                      std::span<const Mover> after, Way way)
 {

@@ -21,9 +21,6 @@ struct EnergyGain
 /// A body's motion isn't worth what rounding leaves of the energy that would lift it by its own size.
 [[nodiscard]] bool is_all_but_still(const RestData& data, int body, const Mover& mover);
 
-/// The work of the contacts' forces on an island whose bodies move by the mean of their velocities before and after.  [J]
-[[nodiscard]] double work_of_contacts(const RestData& data, const Island& island);
-
 /// How far bodies get with the velocities that impulses bring them.
 enum class Way
 {

@@ -19,12 +19,6 @@ namespace {
     return is_landing ? rest_tolerance::k_most_overlap : 0.5 * rest_tolerance::k_fair_overlap;
 }
 
-/// Of a small one each sweep costs little, and none is worth an overlap.
-[[nodiscard]] bool is_large(const Island& island)
-{
-    return island.member_count() > rest_tolerance::k_most_whole;
-}
-
 /// What free fall through one step brings, from rest, twice over; infinite without a field, where nothing presses on.
 [[nodiscard]] double energy_of_fall(const RestData& data, const Island& island)
 {
@@ -71,14 +65,6 @@ void take_back(std::span<Mover> movers, std::span<const ContactPoint> points)
 }
 
 } // namespace
-
-bool HeapSweeps::sweep_small(RestData& data, Island& island)
-{
-    if (is_large(island)) return false;
-    set_free(data, island, data.motion.before, data.motion.span);
-    sweep_velocities(data, island, data.motion.now, island.points);
-    return work_of_contacts(data, island) <= 0.0;
-}
 
 void HeapSweeps::sweep_large(RestData& data, Island& island)
 {

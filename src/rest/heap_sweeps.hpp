@@ -13,9 +13,6 @@ namespace flying {
 class HeapSweeps
 {
 public:
-    /// Looks for the impulses of an island that is not too large, as the direct solve would. True where they are nearly
-    /// right and do no work.
-    [[nodiscard]] bool sweep_small(RestData& data, Island& island);
     /// The step of an island of any size, of first order: impulses, velocities, and the ways that it leads.
     void sweep_large(RestData& data, Island& island);
     /// Sweeps over what the direct solve rarely finds where a heap moves, for all its factorisations.

@@ -20,6 +20,11 @@ bool is_heap(const Island& island)
     return island.member_count() > most;
 }
 
+bool is_large(const Island& island)
+{
+    return island.member_count() > rest_tolerance::k_most_whole;
+}
+
 bool are_unequal(const RestData& data, std::span<const int> members)
 {
     double least = std::numeric_limits<double>::infinity(); // [1/kg]

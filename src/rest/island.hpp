@@ -25,6 +25,8 @@ struct Island
 /// So large that all impacts which a step brings come at its start, and that it is swept where the direct solve doesn't
 /// find its impulses at once.
 [[nodiscard]] bool is_heap(const Island& island);
+/// So many bodies that each factorisation counts. Of fewer it costs little, and none is worth an overlap.
+[[nodiscard]] bool is_large(const Island& island);
 /// The heaviest of them weighs so many times as much as the lightest that sweeps hardly get on.
 [[nodiscard]] bool are_unequal(const RestData& data, std::span<const int> members);
 /// All its impulses are looked for at once, to rounding: in islands that are not too large, in larger ones that stand

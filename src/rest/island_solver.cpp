@@ -20,7 +20,7 @@ namespace {
 /// Pieces of a path that begins near its end.
 [[nodiscard]] int few_pieces(std::size_t points)
 {
-    return std::min(static_cast<int>(points) + rest_tolerance::k_quick_rounds, rest_tolerance::k_patience);
+    return std::min(static_cast<int>(points) + rest_tolerance::k_quick_rounds, rest_tolerance::k_more_sweeps);
 }
 
 } // namespace
@@ -52,8 +52,7 @@ bool IslandSolver::solve(std::span<Mover> movers, std::span<const int> members, 
     kept_.assign(points.begin(), points.end());
     bool content = improve(island, From::here);
     for (const From from : {From::turns, From::nothing}) {
-        const bool is_worth_it = effort == Effort::full || (effort == Effort::some && from == From::turns);
-        if (content || !is_worth_it) break;
+        if (content || effort == Effort::brief) break;
         if (from == From::nothing && points.size() > rest_tolerance::k_most_whole) break;
         go_back_to_best(island);
         content = improve(island, from);
@@ -72,7 +71,7 @@ void IslandSolver::solve_by_turns(std::span<Mover> movers, std::span<const int> 
     warm_start(points, movers);
     const std::int64_t before = pieces_.factorisations();
     pieces_.begin(problem_, members, movers.size());
-    go_by_turns(island, rounds);
+    go_by_turns(island, {tolerance, rounds, rounds});
     counts_.factorisations += pieces_.factorisations() - before;
 }
 
@@ -123,7 +122,7 @@ bool IslandSolver::find_pieces(const Island& island, From from)
     case From::here:
         return find_by_newton(pieces_, problem_);
     case From::turns:
-        go_by_turns(island, rest_tolerance::k_few_sweeps);
+        go_by_turns(island, {0.0, rest_tolerance::k_more_sweeps, rest_tolerance::k_quick_rounds});
         measure_slips(problem_, island.movers);
         return find_from_here(island);
     case From::nothing:
@@ -136,10 +135,10 @@ bool IslandSolver::find_pieces(const Island& island, From from)
     return false;
 }
 
-void IslandSolver::go_by_turns(const Island& island, int rounds)
+void IslandSolver::go_by_turns(const Island& island, const Rounds& rounds)
 {
     measure_slips(problem_, island.movers);
-    turns_.solve(pieces_, problem_, island.tolerance, rounds);
+    turns_.solve(pieces_, problem_, rounds);
     take_impulses(island);
 }
 

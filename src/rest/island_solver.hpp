@@ -21,7 +21,6 @@ namespace flying {
 enum class Effort
 {
     full,  ///< all that is known
-    some,  ///< all but the path that begins with no impulses
     brief, ///< Newton's method, from what is there
 };
 
@@ -73,7 +72,7 @@ private:
         double tolerance;
     };
     void take_problem(const Island& island);
-    void go_by_turns(const Island& island, int rounds);
+    void go_by_turns(const Island& island, const Rounds& rounds);
     [[nodiscard]] bool improve(const Island& island, From from);
     [[nodiscard]] bool find_pieces(const Island& island, From from);
     [[nodiscard]] bool find_from_here(const Island& island);

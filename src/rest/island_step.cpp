@@ -105,11 +105,8 @@ void IslandStep::find(RestData& data, Island& island, bool may_be_parted)
         if (is_heap(island) && !island.is_solved) {
             // It would cost more than it brings to look on; sweeps go on from what bore before
             recall_impulses(data, island);
-            if (!sweeps_.sweep_small(data, island)) {
-                recall_impulses(data, island);
-                sweeps_.sweep_large(data, island);
-                return;
-            }
+            sweeps_.sweep_large(data, island);
+            return;
         }
     }
     if (std::none_of(island.points.begin(), island.points.end(), bears)) {

@@ -63,13 +63,13 @@ inline constexpr double k_most_overlap = 0x1p-7;
 /// compared may be off.
 inline constexpr double k_rounding = 0x1p-46;
 
-/// Rounds of what ends by itself after a few, or never: impacts at one moment, pieces of a path that begins near its
-/// end, corrections of what rounding leaves. Elastic bodies packed between walls would go on for ever.
+/// Rounds of what ends by itself after a few, or never: impacts at one moment, and corrections of what rounding leaves. Elastic bodies packed between walls would go on for ever.
 inline constexpr int k_patience = 64;
 
 /// Rounds of what is right after one or two, or after many: Newton's steps; looks at a pair that closes, each at the
 /// moment that the last one foresaw; lines along curved ways; halvings of a step until all slips last, and of pushes
-/// until they help; parts into which the step of a heap may fall; and steps that are made again since bodies met.
+/// until they help; parts into which the step of a heap may fall; steps that are made again since bodies met; and
+/// rounds by turns in which all points do what they did, before a search begins again from where they lead.
 inline constexpr int k_quick_rounds = 8;
 
 /// Rounds of what is near after two or three: pushes that take off overlap, each of which leaves about the square of
@@ -135,11 +135,11 @@ inline constexpr double k_soft_stiffness = 128.0;
 /// usual (Boyd et al. 2011, 3.4.3).
 inline constexpr double k_over_relaxation = 1.6;
 
-/// Sweeps that go on where more is left, as many pairs as these would sweep; and rounds of alternating directions.
+/// Sweeps that go on where more is left, as many pairs as these would sweep; rounds of alternating directions; and
+/// pieces of a path that begins near its end.
 inline constexpr int k_more_sweeps = 128;
 
-/// Sweeps that end the impacts of a heap, and that take off its overlap; rounds of alternating directions before a
-/// search begins again from where they lead. What stood gets as many times the rounds of what moves: 2048 are enough
+/// Sweeps that end the impacts of a heap, and that take off its overlap. What stood gets as many times the rounds of what moves: 2048 are enough
 /// for bricks of which some weigh a thousand times as much as others; like ones take some fifty.
 inline constexpr int k_few_sweeps = 16;
 

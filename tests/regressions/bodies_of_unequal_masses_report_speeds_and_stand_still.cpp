@@ -1,5 +1,6 @@
 // Heaps of bodies whose masses differ by four powers of ten reported metres a second for bodies that did not move, and
-// never came to rest: a solve that had found nothing was passed on as a motion.
+// never came to rest: a solve that had found nothing was passed on as a motion. Heaps of 60 sank into
+// themselves for twenty seconds, since a third of all solves found nothing: they were given up too early.
 
 #include <algorithm>
 #include <cmath>
@@ -68,6 +69,20 @@ TEST_CASE("whatever reports a speed moves, and heaps of unequal masses calm down
             }
             // Discs may still roll
             CHECK(kinetic < 1e-3 * fallen);
+        }
+    }
+}
+
+TEST_CASE("forces are found in heaps of 60 bodies of unequal masses and little has to be swept")
+{
+    for (const double heaviest : {10.0, 100.0, 10000.0}) {
+        for (const std::uint64_t seed : {3u, 7u}) {
+            CAPTURE(heaviest);
+            CAPTURE(seed);
+            World world = world_of(heap(60, 0.01, heaviest, 0.3, seed));
+            run(world, 6.0);
+            const RestAccount rest = world.report().rest.value();
+            CHECK(10 * rest.unsolved < rest.islands);
         }
     }
 }
