@@ -19,6 +19,14 @@ struct NearSide
     const Pose& pose;
 };
 
+/// What rounding leaves of distances between the two, whose coordinates reach as far as their places and their vertices
+/// do: those of a long slab in the middle of the world are no smaller than elsewhere.  [m]
+[[nodiscard]] double rounding_of(const NearSide& a, const NearSide& b)
+{
+    const double place = std::max(a.pose.position.cwiseAbs().maxCoeff(), b.pose.position.cwiseAbs().maxCoeff());
+    return tolerance::coordinate_rounding(place + std::max(a.polygon.radius(), b.polygon.radius()));
+}
+
 /// The way out of `side` over one of its edges that is the shortest for the other. The normal leads from the side to
 /// the other.
 [[nodiscard]] Contact shortest_way_out(const NearSide& side, const NearSide& other)
@@ -101,8 +109,7 @@ void look_at_corners(const NearSide& side, const NearSide& other, std::uint32_t 
 {
     Manifold manifold;
     const Nearest found = nearest_points(a, b);
-    const double reach = std::max(a.pose.position.cwiseAbs().maxCoeff(), b.pose.position.cwiseAbs().maxCoeff());
-    const double rounding = tolerance::coordinate_rounding(reach);
+    const double rounding = rounding_of(a, b);
     // A distance of rounding has no direction: the two touch, and an edge tells which way
     if (found.square <= rounding * rounding) {
         const Contact apart = shortest_way_apart(a, b);
@@ -117,8 +124,7 @@ void look_at_corners(const NearSide& side, const NearSide& other, std::uint32_t 
                                       double margin)
 {
     const Manifold manifold = make_manifold(a.polygon, a.pose, b.polygon, b.pose, a_from_b, axis, margin);
-    const double reach = std::max(a.pose.position.cwiseAbs().maxCoeff(), b.pose.position.cwiseAbs().maxCoeff());
-    const double lowest = axis.separation + tolerance::coordinate_rounding(reach);
+    const double lowest = axis.separation + rounding_of(a, b);
     for (int k = 0; k < manifold.count; ++k) {
         if (lowest < 0.0 || manifold.contacts[k].separation <= lowest) return manifold;
     }
