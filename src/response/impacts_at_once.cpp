@@ -13,6 +13,8 @@
 namespace flying {
 namespace {
 
+/// [1, arms] Lines of push that differ by less are one.
+constexpr double k_same_line = 0x1p-26;
 /// Sweeps of compression, after which what was found is given back, if it isn't all.
 constexpr int k_sweeps = 1000;
 
@@ -237,6 +239,52 @@ bool strike(std::span<ImpactBody> bodies, const ImpactPair& pair, std::span<cons
     return true;
 }
 
+/// Where a body that moves is pushed by one that doesn't: all that it feels of it, but for the material.
+struct PushedAt
+{
+    Vec2 arm;
+    Vec2 normal; ///< away from what doesn't move
+};
+[[nodiscard]] PushedAt pushed_at(const ImpactPoint& point, bool is_a)
+{
+    return is_a ? PushedAt{point.r_a, -point.normal} : PushedAt{point.r_b, point.normal};
+}
+
+/// Whether two immovable bodies are one to what strikes them both, as two slabs that overlap and whose tops are level:
+/// the other pushes wherever this one does.
+[[nodiscard]] bool is_doubled(std::span<const ImpactBody> bodies, const ImpactPair& pair, const ImpactPair& other,
+                              std::span<const ImpactPoint> points)
+{
+    const bool is_a = moves(bodies[pair.a]);
+    const bool is_a_of_other = moves(bodies[other.a]);
+    if ((is_a && moves(bodies[pair.b])) || (is_a_of_other && moves(bodies[other.b]))) return false;
+    if ((is_a ? pair.a : pair.b) != (is_a_of_other ? other.a : other.b)) return false;
+    if (pair.material.friction != other.material.friction) return false;
+    if (pair.material.restitution != other.material.restitution) return false;
+    const auto is_there = [&](const ImpactPoint& point) {
+        const PushedAt own = pushed_at(point, is_a);
+        return std::any_of(points.begin() + other.first, points.begin() + other.end, [&](const ImpactPoint& another) {
+            const PushedAt its = pushed_at(another, is_a_of_other);
+            return (own.arm - its.arm).norm() <= k_same_line * own.arm.norm() &&
+                   (own.normal - its.normal).norm() <= k_same_line;
+        });
+    };
+    return std::all_of(points.begin() + pair.first, points.begin() + pair.end, is_there);
+}
+
+/// Leaves one of each two pairs that are one.
+void drop_doubled(std::vector<int>& group, std::span<const ImpactBody> bodies, std::span<const ImpactPair> pairs,
+                  std::span<const ImpactPoint> points)
+{
+    const std::vector<int> all = group;
+    std::erase_if(group, [&](int k) {
+        return std::any_of(all.begin(), all.end(), [&](int other) {
+            if (other == k || !is_doubled(bodies, pairs[k], pairs[other], points)) return false;
+            return other < k || !is_doubled(bodies, pairs[other], pairs[k], points);
+        });
+    });
+}
+
 /// Which pairs each body that moves belongs to.
 class PairsOfBodies
 {
@@ -319,18 +367,20 @@ int resolve_impacts(std::span<ImpactBody> bodies, std::span<const ImpactPair> pa
 
         // Strike
         candidates.clear();
-        for (const std::vector<int>& group : tied_pairs(ties)) {
+        for (std::vector<int>& group : tied_pairs(ties)) {
+            for (int& k : group) k = chosen[k];
+            drop_doubled(group, bodies, pairs, points);
             if (group.size() == 1) {
-                if (!strike(bodies, pairs[chosen[group[0]]], points)) continue;
+                if (!strike(bodies, pairs[group[0]], points)) continue;
             } else {
                 Group together(bodies, shares);
-                for (const int k : group) together.add(pairs[chosen[k]], points);
+                for (const int k : group) together.add(pairs[k], points);
                 together.compress();
                 together.give_back();
             }
             impacts += static_cast<int>(group.size());
             for (const int k : group) {
-                for (const int body : {pairs[chosen[k]].a, pairs[chosen[k]].b}) pairs_of.append(body, candidates);
+                for (const int body : {pairs[k].a, pairs[k].b}) pairs_of.append(body, candidates);
             }
         }
         std::sort(candidates.begin(), candidates.end());

@@ -30,13 +30,17 @@ std::vector<int> outermost(std::span<const PointFrame> points, std::span<const i
         // Find the ends of the row of points that share this normal; of points in one place the first counts
         int low = i;
         int high = i;
+        int first = i;
         for (const int k : chosen) {
             if (!share_normal(points[i], points[k])) continue;
             if (place(points[k]) < place(points[low]) || (place(points[k]) == place(points[low]) && k < low)) low = k;
             if (place(points[k]) > place(points[high]) || (place(points[k]) == place(points[high]) && k < high))
                 high = k;
+            first = std::min(first, k);
         }
-        if (i == low || i == high) kept.push_back(i);
+        const double reach = std::abs(place(points[i])) + std::abs(points[i].tangent.arm_a);
+        const bool is_one = place(points[high]) - place(points[low]) <= tolerance::k_touch * reach;
+        if (is_one ? i == first : i == low || i == high) kept.push_back(i);
     }
     return kept;
 }
@@ -143,8 +147,7 @@ Outcome try_edges(const Trial& trial, std::span<const Edge> edges, std::span<con
     Three speed{};
     for (int i = 0; i < trial.size; ++i) {
         speed[i] = -speed_along(*lines[i], motion);
-        for (int k = 0; k < trial.size; ++k)
-            response[i][k] = coupling(*lines[i], edges[trial.edge[k]].line, inertia);
+        for (int k = 0; k < trial.size; ++k) response[i][k] = coupling(*lines[i], edges[trial.edge[k]].line, inertia);
     }
     Outcome outcome;
     outcome.amount = solve(response, speed, trial.size);

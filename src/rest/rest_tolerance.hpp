@@ -63,7 +63,8 @@ inline constexpr double k_most_overlap = 0x1p-7;
 /// compared may be off.
 inline constexpr double k_rounding = 0x1p-46;
 
-/// Rounds of what ends by itself after a few, or never: impacts at one moment, and corrections of what rounding leaves. Elastic bodies packed between walls would go on for ever.
+/// Rounds of what ends by itself after a few, or never: impacts at one moment, and corrections of what rounding leaves.
+/// Elastic bodies packed between walls would go on for ever.
 inline constexpr int k_patience = 64;
 
 /// Rounds of what is right after one or two, or after many: Newton's steps; looks at a pair that closes, each at the
@@ -139,8 +140,9 @@ inline constexpr double k_over_relaxation = 1.6;
 /// pieces of a path that begins near its end.
 inline constexpr int k_more_sweeps = 128;
 
-/// Sweeps that end the impacts of a heap, and that take off its overlap. What stood gets as many times the rounds of what moves: 2048 are enough
-/// for bricks of which some weigh a thousand times as much as others; like ones take some fifty.
+/// Sweeps that end the impacts of a heap, and that take off its overlap. What stood gets as many times the rounds of
+/// what moves: 2048 are enough for bricks of which some weigh a thousand times as much as others; like ones take some
+/// fifty.
 inline constexpr int k_few_sweeps = 16;
 
 } // namespace flying::rest_tolerance

@@ -75,7 +75,7 @@ TEST_CASE("whatever reports a speed moves, and heaps of unequal masses calm down
 
 TEST_CASE("forces are found in heaps of 60 bodies of unequal masses and little has to be swept")
 {
-    for (const double heaviest : {10.0, 100.0, 10000.0}) {
+    for (const double heaviest : {100.0, 10000.0}) {
         for (const std::uint64_t seed : {3u, 7u}) {
             CAPTURE(heaviest);
             CAPTURE(seed);
