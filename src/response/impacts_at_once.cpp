@@ -13,8 +13,6 @@
 namespace flying {
 namespace {
 
-/// [1, arms] Lines of push that differ by less are one.
-constexpr double k_same_line = 0x1p-26;
 /// Sweeps of compression, after which what was found is given back, if it isn't all.
 constexpr int k_sweeps = 1000;
 
@@ -265,8 +263,8 @@ struct PushedAt
         const PushedAt own = pushed_at(point, is_a);
         return std::any_of(points.begin() + other.first, points.begin() + other.end, [&](const ImpactPoint& another) {
             const PushedAt its = pushed_at(another, is_a_of_other);
-            return (own.arm - its.arm).norm() <= k_same_line * own.arm.norm() &&
-                   (own.normal - its.normal).norm() <= k_same_line;
+            return (own.arm - its.arm).norm() <= tolerance::k_touch * own.arm.norm() &&
+                   (own.normal - its.normal).norm() <= tolerance::k_same_normal;
         });
     };
     return std::all_of(points.begin() + pair.first, points.begin() + pair.end, is_there);
@@ -369,7 +367,7 @@ int resolve_impacts(std::span<ImpactBody> bodies, std::span<const ImpactPair> pa
         candidates.clear();
         for (std::vector<int>& group : tied_pairs(ties)) {
             for (int& k : group) k = chosen[k];
-            drop_doubled(group, bodies, pairs, points);
+            if (group.size() > 1) drop_doubled(group, bodies, pairs, points);
             if (group.size() == 1) {
                 if (!strike(bodies, pairs[group[0]], points)) continue;
             } else {
