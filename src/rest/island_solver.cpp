@@ -51,7 +51,7 @@ bool IslandSolver::solve(std::span<Mover> movers, std::span<const int> members, 
     best_ = worst_residual(points, movers);
     kept_.assign(points.begin(), points.end());
     bool content = improve(island, From::here);
-    for (const From from : {From::turns, From::nothing}) {
+    for (const From from : {From::turns, From::more_turns, From::nothing}) {
         if (content || effort == Effort::brief) break;
         if (from == From::nothing && points.size() > rest_tolerance::k_most_whole) break;
         go_back_to_best(island);
@@ -122,7 +122,9 @@ bool IslandSolver::find_pieces(const Island& island, From from)
     case From::here:
         return find_by_newton(pieces_, problem_);
     case From::turns:
-        go_by_turns(island, {0.0, rest_tolerance::k_more_sweeps, rest_tolerance::k_quick_rounds});
+    case From::more_turns:
+        go_by_turns(island, {0.0, rest_tolerance::k_more_sweeps,
+                             from == From::turns ? rest_tolerance::k_quick_rounds : rest_tolerance::k_patience});
         measure_slips(problem_, island.movers);
         return find_from_here(island);
     case From::nothing:

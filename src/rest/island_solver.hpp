@@ -60,9 +60,10 @@ private:
     /// Where the pieces are looked for from.
     enum class From
     {
-        here,    ///< from the impulses that are there
-        turns,   ///< from what rounds by turns make of them
-        nothing, ///< along the path that begins with no impulses
+        here,       ///< from the impulses that are there
+        turns,      ///< from what rounds by turns make of them, as soon as all points do what they did
+        more_turns, ///< the same, when they have done so for long
+        nothing,    ///< along the path that begins with no impulses
     };
     struct Island
     {

@@ -63,8 +63,9 @@ inline constexpr double k_most_overlap = 0x1p-7;
 /// compared may be off.
 inline constexpr double k_rounding = 0x1p-46;
 
-/// Rounds of what ends by itself after a few, or never: impacts at one moment, and corrections of what rounding leaves.
-/// Elastic bodies packed between walls would go on for ever.
+/// Rounds of what ends by itself after a few, or never: impacts at one moment, corrections of what rounding leaves, and
+/// rounds by turns in which all points do what they did, where fewer have led to no solution. Elastic bodies packed
+/// between walls would go on for ever.
 inline constexpr int k_patience = 64;
 
 /// Rounds of what is right after one or two, or after many: Newton's steps; looks at a pair that closes, each at the

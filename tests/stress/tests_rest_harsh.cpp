@@ -179,8 +179,9 @@ TEST_CASE("random scenes that broke a promise once: no body gets into another in
 
 TEST_CASE("a few bodies that lean gain no energy by rounding where their step is made in hundreds of parts")
 {
-    // With the allowance of a heap in each part, these gained 9e-14, 8e-14 and 2e-13 of the scene's energy
-    for (const std::uint64_t seed : {2285, 4694, 8394}) {
+    // With the allowance of a heap in each part, these gained 9e-14, 8e-14 and 2e-13 of the scene's energy; with a
+    // jam for a solution, where there was another without, the last gained 1e-12, in hundreds of times the time
+    for (const std::uint64_t seed : {2285, 4694, 8394, 8812}) {
         CAPTURE(seed);
         const stress::RestScene scene = stress::make_rest_scene(seed);
         CHECK(stress::run_rest_scene(scene, 1, stress::Integrator::automatic).rise <= 5e-14);
