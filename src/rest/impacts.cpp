@@ -57,6 +57,19 @@ struct ApproachSpeeds
     }
 };
 
+/// All points lie between the same two bodies; what can't be moved counts as one.
+[[nodiscard]] bool is_one_pair(const RestData& data, std::span<const ContactPoint> points)
+{
+    const auto mover_of = [&](int body) { return data.motion.is_moved(body) ? body : -1; };
+    const int a = mover_of(points.front().a);
+    const int b = mover_of(points.front().b);
+    return std::all_of(points.begin(), points.end(), [&](const ContactPoint& c) {
+        const int other_a = mover_of(c.a);
+        const int other_b = mover_of(c.b);
+        return (other_a == a && other_b == b) || (other_a == b && other_b == a);
+    });
+}
+
 } // namespace
 
 /// A gap this small isn't worth a moment of its own, unless it closes fast.  [m]
@@ -172,13 +185,17 @@ bool Impacts::strike(RestData& data, Island& island, HeapSweeps& sweeps)
     return true;
 }
 
-/// Where masses differ widely no solve may end it, and what it leaves could be energy from nothing.
+/// Two bodies by the law of two bodies, as in flight; more at once. Where masses differ widely no solve may end that,
+/// and what it leaves could be energy from nothing.
 void Impacts::end_approaches(RestData& data, Island& island, HeapSweeps& sweeps)
 {
     const std::span<const int> members = island.members;
     StepMotion& motion = data.motion;
     for (const int member : members) motion.now[member] = motion.before[member];
-    if (is_heap(island)) sweeps.sweep_velocities(data, island, motion.before, struck_);
+    if (island.in_turn && is_one_pair(data, struck_)) {
+        for (ContactPoint& c : struck_) c.restitution = 0.0;
+        throw_back(motion.before, struck_, blows_);
+    } else if (is_heap(island)) sweeps.sweep_velocities(data, island, motion.before, struck_);
     else data.solver.solve(motion.before, members, struck_, rest_tolerance::k_residual * top_speed(data, island));
     const double share = neutral_share(data, island, motion.now, motion.before, Way::none);
     if (share < 1.0) take_share(data, island, motion.now, motion.before, Way::none, share);
