@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "collide/manifold.hpp"
 #include "collide/separating_axis.hpp"
@@ -25,6 +26,18 @@ struct NearSide
 {
     const double place = std::max(a.pose.position.cwiseAbs().maxCoeff(), b.pose.position.cwiseAbs().maxCoeff());
     return tolerance::coordinate_rounding(place + std::max(a.polygon.radius(), b.polygon.radius()));
+}
+
+/// The smaller one's size.  [m]
+[[nodiscard]] double size_of(const NearSide& a, const NearSide& b)
+{
+    return std::min(a.polygon.radius(), b.polygon.radius());
+}
+
+/// Points no further from each other are one.  [m]
+[[nodiscard]] double beside(const NearSide& a, const NearSide& b)
+{
+    return rest_tolerance::k_watch * size_of(a, b);
 }
 
 /// The way out of `side` over one of its edges that is the shortest for the other. The normal leads from the side to
@@ -118,6 +131,55 @@ void look_at_corners(const NearSide& side, const NearSide& other, std::uint32_t 
     return manifold;
 }
 
+/// The ways out of a corner lead between the normals of its two edges.
+struct WaysOut
+{
+    Vec2 first = Vec2::Zero();
+    Vec2 last = Vec2::Zero(); ///< counterclockwise of the first
+
+    [[nodiscard]] bool has(const Vec2& way) const { return cross(first, way) >= 0.0 && cross(way, last) >= 0.0; }
+};
+[[nodiscard]] WaysOut ways_out(const Polygon& polygon, int vertex)
+{
+    const int count = static_cast<int>(polygon.edges().size());
+    return {polygon.edges()[(vertex + count - 1) % count].normal, polygon.edges()[vertex].normal};
+}
+
+/// Where two corners lie on each other, or as deep behind an edge of the one as behind one of the other, each way
+/// between these edges' normals parts them: the one in the middle, so that two cards that lean on each other are each
+/// other's mirror. Not where the ways open to a right angle: then a body slides along one edge with nothing to fear
+/// from the other.
+///
+/// owner  has the edge of the axis, and the normal leads out of it
+[[nodiscard]] std::optional<Contact> corner_on_corner(const NearSide& owner, const NearSide& other, const Axis& axis)
+{
+    const Pose owner_from_other = relative_pose(owner.pose, other.pose);
+    const Vec2 place = owner_from_other * other.polygon.vertices()[axis.vertex];
+    const Edge& edge = owner.polygon.edges()[axis.edge];
+    const bool is_at_start = edge.tangent.dot(place - owner.polygon.vertices()[edge.from]) < 0.5 * edge.length;
+    const int vertex = is_at_start ? edge.from : edge.to;
+    const Vec2 way = place - owner.polygon.vertices()[vertex];
+    if (way.norm() > beside(owner, other)) return std::nullopt;
+    const WaysOut own = ways_out(owner.polygon, vertex);
+    const WaysOut others = ways_out(other.polygon, axis.vertex);
+    const WaysOut its{-(owner_from_other.rotation * others.first), -(owner_from_other.rotation * others.last)};
+    const WaysOut both{its.has(own.first) ? own.first : its.first, its.has(own.last) ? own.last : its.last};
+    const bool is_wide = !(both.first.dot(both.last) > rest_tolerance::k_same_normal);
+    const bool is_side = !(cross(both.first, both.last) > rest_tolerance::k_same_normal);
+    if (!own.has(both.first) || !own.has(both.last) || is_wide || is_side) return std::nullopt;
+    const double near = rest_tolerance::k_landed * size_of(owner, other) + rounding_of(owner, other);
+    if (std::abs((both.first - both.last).dot(way)) > near || std::abs(both.first.dot(way) - axis.separation) > near)
+        return std::nullopt;
+    const Vec2 normal = (both.first + both.last).normalized();
+    Contact contact;
+    contact.normal = owner.pose.rotation * normal;
+    contact.separation = normal.dot(way);
+    contact.point = owner.pose * Vec2(place - (0.5 * contact.separation) * normal);
+    contact.feature = 0xc0000000u | static_cast<std::uint32_t>(vertex) << 16 |
+                      static_cast<std::uint32_t>(axis.vertex) << 1 | (axis.owner == Owner::a ? 1u : 0u);
+    return contact;
+}
+
 /// The points over the edge of an axis, or, where the corner that is nearest to that edge stands beyond its ends, and
 /// so is none of them, what is nearest of the two.
 [[nodiscard]] Manifold points_by_axis(const NearSide& a, const NearSide& b, const Pose& a_from_b, const Axis& axis,
@@ -125,6 +187,17 @@ void look_at_corners(const NearSide& side, const NearSide& other, std::uint32_t 
 {
     const Manifold manifold = make_manifold(a.polygon, a.pose, b.polygon, b.pose, a_from_b, axis, margin);
     const double lowest = axis.separation + rounding_of(a, b);
+    const bool of_a = axis.owner == Owner::a;
+    if (std::optional<Contact> corners = corner_on_corner(of_a ? a : b, of_a ? b : a, axis)) {
+        if (!of_a) corners->normal = -corners->normal;
+        // What else there is lies beside it, as where one box has tipped on another a little
+        Manifold both{{*corners}, 1};
+        for (int k = 0; k < manifold.count && both.count == 1; ++k) {
+            if ((manifold.contacts[k].point - corners->point).norm() > beside(a, b))
+                both.contacts[both.count++] = manifold.contacts[k];
+        }
+        return both;
+    }
     for (int k = 0; k < manifold.count; ++k) {
         if (lowest < 0.0 || manifold.contacts[k].separation <= lowest) return manifold;
     }
