@@ -8,6 +8,7 @@
 #include "collide/manifold.hpp"
 #include "collide/separating_axis.hpp"
 #include "math/tolerance.hpp"
+#include "rest/corner_ways.hpp"
 #include "rest/rest_tolerance.hpp"
 
 namespace flying {
@@ -131,24 +132,14 @@ void look_at_corners(const NearSide& side, const NearSide& other, std::uint32_t 
     return manifold;
 }
 
-/// The ways out of a corner lead between the normals of its two edges.
-struct WaysOut
-{
-    Vec2 first = Vec2::Zero();
-    Vec2 last = Vec2::Zero(); ///< counterclockwise of the first
-
-    [[nodiscard]] bool has(const Vec2& way) const { return cross(first, way) >= 0.0 && cross(way, last) >= 0.0; }
-};
 [[nodiscard]] WaysOut ways_out(const Polygon& polygon, int vertex)
 {
     const int count = static_cast<int>(polygon.edges().size());
     return {polygon.edges()[(vertex + count - 1) % count].normal, polygon.edges()[vertex].normal};
 }
 
-/// Where two corners lie on each other, or as deep behind an edge of the one as behind one of the other, each way
-/// between these edges' normals parts them: the one in the middle, so that two cards that lean on each other are each
-/// other's mirror. Not where the ways open to a right angle: then a body slides along one edge with nothing to fear
-/// from the other.
+/// The contact of a corner at an end of the axis' edge with the corner nearest to it; none where they don't lie on each
+/// other, or part by another way.
 ///
 /// owner  has the edge of the axis, and the normal leads out of it
 [[nodiscard]] std::optional<Contact> corner_on_corner(const NearSide& owner, const NearSide& other, const Axis& axis)
@@ -160,21 +151,15 @@ struct WaysOut
     const int vertex = is_at_start ? edge.from : edge.to;
     const Vec2 way = place - owner.polygon.vertices()[vertex];
     if (way.norm() > beside(owner, other)) return std::nullopt;
-    const WaysOut own = ways_out(owner.polygon, vertex);
-    const WaysOut others = ways_out(other.polygon, axis.vertex);
-    const WaysOut its{-(owner_from_other.rotation * others.first), -(owner_from_other.rotation * others.last)};
-    const WaysOut both{its.has(own.first) ? own.first : its.first, its.has(own.last) ? own.last : its.last};
-    const bool is_wide = !(both.first.dot(both.last) > rest_tolerance::k_same_normal);
-    const bool is_side = !(cross(both.first, both.last) > rest_tolerance::k_same_normal);
-    if (!own.has(both.first) || !own.has(both.last) || is_wide || is_side) return std::nullopt;
     const double near = rest_tolerance::k_landed * size_of(owner, other) + rounding_of(owner, other);
-    if (std::abs((both.first - both.last).dot(way)) > near || std::abs(both.first.dot(way) - axis.separation) > near)
-        return std::nullopt;
-    const Vec2 normal = (both.first + both.last).normalized();
+    const WaysOut there = ways_out(other.polygon, axis.vertex);
+    const WaysOut others{owner_from_other.rotation * there.first, owner_from_other.rotation * there.last};
+    const std::optional<Vec2> normal = middle_way(ways_out(owner.polygon, vertex), others, way, near);
+    if (!normal) return std::nullopt;
     Contact contact;
-    contact.normal = owner.pose.rotation * normal;
-    contact.separation = normal.dot(way);
-    contact.point = owner.pose * Vec2(place - (0.5 * contact.separation) * normal);
+    contact.normal = owner.pose.rotation * *normal;
+    contact.separation = normal->dot(way);
+    contact.point = owner.pose * Vec2(place - (0.5 * contact.separation) * *normal);
     contact.feature = 0xc0000000u | static_cast<std::uint32_t>(vertex) << 16 |
                       static_cast<std::uint32_t>(axis.vertex) << 1 | (axis.owner == Owner::a ? 1u : 0u);
     return contact;

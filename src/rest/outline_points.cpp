@@ -4,8 +4,10 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 
 #include "collide/separating_axis.hpp"
+#include "rest/corner_ways.hpp"
 #include "rest/rest_tolerance.hpp"
 
 namespace flying {
@@ -184,6 +186,11 @@ void add_corners_over_sides(const OutlineSide& with_sides, const OutlineSide& wi
     return corner.radius > 0.0 || (cross(way, corner.before) < -touch && cross(way, corner.after) > touch);
 }
 
+[[nodiscard]] std::uint32_t corner_feature(const Corner& a, const Corner& b)
+{
+    return 0x80000000u | static_cast<std::uint32_t>(a.vertex) << 16 | static_cast<std::uint32_t>(b.vertex) << 1;
+}
+
 /// Corners over corners, along the line between them.
 void add_corners_over_corners(const OutlineSide& a, const OutlineSide& b, const Pose& a_from_b, double margin,
                               double touch, BestPoints& points)
@@ -199,9 +206,46 @@ void add_corners_over_corners(const OutlineSide& a, const OutlineSide& b, const 
             const double length = std::sqrt(square);
             const Vec2 normal = way / length;
             const double separation = length - corner_a.radius - corner_b.radius;
-            const std::uint32_t feature = 0x80000000u | static_cast<std::uint32_t>(corner_a.vertex) << 16 |
-                                          static_cast<std::uint32_t>(corner_b.vertex) << 1;
-            points.add({corner_a.place + (corner_a.radius + 0.5 * separation) * normal, normal, separation, feature});
+            points.add({corner_a.place + (corner_a.radius + 0.5 * separation) * normal, normal, separation,
+                        corner_feature(corner_a, corner_b)});
+        }
+    }
+}
+
+/// Where the lowest point is that of two corners which lie on each other, it goes along the middle of their ways. Where
+/// another part has one of them, and this one no more than a side that leads there, it is that part's.
+///
+/// near   points no further from each other are one [m]
+/// touch  lengths up to this are none [m]
+void take_middle_way(const OutlineSide& a, const OutlineSide& b, const Pose& a_from_b, double near, double touch,
+                     Manifold& manifold)
+{
+    Contact& lowest = manifold.contacts[0];
+    const auto is_here = [&](const Corner& corner) {
+        return corner.radius == 0.0 && (corner.place - lowest.point).norm() <= near;
+    };
+    const auto has = [](const OutlineSide& side, const Corner& corner) {
+        const std::span<const Corner> own = side.outline.corners_of(side.part);
+        return std::any_of(own.begin(), own.end(), [&](const Corner& other) { return &other == &corner; });
+    };
+    for (const Corner& there : b.outline.corners()) {
+        const Corner corner_b = seen_from(a_from_b, there);
+        if (!is_here(corner_b)) continue;
+        for (const Corner& corner_a : a.outline.corners()) {
+            if (!is_here(corner_a)) continue;
+            const Vec2 way = corner_b.place - corner_a.place;
+            const std::optional<Vec2> normal =
+                middle_way({corner_a.before, corner_a.after}, {corner_b.before, corner_b.after}, way, touch);
+            if (!normal) continue;
+            if (has(a, corner_a) && has(b, there)) {
+                const double separation = normal->dot(way);
+                lowest = {corner_b.place - (0.5 * separation) * *normal, *normal, separation,
+                          corner_feature(corner_a, corner_b)};
+            } else {
+                lowest = manifold.contacts[1];
+                --manifold.count;
+            }
+            return;
         }
     }
 }
@@ -231,7 +275,11 @@ Manifold outline_points(const OutlineSide& a, const OutlineSide& b, double margi
     });
     add_corners_over_corners(a, b, a_from_b, margin, touch, points);
     const double size = std::min(a.outline.longest_side(a.part), b.outline.longest_side(b.part));
-    return seen_in_world(points.fetch(rest_tolerance::k_watch * size, margin), a.pose);
+    Manifold manifold = points.fetch(rest_tolerance::k_watch * size, margin);
+    if (manifold.count > 0)
+        take_middle_way(a, b, a_from_b, rest_tolerance::k_watch * size,
+                        std::max(touch, rest_tolerance::k_landed * size), manifold);
+    return seen_in_world(manifold, a.pose);
 }
 
 Manifold outline_points(const HalfPlane& wall, const OutlineSide& b, double margin)

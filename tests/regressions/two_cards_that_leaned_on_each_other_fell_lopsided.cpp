@@ -22,10 +22,21 @@ struct Cards
     double lean = 0.0; ///< of each, from upright
     double place = 0.0;
     bool right_first = true;
+    bool is_notched = false; ///< in the middle of both sides, so that it is cut into parts
 
     /// Friction with which they stand. Each bears its weight at its foot, under its inner side, and half of it less a
     /// little pushes it over: moments about the foot give the push between the tips, which is level.
     [[nodiscard]] double least_friction() const { return 0.5 * (std::tan(lean) - width / height); }
+
+    [[nodiscard]] PolygonDef notched() const
+    {
+        const double x = 0.5 * width;
+        const double y = 0.5 * height;
+        PolygonDef polygon;
+        polygon.vertices = {{-x, -y}, {x, -y}, {x, -0.1 * y}, {0.5 * x, 0.0},  {x, 0.1 * y},
+                            {x, y},   {-x, y}, {-x, 0.1 * y}, {-0.5 * x, 0.0}, {-x, -0.1 * y}};
+        return polygon;
+    }
 
     [[nodiscard]] Scene scene(double friction, double restitution) const
     {
@@ -38,6 +49,7 @@ struct Cards
         const double up = 0.5 * (height * std::cos(lean) + width * std::sin(lean));
         for (const double side : {right_first ? 1.0 : -1.0, right_first ? -1.0 : 1.0}) {
             BodyDef card = rectangle(width, height, Vec2(place + side * aside, up));
+            if (is_notched) card.shape = notched();
             card.angle = side * lean;
             scene.bodies.push_back(card);
         }
@@ -51,10 +63,11 @@ struct Cards
     do {
         cards.height = random.uniform(0.3, 2.0);
         cards.width = cards.height * random.uniform(0.02, 0.3);
-        cards.lean = random.uniform(0.1, 0.7);
+        cards.lean = random.uniform(0.1, 0.5);
     } while (cards.least_friction() < 0.02);
     cards.place = random.uniform(-2.0, 2.0);
     cards.right_first = random.uniform(0.0, 1.0) < 0.5;
+    cards.is_notched = random.uniform(0.0, 1.0) < 0.5;
     return cards;
 }
 
@@ -63,10 +76,11 @@ struct Cards
 TEST_CASE("two cards stand with the friction that statics asks for and fall with less")
 {
     Random random(61);
-    for (int k = 0; k < 12; ++k) {
+    for (int k = 0; k < 16; ++k) {
         const Cards cards = some_cards(random);
         CAPTURE(cards.width / cards.height);
         CAPTURE(cards.lean);
+        CAPTURE(cards.is_notched);
         for (const double share : {0.98, 1.02}) {
             World world = world_of(cards.scene(share * cards.least_friction(), 0.0));
             REQUIRE_FALSE(world.advance(2.0).has_value());
@@ -80,14 +94,16 @@ TEST_CASE("two cards stand with the friction that statics asks for and fall with
 TEST_CASE("two cards that fall stay each other's mirror")
 {
     Random random(62);
-    for (int k = 0; k < 12; ++k) {
+    for (int k = 0; k < 16; ++k) {
         const Cards cards = some_cards(random);
         CAPTURE(cards.width / cards.height);
         CAPTURE(cards.lean);
+        CAPTURE(cards.is_notched);
         const double friction = random.uniform(0.0, 0.8) * cards.least_friction();
         World world = world_of(cards.scene(friction, k % 2 == 0 ? 0.0 : 0.3));
         double worst = 0.0;
-        for (int step = 1; step <= 90; ++step) {
+        // Up to where their sides open to a right angle: from there on one tip may as well slide down the other
+        for (int step = 1; step <= 90 && std::abs(world.state(1).angle) < 0.75; ++step) {
             REQUIRE_FALSE(world.advance(step / 60.0).has_value());
             const BodyState one = world.state(1);
             const BodyState two = world.state(2);

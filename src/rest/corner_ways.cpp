@@ -1,0 +1,25 @@
+#include "rest/corner_ways.hpp"
+
+#include <cmath>
+
+#include "rest/rest_tolerance.hpp"
+
+namespace flying {
+
+bool WaysOut::has(const Vec2& way) const
+{
+    return cross(first, way) >= 0.0 && cross(way, last) >= 0.0;
+}
+
+std::optional<Vec2> middle_way(const WaysOut& a, const WaysOut& b, const Vec2& way, double near)
+{
+    const WaysOut into_b{-b.first, -b.last};
+    const WaysOut both{into_b.has(a.first) ? a.first : into_b.first, into_b.has(a.last) ? a.last : into_b.last};
+    if (!a.has(both.first) || !a.has(both.last)) return std::nullopt;
+    const bool is_wide = !(both.first.dot(both.last) > rest_tolerance::k_same_normal);
+    const bool is_side = !(cross(both.first, both.last) > rest_tolerance::k_same_normal);
+    if (is_wide || is_side || std::abs((both.first - both.last).dot(way)) > near) return std::nullopt;
+    return (both.first + both.last).normalized();
+}
+
+} // namespace flying
