@@ -35,12 +35,6 @@ struct NearSide
     return std::min(a.polygon.radius(), b.polygon.radius());
 }
 
-/// Points no further from each other are one.  [m]
-[[nodiscard]] double beside(const NearSide& a, const NearSide& b)
-{
-    return rest_tolerance::k_watch * size_of(a, b);
-}
-
 /// The way out of `side` over one of its edges that is the shortest for the other. The normal leads from the side to
 /// the other.
 [[nodiscard]] Contact shortest_way_out(const NearSide& side, const NearSide& other)
@@ -57,7 +51,7 @@ struct NearSide
         best.separation = separation;
         best.normal = side.pose.rotation * normal;
         best.point = side.pose * point - 0.5 * separation * best.normal;
-        best.feature = 0x80000000u | static_cast<std::uint32_t>(k) << 1;
+        best.feature = 0x80000000u | static_cast<std::uint32_t>(k) << 16 | static_cast<std::uint32_t>(deepest) << 1;
     }
     return best;
 }
@@ -65,10 +59,10 @@ struct NearSide
 /// The shorter of the ways out of either of the two. The normal leads from `a` to `b`.
 [[nodiscard]] Contact shortest_way_apart(const NearSide& a, const NearSide& b)
 {
-    const Contact out_of_a = shortest_way_out(a, b);
+    Contact out_of_a = shortest_way_out(a, b);
     Contact out_of_b = shortest_way_out(b, a);
     out_of_b.normal = -out_of_b.normal;
-    out_of_b.feature |= 1u;
+    out_of_a.feature |= 1u; // the corner is B's
     return out_of_b.separation > out_of_a.separation ? out_of_b : out_of_a;
 }
 
@@ -138,33 +132,6 @@ void look_at_corners(const NearSide& side, const NearSide& other, std::uint32_t 
     return {polygon.edges()[(vertex + count - 1) % count].normal, polygon.edges()[vertex].normal};
 }
 
-/// The contact of a corner at an end of the axis' edge with the corner nearest to it; none where they don't lie on each
-/// other, or part by another way.
-///
-/// owner  has the edge of the axis, and the normal leads out of it
-[[nodiscard]] std::optional<Contact> corner_on_corner(const NearSide& owner, const NearSide& other, const Axis& axis)
-{
-    const Pose owner_from_other = relative_pose(owner.pose, other.pose);
-    const Vec2 place = owner_from_other * other.polygon.vertices()[axis.vertex];
-    const Edge& edge = owner.polygon.edges()[axis.edge];
-    const bool is_at_start = edge.tangent.dot(place - owner.polygon.vertices()[edge.from]) < 0.5 * edge.length;
-    const int vertex = is_at_start ? edge.from : edge.to;
-    const Vec2 way = place - owner.polygon.vertices()[vertex];
-    if (way.norm() > beside(owner, other)) return std::nullopt;
-    const double near = rest_tolerance::k_landed * size_of(owner, other) + rounding_of(owner, other);
-    const WaysOut there = ways_out(other.polygon, axis.vertex);
-    const WaysOut others{owner_from_other.rotation * there.first, owner_from_other.rotation * there.last};
-    const std::optional<Vec2> normal = middle_way(ways_out(owner.polygon, vertex), others, way, near);
-    if (!normal) return std::nullopt;
-    Contact contact;
-    contact.normal = owner.pose.rotation * *normal;
-    contact.separation = normal->dot(way);
-    contact.point = owner.pose * Vec2(place - (0.5 * contact.separation) * *normal);
-    contact.feature = 0xc0000000u | static_cast<std::uint32_t>(vertex) << 16 |
-                      static_cast<std::uint32_t>(axis.vertex) << 1 | (axis.owner == Owner::a ? 1u : 0u);
-    return contact;
-}
-
 /// The points over the edge of an axis, or, where the corner that is nearest to that edge stands beyond its ends, and
 /// so is none of them, what is nearest of the two.
 [[nodiscard]] Manifold points_by_axis(const NearSide& a, const NearSide& b, const Pose& a_from_b, const Axis& axis,
@@ -172,21 +139,49 @@ void look_at_corners(const NearSide& side, const NearSide& other, std::uint32_t 
 {
     const Manifold manifold = make_manifold(a.polygon, a.pose, b.polygon, b.pose, a_from_b, axis, margin);
     const double lowest = axis.separation + rounding_of(a, b);
-    const bool of_a = axis.owner == Owner::a;
-    if (std::optional<Contact> corners = corner_on_corner(of_a ? a : b, of_a ? b : a, axis)) {
-        if (!of_a) corners->normal = -corners->normal;
-        // What else there is lies beside it, as where one box has tipped on another a little
-        Manifold both{{*corners}, 1};
-        for (int k = 0; k < manifold.count && both.count == 1; ++k) {
-            if ((manifold.contacts[k].point - corners->point).norm() > beside(a, b))
-                both.contacts[both.count++] = manifold.contacts[k];
-        }
-        return both;
-    }
     for (int k = 0; k < manifold.count; ++k) {
         if (lowest < 0.0 || manifold.contacts[k].separation <= lowest) return manifold;
     }
     return nearest_of(a, b, margin);
+}
+
+/// Where the lowest point is that of two corners which lie on each other, it goes along the middle of their ways.
+void take_middle_way(const NearSide& a, const NearSide& b, Manifold& manifold)
+{
+    const bool is_second = manifold.count == 2 && manifold.contacts[1].separation < manifold.contacts[0].separation;
+    const Contact lowest = manifold.contacts[is_second ? 1 : 0];
+
+    // The corner over the edge, and the end of this that is nearer to it
+    const bool of_b = (lowest.feature & 1u) != 0u;
+    const int vertex = static_cast<int>(lowest.feature >> 1 & 0x7fffu);
+    const int over = static_cast<int>(lowest.feature >> 16 & 0x3fffu);
+    const NearSide& with_edge = of_b ? a : b;
+    const NearSide& with_corner = of_b ? b : a;
+    const Pose here_from_there = relative_pose(with_edge.pose, with_corner.pose);
+    const Vec2 place = here_from_there * with_corner.polygon.vertices()[vertex];
+    const Edge& edge = with_edge.polygon.edges()[over];
+    const bool is_at_start = edge.tangent.dot(place - with_edge.polygon.vertices()[edge.from]) < 0.5 * edge.length;
+    const int end = is_at_start ? edge.from : edge.to;
+    const Vec2 way = place - with_edge.polygon.vertices()[end];
+    const double beside = rest_tolerance::k_watch * size_of(a, b);
+    if (way.norm() > beside) return;
+
+    const double near = rest_tolerance::k_landed * size_of(a, b) + rounding_of(a, b);
+    const WaysOut there = ways_out(with_corner.polygon, vertex);
+    const WaysOut corners{here_from_there.rotation * there.first, here_from_there.rotation * there.last};
+    const std::optional<Vec2> out = middle_way(ways_out(with_edge.polygon, end), corners, way, near);
+    if (!out) return;
+    const Vec2 normal = with_edge.pose.rotation * *out;
+    Contact middle;
+    middle.separation = out->dot(way);
+    middle.normal = of_b ? normal : Vec2(-normal);
+    middle.point = with_edge.pose * Vec2(place - (0.5 * middle.separation) * *out);
+    middle.feature = lowest.feature;
+
+    // Another point lies beside it, as where one box has tipped on another a little, or is the same
+    const Contact other = manifold.contacts[is_second ? 0 : 1];
+    const bool has_other = manifold.count == 2 && (other.point - middle.point).norm() > beside;
+    manifold = {{middle, other}, has_other ? 2 : 1};
 }
 
 /// The axis of greatest separation, by the edges that are known to have it.
@@ -224,7 +219,11 @@ Manifold near_points(const Shape& a, const Pose& pose_a, const Shape& b, const P
     const Pose a_from_b = relative_pose(pose_a, pose_b);
     const Axis axis = find_axis(*polygon_a, *polygon_b, a_from_b, memory);
     if (axis.separation > margin) return {}; // and no two points are nearer than that
-    return points_by_axis({*polygon_a, pose_a}, {*polygon_b, pose_b}, a_from_b, axis, margin);
+    const NearSide side_a{*polygon_a, pose_a};
+    const NearSide side_b{*polygon_b, pose_b};
+    Manifold manifold = points_by_axis(side_a, side_b, a_from_b, axis, margin);
+    if (manifold.count > 0) take_middle_way(side_a, side_b, manifold);
+    return manifold;
 }
 
 } // namespace flying

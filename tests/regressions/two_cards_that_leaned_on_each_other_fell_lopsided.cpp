@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "math/random.hpp"
@@ -112,5 +113,36 @@ TEST_CASE("two cards that fall stay each other's mirror")
                               std::abs(one.angle + two.angle)});
         }
         CHECK(worst < 1e-9);
+    }
+}
+
+TEST_CASE("polygons that meet tip to tip at rest go back the way they came")
+{
+    for (const int sides : {6, 8, 10, 12}) {
+        for (const double restitution : {0.0, 0.5, 1.0}) {
+            Scene scene;
+            scene.world.restitution = restitution;
+            scene.world.friction = restitution < 1.0 ? 0.3 : 0.0;
+            PolygonDef polygon;
+            for (int k = 0; k < sides; ++k) {
+                const double turn = 2.0 * std::numbers::pi * k / sides;
+                polygon.vertices.push_back({std::cos(turn), std::sin(turn)});
+            }
+            for (const double side : {-1.0, 1.0}) {
+                BodyDef body = rectangle(1.0, 1.0, Vec2(1.3 * side, 0.0), Vec2(-side, 0.0));
+                body.shape = polygon;
+                scene.bodies.push_back(body);
+            }
+            World world = world_of(scene, EngineChoice::rest);
+            run(world, 1.0);
+            CAPTURE(sides);
+            CAPTURE(restitution);
+            for (const int body : {0, 1}) {
+                const BodyState state = world.state(body);
+                const double back = body == 0 ? -restitution : restitution;
+                CHECK((state.velocity - Vec2(back, 0.0)).norm() < 1e-9);
+                CHECK(std::abs(state.spin) < 1e-9);
+            }
+        }
     }
 }
