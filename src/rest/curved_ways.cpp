@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "rest/energy_limit.hpp"
 #include "rest/rest_tolerance.hpp"
@@ -70,10 +71,6 @@ void set_mean_lines(ContactPoint& mean, const ContactPoint& start, const Contact
     // Where nothing may be lost, a contact that hops leaves as it came, and not along the surfaces
     const auto hops = [](const ContactPoint& c) { return c.normal > 0.0 && c.bound != 0.0; };
     if (is_lossless(island) && std::any_of(points.begin(), points.end(), hops)) return false;
-
-    // A slide that ends is parted where it does; below, slip is what the last step's end has left
-    const double slide = rest_tolerance::k_blow * field_speed(data, island);
-    if (any_slip_ended(island, data.motion.before, data.motion.now, slide)) return false;
     return top_motion(data, island) > still_speed(data, island);
 }
 
@@ -96,25 +93,25 @@ void forget_ways(RestData& data, const Island& island)
 }
 
 /// The contact that continues a point further along the ways: the one of its name, or, where names have changed, the
-/// one nearest to its place; null where there is none.
-[[nodiscard]] const Contact* same_contact(const RestData& data, const ContactPoint& c, const Manifold& manifold)
+/// one nearest to its place.
+[[nodiscard]] std::optional<Contact> same_contact(const RestData& data, const ContactPoint& c, const Manifold& manifold)
 {
     const RestPair& pair = data.pairs.pairs()[c.pair];
     const auto own = std::find(pair.feature, pair.feature + pair.count, c.feature);
-    if (own == pair.feature + pair.count) return nullptr;
+    if (own == pair.feature + pair.count) return {};
     const Vec2 place = pair.place[own - pair.feature];
     const int body = data.bodies.list[c.a].is_static ? c.b : c.a;
     const double near = rest_tolerance::k_watch * std::min(data.bodies.radius[c.a], data.bodies.radius[c.b]);
-    const Contact* best = nullptr;
+    std::optional<Contact> best;
     double least = near * near;
     for (int i = 0; i < manifold.count; ++i) {
         const Contact& contact = manifold.contacts[i];
-        if (contact.feature == c.feature) return &contact;
+        if (contact.feature == c.feature) return contact;
         const Pose& pose = data.motion.end_poses[body];
         const Vec2 there = inverse(pose.rotation) * Vec2(contact.point - pose.position);
         const double square = (there - place).squaredNorm();
         if (square < least) {
-            best = &contact;
+            best = contact;
             least = square;
         }
     }
@@ -163,6 +160,36 @@ bool CurvedWays::follow(RestData& data, Island& island)
     return true;
 }
 
+double CurvedWays::end_of_slip(const RestData& data, const Island& island) const
+{
+    const double field = field_speed(data, island) * (data.options.step / data.motion.span);
+    const double slide = rest_tolerance::k_blow * field;
+    const double still = rest_tolerance::k_still * field;
+    double first = data.motion.span;
+    for (std::size_t k = 0; k < bent_.size() && slide > 0.0; ++k) {
+        const ContactPoint& c = bent_[k];
+        if (!(c.normal > 0.0) || c.friction == 0.0) continue;
+        const ContactPoint& start = island.points[k];
+        const double slip = tangent_speed(start, data.motion.before[c.a], data.motion.before[c.b]);
+        const double after = tangent_speed(end_[k], data.motion.now[c.a], data.motion.now[c.b]);
+        const bool goes_on = slip > 0.0 ? after > still : after < -still;
+        if (!(std::abs(slip) > slide) || goes_on) continue;
+
+        // Find the slip to which the friction of a slide would have led, with the same normal velocity
+        const Mover& a = data.motion.now[c.a];
+        const Mover& b = data.motion.now[c.b];
+        const double both = c.normal_mass * (a.inv_moment * (c.normal_arm_a * c.tangent_arm_a) +
+                                             b.inv_moment * (c.normal_arm_b * c.tangent_arm_b));
+        const double share = slip > 0.0 ? -c.friction : c.friction;
+        const double more = (share * c.normal - c.tangent) / (1.0 + share * both);
+        const double slid = after + more * (1.0 / c.tangent_mass - both * both / c.normal_mass);
+        // Where friction wedges the point, that says nothing, and halves do
+        const double part = slip * slid < 0.0 ? slip / (slip - slid) : 0.5;
+        first = std::min(first, part * data.motion.span);
+    }
+    return first < (1.0 - rest_tolerance::k_blow) * data.motion.span ? first : 0.0;
+}
+
 void CurvedWays::take_lines_halfway(RestData& data, Island& island)
 {
     if (greatest_speed(data.motion.before, data.bodies.radius, island.members) <= still_speed(data, island)) return;
@@ -193,15 +220,17 @@ void CurvedWays::look_along(RestData& data, const Island& island, double part, s
                                          Rotation::of(s.angle + part * data.motion.turn[member])};
     }
     Manifold manifold;
+    double margin = 0.0;
     for (std::size_t k = 0; k < points.size(); ++k) {
         const ContactPoint& c = points[k];
         if (k == 0 || c.pair != points[k - 1].pair) {
-            const double margin = rest_tolerance::k_watch * std::min(data.bodies.radius[c.a], data.bodies.radius[c.b]);
+            const double size = std::min(data.bodies.radius[c.a], data.bodies.radius[c.b]);
+            margin = data.motion.reach[c.a] + data.motion.reach[c.b] + rest_tolerance::k_watch * size;
             manifold =
                 look(data, data.pairs.pairs()[c.pair], data.motion.end_poses[c.a], data.motion.end_poses[c.b], margin);
             ++data.counts.manifolds;
         }
-        const Contact* found = same_contact(data, c, manifold);
+        const std::optional<Contact> found = same_contact(data, c, manifold);
         if (!found) {
             is_seen_[k] = 0;
             continue;

@@ -15,6 +15,10 @@ public:
     /// as it is. True where it found them.
     bool follow(RestData& data, Island& island);
 
+    /// When, on the ways that were found, the first slip ends; 0 where none does. By how much full friction would have
+    /// turned it round, at one point by itself, tells; what is left of it ends in the part that comes next.  [s]
+    [[nodiscard]] double end_of_slip(const RestData& data, const Island& island) const;
+
     /// It is small enough for that.
     [[nodiscard]] static bool may_follow(const Island& island);
 

@@ -113,8 +113,9 @@ void IslandStep::find(RestData& data, Island& island, bool may_be_parted)
         fly(data, island);
         return;
     }
-    if (!curves_.follow(data, island) && island.point_count() <= rest_tolerance::k_most_in_detail)
-        slip_ends_.part(data, island);
+    if (curves_.follow(data, island)) {
+        if (island.in_turn) island.cut_at = curves_.end_of_slip(data, island);
+    } else if (island.point_count() <= rest_tolerance::k_most_in_detail) slip_ends_.part(data, island);
     calm(data, island);
 }
 

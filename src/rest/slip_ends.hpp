@@ -6,8 +6,8 @@
 
 namespace flying {
 
-/// Parts a small island's step where slip ends: friction that a slip has asked for ends with it, and what sticks from
-/// there on needs another.
+/// Parts a small island's step along straight lines where slip ends: friction that a slip has asked for ends with it,
+/// and what sticks from there on needs another.
 class SlipEnds
 {
 public:
