@@ -13,17 +13,18 @@ namespace {
 /// [sine] Surfaces whose directions differ by less go straight on, and a normal that leans over the neighbour by less
 /// stands upright: a body that is thrown along it keeps its speed to the square of this.
 constexpr double k_lean = 0x1p-26;
-/// [sizes] Height of one surface over another that rounding explains, beside that of the coordinates: bodies that lean on
-/// each other are held apart to within it.
+/// [sizes] Height of one surface over another that rounding explains, beside that of the coordinates: bodies that lean
+/// on each other are held apart to within it.
 constexpr double k_step = 0x1p-40;
-/// [sizes] Gap between the ends of two surfaces that nothing of that size can sink into: the sine of the lean of a normal
-/// on either end is half of it, and stays below `k_lean`.
+/// [sizes] Gap between the ends of two surfaces that nothing of that size can sink into: the sine of the lean of a
+/// normal on either end is half of it, and stays below `k_lean`.
 constexpr double k_crack = 0x1p-26;
 /// [sine] Faces whose normals differ by less lie on each other. The joint surface is the longer one of the two: what
 /// stands on it stands along its normal.
 constexpr double k_parallel = 0x1p-16;
-/// [near] What has sunk deeper into a polygon than that share of what counts as near may lie anyhow in a notch, and leaves
-/// it by the shortest way. What lies so much deeper below a joint surface than in the polygon is beside both neighbours.
+/// [near] What has sunk deeper into a polygon than that share of what counts as near may lie anyhow in a notch, and
+/// leaves it by the shortest way. What lies so much deeper below a joint surface than in the polygon is beside both
+/// neighbours.
 constexpr double k_sunk = 0x1p-5;
 
 /// An edge of the neighbour, or the surface of a half-plane, as the polygon sees it.
@@ -97,16 +98,31 @@ struct NearestPoint
     return nearest;
 }
 
-/// The contacts of a polygon with one that lies on an edge of it, along that edge's normal.
-[[nodiscard]] Manifold along_edge(const Polygon& part, const Pose& world_from_part, int edge, Owner owner,
-                                  const Polygon& other, const Pose& world_from_other, double margin)
+/// The contacts of a polygon with another one along the normal of an edge that goes straight on over neighbours: of
+/// what is over none of them.
+[[nodiscard]] Manifold along_open_edge(const Polygon& part, const Pose& world_from_part, int edge,
+                                       std::span<const Seam> seams, Owner owner, const Polygon& other,
+                                       const Pose& world_from_other, double margin)
 {
     const Pose part_from_other = relative_pose(world_from_part, world_from_other);
-    Axis axis = axis_of_edge(part, edge, other, part_from_other);
-    axis.owner = owner;
-    if (owner == Owner::a) return make_manifold(part, world_from_part, other, world_from_other, part_from_other, axis, margin);
+    const Vec2& start = part.vertices()[part.edges()[edge].from];
+    Axis lowest{owner, edge, 0, std::numeric_limits<double>::infinity()};
+    for (int v = 0; v < static_cast<int>(other.vertices().size()); ++v) {
+        const Vec2 place = part_from_other * other.vertices()[v];
+        const auto is_over = [&](const Seam& seam) {
+            return seam.open == edge && seam.bend == Seam::Bend::none &&
+                   (place - part.vertices()[seam.corner]).dot(seam.onwards) > seam.crack;
+        };
+        const double height = part.edges()[edge].normal.dot(place - start);
+        if (height >= lowest.separation || std::any_of(seams.begin(), seams.end(), is_over)) continue;
+        lowest.vertex = v;
+        lowest.separation = height;
+    }
+    if (lowest.separation > margin) return {};
+    if (owner == Owner::a)
+        return make_manifold(part, world_from_part, other, world_from_other, part_from_other, lowest, margin);
     const Pose other_from_part = relative_pose(world_from_other, world_from_part);
-    return make_manifold(other, world_from_other, part, world_from_part, other_from_part, axis, margin);
+    return make_manifold(other, world_from_other, part, world_from_part, other_from_part, lowest, margin);
 }
 
 } // namespace
@@ -160,21 +176,35 @@ void mend_at_seams(const Polygon& part, const Pose& world_from_part, std::span<c
     const Rotation part_from_world = inverse(world_from_part.rotation);
     const double sign = owner == Owner::a ? 1.0 : -1.0;
 
-    // What lies on the joint surface, as its normal sees it; neighbours that may part have none that is sharp enough
+    // What lies on the joint surface, or would be struck by a corner that is none, as that surface's normal sees it;
+    // neighbours that may part have none that is sharp enough
+    const auto place_on_part = [&](const Contact& contact, const Vec2& normal) {
+        const Vec2 middle = part_from_world * Vec2(contact.point - world_from_part.position);
+        return Vec2(middle - 0.5 * contact.separation * normal);
+    };
     if (const auto* polygon = std::get_if<Polygon>(&other); polygon && manifold.count > 0) {
         const Vec2 normal = part_from_world * Vec2(sign * manifold.contacts[0].normal);
         for (const Seam& seam : seams) {
+            if (seam.is_loose || seam.bend != Seam::Bend::none) continue;
+            const auto is_at_corner = [&](const Contact& contact) {
+                const Vec2 way = place_on_part(contact, normal) - part.vertices()[seam.corner];
+                return way.squaredNorm() <= seam.crack * seam.crack;
+            };
             const double tilt = (part.edges()[seam.open].normal - normal).cwiseAbs().maxCoeff();
-            if (seam.is_loose || seam.bend != Seam::Bend::none || !(tilt > 0.0) || tilt > k_parallel) continue;
-            manifold = along_edge(part, world_from_part, seam.open, owner, *polygon, world_from_other, margin);
+            const bool lies_on_it = tilt > 0.0 && tilt <= k_parallel;
+            const bool is_struck_by_corner =
+                !is_of_surface(part, seam, normal) &&
+                std::any_of(manifold.contacts, manifold.contacts + manifold.count, is_at_corner);
+            if (!lies_on_it && !is_struck_by_corner) continue;
+            manifold =
+                along_open_edge(part, world_from_part, seam.open, seams, owner, *polygon, world_from_other, margin);
             break;
         }
     }
 
     const auto mend = [&](Contact& contact) {
         const Vec2 normal = part_from_world * Vec2(sign * contact.normal);
-        const Vec2 middle = part_from_world * Vec2(contact.point - world_from_part.position);
-        const Vec2 here = middle - 0.5 * contact.separation * normal;
+        const Vec2 here = place_on_part(contact, normal);
         for (const Seam& seam : seams) {
             const Vec2& corner = part.vertices()[seam.corner];
             const double square = (here - corner).squaredNorm();

@@ -92,9 +92,10 @@ void forget_ways(RestData& data, const Island& island)
     }
 }
 
-/// The contact that continues a point further along the ways: the one of its name, or, where names have changed, the
-/// one nearest to its place.
-[[nodiscard]] std::optional<Contact> same_contact(const RestData& data, const ContactPoint& c, const Manifold& manifold)
+/// The contact that continues a point further along the ways, in a look at its pair or at one beside it: the one of its
+/// name, or, where names have changed, the one nearest to its place.
+[[nodiscard]] std::optional<Contact> same_contact(const RestData& data, const ContactPoint& c, const Manifold& manifold,
+                                                  bool is_beside)
 {
     const RestPair& pair = data.pairs.pairs()[c.pair];
     const auto own = std::find(pair.feature, pair.feature + pair.count, c.feature);
@@ -106,7 +107,7 @@ void forget_ways(RestData& data, const Island& island)
     double least = near * near;
     for (int i = 0; i < manifold.count; ++i) {
         const Contact& contact = manifold.contacts[i];
-        if (contact.feature == c.feature) return contact;
+        if (contact.feature == c.feature && !is_beside) return contact;
         const Pose& pose = data.motion.end_poses[body];
         const Vec2 there = inverse(pose.rotation) * Vec2(contact.point - pose.position);
         const double square = (there - place).squaredNorm();
@@ -116,6 +117,26 @@ void forget_ways(RestData& data, const Island& island)
         }
     }
     return best;
+}
+
+/// The same where a point that bears has passed a seam of a floor that never moves: the next tile bears it on.
+[[nodiscard]] std::optional<Contact> same_contact_beside(const RestData& data, const ContactPoint& c, double margin)
+{
+    std::optional<Contact> found;
+    const bool is_second = data.bodies.list[c.a].is_static;
+    const int body = is_second ? c.b : c.a;
+    if (!(is_second || data.bodies.list[c.b].is_static)) return found;
+    data.pairs.for_each_of(body, [&](std::span<const RestPair> pairs) {
+        for (const RestPair& pair : pairs) {
+            const bool is_own = pair.a == c.a && pair.b == c.b;
+            if (found || is_own || !data.bodies.list[pair.a == body ? pair.b : pair.a].is_static) return;
+            const Manifold manifold =
+                look(data, pair, data.motion.end_poses[pair.a], data.motion.end_poses[pair.b], margin);
+            found = same_contact(data, c, manifold, true);
+            if (found && is_second != (pair.b == body)) found->normal = -found->normal;
+        }
+    });
+    return found;
 }
 
 } // namespace
@@ -230,7 +251,8 @@ void CurvedWays::look_along(RestData& data, const Island& island, double part, s
                 look(data, data.pairs.pairs()[c.pair], data.motion.end_poses[c.a], data.motion.end_poses[c.b], margin);
             ++data.counts.manifolds;
         }
-        const std::optional<Contact> found = same_contact(data, c, manifold);
+        std::optional<Contact> found = same_contact(data, c, manifold, false);
+        if (!found && c.normal > 0.0) found = same_contact_beside(data, c, margin);
         if (!found) {
             is_seen_[k] = 0;
             continue;
