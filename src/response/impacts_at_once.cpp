@@ -237,51 +237,100 @@ bool strike(std::span<ImpactBody> bodies, const ImpactPair& pair, std::span<cons
     return true;
 }
 
-/// Where a body that moves is pushed by one that doesn't: all that it feels of it, but for the material.
-struct PushedAt
+/// A pair as the body of it that moves feels it, where only one does: as if that one were B.
+[[nodiscard]] ImpactPair seen_by_mover(const ImpactPair& pair, bool is_a)
 {
-    Vec2 arm;
-    Vec2 normal; ///< away from what doesn't move
+    return is_a ? ImpactPair{pair.b, pair.a, pair.first, pair.end, pair.material} : pair;
+}
+[[nodiscard]] ImpactPoint seen_by_mover(const ImpactPoint& point, bool is_a)
+{
+    return is_a ? ImpactPoint{point.r_b, point.r_a, -point.normal} : point;
+}
+
+/// Pairs and their points, where immovable bodies that push one body along one normal are one: tiles that lie side by
+/// side, or slabs that overlap and whose tops are level.
+class JoinedPairs
+{
+public:
+    JoinedPairs(std::span<const ImpactBody> bodies, std::span<const ImpactPair> pairs,
+                std::span<const ImpactPoint> points, std::span<const double> slowest)
+    {
+        // Find, for each pair, the first one and the next one of the same floor
+        const int count = static_cast<int>(pairs.size());
+        std::vector<int> floors(bodies.size(), -1); // of each body, the last floor's first pair
+        std::vector<int> floor_before(count, -1);   // of each first pair, that of the body's floor before
+        std::vector<int> last(count, -1);           // of each first pair, the last of its floor
+        std::vector<int> next(count, -1);
+        for (int k = 0; k < count; ++k) {
+            const bool is_a = moves(bodies[pairs[k].a]);
+            last[k] = k;
+            if (is_a == moves(bodies[pairs[k].b])) continue;
+            int& newest = floors[is_a ? pairs[k].a : pairs[k].b];
+            int first = newest;
+            while (first >= 0 && !is_one_floor(bodies, pairs[first], pairs[k], points)) first = floor_before[first];
+            if (first < 0) {
+                floor_before[k] = newest;
+                newest = k;
+                continue;
+            }
+            next[last[first]] = k;
+            last[first] = k;
+            last[k] = -1;
+        }
+
+        for (int first = 0; first < count; ++first) {
+            if (last[first] < 0) continue;
+            const bool is_joined = last[first] != first;
+            const auto is_turned = [&](int k) { return is_joined && moves(bodies[pairs[k].a]); };
+            ImpactPair& pair = pairs_.emplace_back(seen_by_mover(pairs[first], is_turned(first)));
+            pair.first = points_.size();
+            for (int k = first; k >= 0; k = next[k]) {
+                for (std::size_t i = pairs[k].first; i < pairs[k].end; ++i) {
+                    const ImpactPoint point = seen_by_mover(points[i], is_turned(k));
+                    if (is_joined && is_there(std::span(points_).subspan(pair.first), point)) continue;
+                    points_.push_back(point);
+                    slowest_.push_back(slowest[i]);
+                }
+            }
+            pair.end = points_.size();
+        }
+    }
+
+    [[nodiscard]] std::span<const ImpactPair> pairs() const { return pairs_; }
+    [[nodiscard]] std::span<const ImpactPoint> points() const { return points_; }
+    [[nodiscard]] std::span<const double> slowest() const { return slowest_; }
+
+private:
+    /// One body pushes at a point where another does.
+    [[nodiscard]] static bool is_there(std::span<const ImpactPoint> points, const ImpactPoint& point)
+    {
+        return std::any_of(points.begin(), points.end(), [&](const ImpactPoint& other) {
+            return (other.r_b - point.r_b).norm() <= tolerance::k_touch * point.r_b.norm();
+        });
+    }
+
+    [[nodiscard]] static bool is_one_floor(std::span<const ImpactBody> bodies, const ImpactPair& one,
+                                           const ImpactPair& two, std::span<const ImpactPoint> points)
+    {
+        if (one.material.friction != two.material.friction) return false;
+        if (one.material.restitution != two.material.restitution) return false;
+        const auto normal = [&](const ImpactPair& pair, std::size_t k) {
+            return seen_by_mover(points[k], moves(bodies[pair.a])).normal;
+        };
+        const Vec2 common = normal(one, one.first);
+        const auto all_along_it = [&](const ImpactPair& pair) {
+            for (std::size_t k = pair.first; k < pair.end; ++k) {
+                if (!((normal(pair, k) - common).norm() <= tolerance::k_same_normal)) return false;
+            }
+            return true;
+        };
+        return all_along_it(one) && all_along_it(two);
+    }
+
+    std::vector<ImpactPair> pairs_;
+    std::vector<ImpactPoint> points_;
+    std::vector<double> slowest_;
 };
-[[nodiscard]] PushedAt pushed_at(const ImpactPoint& point, bool is_a)
-{
-    return is_a ? PushedAt{point.r_a, -point.normal} : PushedAt{point.r_b, point.normal};
-}
-
-/// Whether two immovable bodies are one to what strikes them both, as two slabs that overlap and whose tops are level:
-/// the other pushes wherever this one does.
-[[nodiscard]] bool is_doubled(std::span<const ImpactBody> bodies, const ImpactPair& pair, const ImpactPair& other,
-                              std::span<const ImpactPoint> points)
-{
-    const bool is_a = moves(bodies[pair.a]);
-    const bool is_a_of_other = moves(bodies[other.a]);
-    if ((is_a && moves(bodies[pair.b])) || (is_a_of_other && moves(bodies[other.b]))) return false;
-    if ((is_a ? pair.a : pair.b) != (is_a_of_other ? other.a : other.b)) return false;
-    if (pair.material.friction != other.material.friction) return false;
-    if (pair.material.restitution != other.material.restitution) return false;
-    const auto is_there = [&](const ImpactPoint& point) {
-        const PushedAt own = pushed_at(point, is_a);
-        return std::any_of(points.begin() + other.first, points.begin() + other.end, [&](const ImpactPoint& another) {
-            const PushedAt its = pushed_at(another, is_a_of_other);
-            return (own.arm - its.arm).norm() <= tolerance::k_touch * own.arm.norm() &&
-                   (own.normal - its.normal).norm() <= tolerance::k_same_normal;
-        });
-    };
-    return std::all_of(points.begin() + pair.first, points.begin() + pair.end, is_there);
-}
-
-/// Leaves one of each two pairs that are one.
-void drop_doubled(std::vector<int>& group, std::span<const ImpactBody> bodies, std::span<const ImpactPair> pairs,
-                  std::span<const ImpactPoint> points)
-{
-    const std::vector<int> all = group;
-    std::erase_if(group, [&](int k) {
-        return std::any_of(all.begin(), all.end(), [&](int other) {
-            if (other == k || !is_doubled(bodies, pairs[k], pairs[other], points)) return false;
-            return other < k || !is_doubled(bodies, pairs[other], pairs[k], points);
-        });
-    });
-}
 
 /// Which pairs each body that moves belongs to.
 class PairsOfBodies
@@ -332,9 +381,13 @@ std::vector<int> number_anew(std::span<ImpactPair> pairs)
     return bodies;
 }
 
-int resolve_impacts(std::span<ImpactBody> bodies, std::span<const ImpactPair> pairs,
-                    std::span<const ImpactPoint> points, std::span<const double> slowest, int most)
+int resolve_impacts(std::span<ImpactBody> bodies, std::span<const ImpactPair> all_pairs,
+                    std::span<const ImpactPoint> all_points, std::span<const double> all_slowest, int most)
 {
+    const JoinedPairs joined(bodies, all_pairs, all_points, all_slowest);
+    const std::span<const ImpactPair> pairs = joined.pairs();
+    const std::span<const ImpactPoint> points = joined.points();
+    const std::span<const double> slowest = joined.slowest();
     const auto approaches = [&](const ImpactPair& pair) {
         const PairMotion motion{bodies[pair.a].velocity, bodies[pair.b].velocity, bodies[pair.a].spin,
                                 bodies[pair.b].spin};
@@ -367,7 +420,6 @@ int resolve_impacts(std::span<ImpactBody> bodies, std::span<const ImpactPair> pa
         candidates.clear();
         for (std::vector<int>& group : tied_pairs(ties)) {
             for (int& k : group) k = chosen[k];
-            if (group.size() > 1) drop_doubled(group, bodies, pairs, points);
             if (group.size() == 1) {
                 if (!strike(bodies, pairs[group[0]], points)) continue;
             } else {

@@ -29,9 +29,9 @@ struct ImpactPair
 /// push together: compression ends the approach of all at once, and each gives back (1 + e) times as much along its
 /// normals, with the part of the friction that loses most energy, as the points of one pair do. A pair that only rests
 /// waits for the round in which something is thrown against it, so a row of balls that touch hands a blow on, one by
-/// one. Immovable bodies that push at the same points are one, as slabs that overlap with their tops level: a floor
-/// that is drawn of several pieces is a floor. How bodies and pairs are numbered alters nothing but rounding, and
-/// mirrored bodies get mirrored answers.
+/// one. Immovable bodies that push a body along one normal are one, as tiles side by side, or slabs that overlap with
+/// their tops level: a floor that is drawn of several pieces is a floor. How bodies and pairs are numbered alters
+/// nothing but rounding, and mirrored bodies get mirrored answers.
 ///
 /// Compression is found by projected sweeps with split masses: of all pushes against a body each meets an equal share
 /// of its mass (Tonge, Benevolenski and Voroshilov, "Mass splitting for jitter-free parallel rigid body simulation",
