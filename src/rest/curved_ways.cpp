@@ -150,6 +150,7 @@ bool CurvedWays::follow(RestData& data, Island& island)
 {
     const std::span<ContactPoint> points = island.points;
     const std::span<const int> members = island.members;
+    lets_go_ = false;
     if (!may_bend(data, island)) return false;
     bent_.assign(points.begin(), points.end());
     first_ways(data, island);
@@ -387,8 +388,8 @@ bool CurvedWays::end_velocities(RestData& data, Island& island)
     }
     const bool content =
         data.solver.solve(data.motion.now, members, at_end_, rest_tolerance::k_residual * top_speed(data, island));
-    if (!std::all_of(at_end_.begin(), at_end_.end(), lasts))
-        return false; // what lets go within the step isn't followed
+    lets_go_ = !std::all_of(at_end_.begin(), at_end_.end(), lasts);
+    if (lets_go_) return false; // that isn't followed
     auto end = at_end_.begin();
     for (std::size_t k = 0; k < bent_.size(); ++k) {
         ContactPoint& c = bent_[k];

@@ -19,6 +19,9 @@ public:
     /// turned it round, at one point by itself, tells; what is left of it ends in the part that comes next.  [s]
     [[nodiscard]] double end_of_slip(const RestData& data, const Island& island) const;
 
+    /// Where none were found since a point that bears lets go on the way.
+    [[nodiscard]] bool lets_go() const { return lets_go_; }
+
     /// It is small enough for that.
     [[nodiscard]] static bool may_follow(const Island& island);
 
@@ -47,6 +50,7 @@ private:
     std::vector<char> is_seen_;        // halfway and at the end
     std::vector<ContactPoint> at_end_; // of those at the end, the ones that bear
     std::vector<Mover> straight_;      // bodies as straight lines leave them
+    bool lets_go_ = false;
 };
 
 } // namespace flying

@@ -115,6 +115,9 @@ void IslandStep::find(RestData& data, Island& island, bool may_be_parted)
     }
     if (curves_.follow(data, island)) {
         if (island.in_turn) island.cut_at = curves_.end_of_slip(data, island);
+    } else if (island.in_turn && curves_.lets_go()) {
+        // A straight way would bear it on, and throw it
+        island.cut_at = 0.5 * data.motion.span;
     } else if (island.point_count() <= rest_tolerance::k_most_in_detail) slip_ends_.part(data, island);
     calm(data, island);
 }
