@@ -60,7 +60,7 @@ ImpactResult result_of(const PairMotion& motion, bool any_push, bool ended)
 }
 
 ImpactResult resolve_rounds(std::span<const PointFrame> points, PairMotion motion, const PairInertia& inertia,
-                            const Material& material)
+                            const Material& material, double rests)
 {
     double speed = speed_at_hand(points, motion);
     double threshold = 0.0;
@@ -69,13 +69,13 @@ ImpactResult resolve_rounds(std::span<const PointFrame> points, PairMotion motio
     for (int round = 0; round < k_rounds + k_closing_rounds; ++round) {
         // Find the points that approach, and those that rest; in the end all of them, so that none is left out
         const bool closing = round >= k_rounds;
-        const double rounding = tolerance::k_approach * speed;
+        const double slow = std::max(tolerance::k_approach * speed, rests);
         bool any_approach = false;
         chosen.clear();
         for (int i = 0; i < static_cast<int>(points.size()); ++i) {
             const double v_n = speed_along(points[i].normal, motion);
             any_approach = any_approach || v_n < -threshold;
-            if (v_n <= rounding || closing) chosen.push_back(i);
+            if (v_n <= slow || closing) chosen.push_back(i);
         }
         if (!any_approach) return result_of(motion, round > 0, true);
 
@@ -101,21 +101,20 @@ ImpactResult resolve_single(const PointFrame& point, const PairMotion& motion, c
 {
     // Leave a separating pair alone, to the bit; and two that nothing moves
     const bool approaches = speed_along(point.normal, motion) < 0.0;
-    if (!approaches || !(inverse_mass(point.normal, inertia) > 0.0))
-        return result_of(motion, false, !approaches);
+    if (!approaches || !(inverse_mass(point.normal, inertia) > 0.0)) return result_of(motion, false, !approaches);
 
     const PairMotion after = pushed(motion, push_at_one(point, motion, inertia, material), inertia);
     const double speed = std::max(speed_at_hand({&point, 1}, motion), speed_at_hand({&point, 1}, after));
     if (speed_along(point.normal, after) >= -tolerance::k_approach * speed) return result_of(after, true, true);
 
     // A jam of extreme proportions may leave more than rounding: end it as other impacts are
-    return resolve_rounds({&point, 1}, after, inertia, material);
+    return resolve_rounds({&point, 1}, after, inertia, material, 0.0);
 }
 
 } // namespace
 
 ImpactResult resolve_impact(const ImpactBody& a, const ImpactBody& b, std::span<const ImpactPoint> points,
-                            const Material& material)
+                            const Material& material, double rests)
 {
     const PairMotion motion{a.velocity, b.velocity, a.spin, b.spin};
     const PairInertia inertia{a.inertia, b.inertia};
@@ -124,7 +123,7 @@ ImpactResult resolve_impact(const ImpactBody& a, const ImpactBody& b, std::span<
     std::vector<PointFrame> frames;
     frames.reserve(points.size());
     for (const ImpactPoint& point : points) frames.push_back(frame_at(point));
-    return resolve_rounds(frames, motion, inertia, material);
+    return resolve_rounds(frames, motion, inertia, material, rests);
 }
 
 } // namespace flying

@@ -47,7 +47,8 @@ struct ImpactResult
 ///
 /// points    of this pair, one or more, in any order; the result depends on their order by rounding only
 /// material  of the pair: restitution 0 ... 1, friction >= 0
+/// rests     a point that parts no faster rests, beyond those that do for rounding [m/s]
 [[nodiscard]] ImpactResult resolve_impact(const ImpactBody& a, const ImpactBody& b, std::span<const ImpactPoint> points,
-                                          const Material& material);
+                                          const Material& material, double rests = 0.0);
 
 } // namespace flying

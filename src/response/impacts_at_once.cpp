@@ -71,6 +71,7 @@ public:
                                    bodies_[pair.b].velocity.norm()});
             points_.push_back(point);
         }
+        rests_ = std::max(rests_, pair.rests);
     }
 
     // [response.at_once.compress]
@@ -78,7 +79,7 @@ public:
     void compress()
     {
         const auto parts = [&](const GroupPoint& p) {
-            return speed_along(p.frame.normal, motion_of(p)) > tolerance::k_approach * top_speed_;
+            return speed_along(p.frame.normal, motion_of(p)) > std::max(tolerance::k_approach * top_speed_, rests_);
         };
         std::erase_if(points_, parts);
         split_masses();
@@ -223,6 +224,7 @@ private:
     std::vector<GroupPoint> points_;
     std::vector<int> movers_;
     double top_speed_ = 0.0; // [m/s]
+    double rests_ = 0.0;     // what parts no faster rests [m/s]
 };
 
 /// Lets two bodies strike each other. Whether any point was pushed.
@@ -230,7 +232,8 @@ bool strike(std::span<ImpactBody> bodies, const ImpactPair& pair, std::span<cons
 {
     ImpactBody& a = bodies[pair.a];
     ImpactBody& b = bodies[pair.b];
-    const ImpactResult after = resolve_impact(a, b, points.subspan(pair.first, pair.end - pair.first), pair.material);
+    const ImpactResult after =
+        resolve_impact(a, b, points.subspan(pair.first, pair.end - pair.first), pair.material, pair.rests);
     if (!after.any_push) return false;
     if (moves(a)) a = {after.velocity_a, after.spin_a, a.inertia};
     if (moves(b)) b = {after.velocity_b, after.spin_b, b.inertia};
@@ -240,7 +243,7 @@ bool strike(std::span<ImpactBody> bodies, const ImpactPair& pair, std::span<cons
 /// A pair as the body of it that moves feels it, where only one does: as if that one were B.
 [[nodiscard]] ImpactPair seen_by_mover(const ImpactPair& pair, bool is_a)
 {
-    return is_a ? ImpactPair{pair.b, pair.a, pair.first, pair.end, pair.material} : pair;
+    return is_a ? ImpactPair{pair.b, pair.a, pair.first, pair.end, pair.material, pair.rests} : pair;
 }
 [[nodiscard]] ImpactPoint seen_by_mover(const ImpactPoint& point, bool is_a)
 {
@@ -286,7 +289,9 @@ public:
             pair.first = points_.size();
             for (int k = first; k >= 0; k = next[k]) {
                 for (std::size_t i = pairs[k].first; i < pairs[k].end; ++i) {
-                    const ImpactPoint point = seen_by_mover(points[i], is_turned(k));
+                    ImpactPoint point = seen_by_mover(points[i], is_turned(k));
+                    if (is_joined)
+                        point.r_a = point.r_b; // of immovable bodies with centres of their own it is one place
                     if (is_joined && is_there(std::span(points_).subspan(pair.first), point)) continue;
                     points_.push_back(point);
                     slowest_.push_back(slowest[i]);

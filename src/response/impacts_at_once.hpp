@@ -16,6 +16,7 @@ struct ImpactPair
     std::size_t first = 0; ///< index of its first point
     std::size_t end = 0;   ///< one past its last
     Material material;     ///< of the pair, as `combine` tells
+    double rests = 0.0;    ///< what parts no faster than that rests [m/s]
 };
 
 /// Number the bodies of pairs anew, from 0, without gaps and in their order.

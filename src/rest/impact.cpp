@@ -19,7 +19,8 @@ namespace {
 
 } // namespace
 
-int throw_back(std::span<Mover> velocities, std::span<const ContactPoint> points, std::span<const double> slowest)
+int throw_back(std::span<Mover> velocities, std::span<const ContactPoint> points, std::span<const double> slowest,
+               double rests)
 {
     const auto arrives = [&](const ContactPoint& c) {
         return normal_speed(c, velocities[c.a], velocities[c.b]) < -slowest[&c - points.data()];
@@ -32,7 +33,7 @@ int throw_back(std::span<Mover> velocities, std::span<const ContactPoint> points
     for (std::size_t k = 0; k < points.size(); ++k) {
         const ContactPoint& c = points[k];
         if (k == 0 || points[k - 1].a != c.a || points[k - 1].b != c.b)
-            pairs.push_back({c.a, c.b, k, k, {c.restitution, c.friction}});
+            pairs.push_back({c.a, c.b, k, k, {c.restitution, c.friction}, rests});
         pairs.back().end = k + 1;
         places.push_back(impact_point(c));
     }

@@ -151,7 +151,7 @@ bool Impacts::strike(RestData& data, Island& island, HeapSweeps& sweeps)
     }
     // [rest.impacts.closed]
 
-    data.counts.impacts += throw_back(data.motion.before, struck_, rebounds_);
+    data.counts.impacts += throw_back(data.motion.before, struck_, rebounds_, speeds.rounding);
     // What was thrown may close other gaps, and all of them within a step whose impacts have no moments
     for (const ContactPoint& c : open_) {
         struck_.push_back(c);
@@ -194,7 +194,7 @@ void Impacts::end_approaches(RestData& data, Island& island, HeapSweeps& sweeps)
     for (const int member : members) motion.now[member] = motion.before[member];
     if (island.in_turn && is_one_pair(data, struck_)) {
         for (ContactPoint& c : struck_) c.restitution = 0.0;
-        throw_back(motion.before, struck_, blows_);
+        throw_back(motion.before, struck_, blows_, ApproachSpeeds(data, island).rounding);
     } else if (is_heap(island)) sweeps.sweep_velocities(data, island, motion.before, struck_);
     else data.solver.solve(motion.before, members, struck_, rest_tolerance::k_residual * top_speed(data, island));
     const double share = neutral_share(data, island, motion.now, motion.before, Way::none);
