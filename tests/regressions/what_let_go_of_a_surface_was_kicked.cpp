@@ -13,7 +13,7 @@ using namespace flying::testing;
 
 TEST_CASE("a disc that slides down a disc leaves it with the speed of the closed form whatever the step")
 {
-    constexpr double k_gravity = 9.81;
+    const double gravity = 9.81; // [m/s^2]
     Random random(81);
     for (int k = 0; k < 80; ++k) {
         const double below = random.uniform(0.5, 2.0);
@@ -22,7 +22,7 @@ TEST_CASE("a disc that slides down a disc leaves it with the speed of the closed
         const double step = 1.0 / (60.0 + k);
         const double way = below + above;
         Scene scene;
-        scene.world.field = UniformField{{0.0, -k_gravity}};
+        scene.world.field = UniformField{{0.0, -gravity}};
         scene.world.restitution = 0.0;
         scene.world.friction = 0.0;
         scene.bodies = {still(disc(below, Vec2::Zero())), disc(above, way * Vec2(std::sin(start), std::cos(start)))};
@@ -32,7 +32,7 @@ TEST_CASE("a disc that slides down a disc leaves it with the speed of the closed
 
         // Its speed is that of the fall, and bends its way as gravity does: cos = 2/3 of that at the start
         const double cosine = 2.0 / 3.0 * std::cos(start);
-        const double across = std::sqrt(k_gravity * way * cosine) * cosine;
+        const double across = std::sqrt(gravity * way * cosine) * cosine;
         CHECK(std::abs(world.state(1).velocity.x() / across - 1.0) < 4e-3);
     }
 }
