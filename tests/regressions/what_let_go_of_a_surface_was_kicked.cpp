@@ -1,6 +1,6 @@
 // A disc that slides down another one without friction lets go of it where gravity no longer bends its way enough. In
-// one of ten steps that let go, it was kicked outwards by up to what gravity gives in a step: the curved way isn't
-// followed through a letting go, and the straight way that stood in for it bore the disc to the end of the step.
+// a quarter of all steps that let go, it was kicked outwards by up to what gravity gives in a step: the curved way
+// isn't followed through a letting go, and the straight way that stood in for it bore the disc to the end of the step.
 
 #include <cmath>
 
