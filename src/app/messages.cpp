@@ -7,6 +7,7 @@
 
 #include "scene/fault.hpp"
 #include "scene/read.hpp"
+#include "world/make_room.hpp"
 #include "world/plan.hpp"
 
 namespace flying {
@@ -21,9 +22,30 @@ void complain(const Faults& faults)
     std::fputs(format_faults(faults).c_str(), stderr);
 }
 
+namespace {
+
+/// Moves bodies apart that overlap by their last digits, and says how far.
+bool make_room_and_say_so(Scene& scene)
+{
+    const Scene typed = scene;
+    if (!make_room_for_digits(scene)) return false;
+    double farthest = 0.0;
+    long moved = 0;
+    for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
+        const double way = (scene.bodies[k].position - typed.bodies[k].position).norm();
+        farthest = std::max(farthest, way);
+        moved += way > 0.0;
+    }
+    complain(fmt::format("bodies overlap by their last digits: moved {} of them apart, by {:.2g} m at most", moved,
+                         farthest));
+    return true;
+}
+
+} // namespace
+
 std::optional<Scene> read_scene_or_complain(const std::string& path)
 {
-    Expected<Scene> scene = read_scene_file(path);
+    Expected<Scene> scene = read_scene_file(path, make_room_and_say_so);
     if (!scene) {
         complain(scene.faults());
         return std::nullopt;

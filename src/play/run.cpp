@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "play/inside.hpp"
-#include "play/make_room.hpp"
+#include "world/make_room.hpp"
 
 namespace flying {
 

@@ -20,6 +20,7 @@
 #include "scene/read.hpp"
 #include "scene/write.hpp"
 #include "world/event_share.hpp"
+#include "world/make_room.hpp"
 #include "world/world.hpp"
 #include "json/report_json.hpp"
 #include "json/saved_run.hpp"
@@ -86,7 +87,7 @@ T value_or_raise(Expected<T> expected)
 
 Scene read_scene(const py::object& scene)
 {
-    return value_or_raise(read_scene_text(scene_text(scene), "scene"));
+    return value_or_raise(read_scene_text(scene_text(scene), "scene", make_room_for_digits));
 }
 
 WorldOptions make_options(const std::string& engine, double step, const std::vector<std::string>& without)
@@ -227,7 +228,7 @@ Run resume_run(const py::object& scene_given, const std::string& snapshot)
 
 py::list check_scene(const py::object& scene)
 {
-    const Expected<Scene> read = read_scene_text(scene_text(scene), "scene");
+    const Expected<Scene> read = read_scene_text(scene_text(scene), "scene", make_room_for_digits);
     return read ? py::list() : fault_list(read.faults());
 }
 

@@ -343,7 +343,7 @@ void check(FaultList& faults, const toml::table& root, const Reading& reading)
 
 } // namespace
 
-Expected<Scene> read_scene_text(std::string_view text, const std::string& filename)
+Expected<Scene> read_scene_text(std::string_view text, const std::string& filename, SceneMender mend)
 {
     if (text.size() > k_largest_scene) {
         return Fault{filename, "more than " + std::to_string(k_largest_scene) + " bytes", "a smaller scene"};
@@ -362,8 +362,9 @@ Expected<Scene> read_scene_text(std::string_view text, const std::string& filena
     }
 
     Reading reading = read_all(faults, parsed.table());
+    const bool is_whole = faults.size() == 0;
     check(faults, parsed.table(), reading);
-    if (faults.size() > 0) return faults.in_order();
+    if (faults.size() > 0 && !(is_whole && mend && mend(reading.scene))) return faults.in_order();
     return std::move(reading.scene);
 }
 

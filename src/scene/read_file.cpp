@@ -9,7 +9,7 @@
 
 namespace flying {
 
-Expected<Scene> read_scene_file(const std::string& path)
+Expected<Scene> read_scene_file(const std::string& path, SceneMender mend)
 {
     const std::string expected = "a scene file";
     std::error_code error;
@@ -32,7 +32,7 @@ Expected<Scene> read_scene_file(const std::string& path)
         text.append(piece, 0, static_cast<std::size_t>(file.gcount()));
     }
     if (file.bad()) return Fault{path, "a file that can't be read to its end", expected};
-    return read_scene_text(text, path);
+    return read_scene_text(text, path, mend);
 }
 
 } // namespace flying

@@ -1,4 +1,4 @@
-#include "play/make_room.hpp"
+#include "world/make_room.hpp"
 #include "stages.hpp"
 
 using namespace flying;

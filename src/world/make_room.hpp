@@ -11,7 +11,13 @@ namespace flying {
 /// scene  shapes, positions and angles as `validate` wants them
 /// most   how far a body may be moved, in bounding radii of its own
 ///
-/// False where it can't be done; the scene is then somewhere on the way.
+/// False where it can't be done; the scene is then as it was.
 [[nodiscard]] bool make_room(Scene& scene, double most);
+
+/// The same, by no more than numbers of five digits explain: 0.86603 for the height of half a hexagon puts it 5e-6 deep
+/// into the floor that it is meant to stand on.
+///
+/// False where that doesn't make the scene fit to run; it is then as it was.
+[[nodiscard]] bool make_room_for_digits(Scene& scene);
 
 } // namespace flying
