@@ -76,7 +76,7 @@ std::vector<PlacedBody> place(const Scene& scene)
 {
     std::vector<PlacedBody> placed;
     for (int k = 0; k < static_cast<int>(scene.bodies.size()); ++k) {
-        const BodyDef& def = scene.bodies[static_cast<std::size_t>(k)];
+        const BodyDef& def = scene.bodies[k];
         Expected<Shape> shape = make_shape(def.shape);
         if (!shape) continue;
         PlacedBody body;
@@ -90,17 +90,12 @@ std::vector<PlacedBody> place(const Scene& scene)
     return placed;
 }
 
-void move_by(PlacedBody& body, const Vec2& way)
-{
-    body.pose.position += way;
-}
-
 bool make_room_in(Scene& scene, double most, int rounds)
 {
     std::vector<PlacedBody> bodies = place(scene);
     const std::vector<PlacedBody> around = surroundings(scene.world);
     std::vector<int> by_index(scene.bodies.size(), -1);
-    for (std::size_t i = 0; i < bodies.size(); ++i) by_index[static_cast<std::size_t>(bodies[i].index)] = static_cast<int>(i);
+    for (int i = 0; i < static_cast<int>(bodies.size()); ++i) by_index[bodies[i].index] = i;
 
     bool is_free = false;
     for (int round = 0; round < rounds && !is_free; ++round) {
@@ -108,20 +103,19 @@ bool make_room_in(Scene& scene, double most, int rounds)
 
         // Between bodies: both give way, unless one is static
         for (PlacedBody& body : bodies) {
-            const Pose& pose = body.pose;
-            const double reach = body.size;
-            body.box = {pose.position - Vec2(reach, reach), pose.position + Vec2(reach, reach)};
+            const Vec2 reach(body.size, body.size);
+            body.box = {body.pose.position - reach, body.pose.position + reach};
         }
         for (const StartOverlap& pair : find_start_overlaps(bodies, k_most_pairs)) {
-            PlacedBody& a = bodies[static_cast<std::size_t>(by_index[static_cast<std::size_t>(pair.first)])];
-            PlacedBody& b = bodies[static_cast<std::size_t>(by_index[static_cast<std::size_t>(pair.second)])];
+            PlacedBody& a = bodies[by_index[pair.first]];
+            PlacedBody& b = bodies[by_index[pair.second]];
             is_free = false;
             const std::optional<Deepest> touch = deepest(a, b);
             if (!touch) continue;
             const double share_a = a.is_static ? 0.0 : b.is_static ? 1.0 : 0.5;
             const Vec2 way = k_more * touch->depth * touch->normal;
-            move_by(a, -share_a * way);
-            move_by(b, (1.0 - share_a) * way);
+            a.pose.position -= share_a * way;
+            b.pose.position += (1.0 - share_a) * way;
         }
 
         // And away from what is around all
@@ -134,18 +128,18 @@ bool make_room_in(Scene& scene, double most, int rounds)
                 is_free = false;
                 // To the exact place first: a body that leans on a wall stays on it
                 const double farther = round < rounds / 2 ? 1.0 : k_more;
-                move_by(body, farther * touch->depth * touch->normal);
+                body.pose.position += farther * touch->depth * touch->normal;
             }
         }
 
         for (const PlacedBody& body : bodies) {
-            const Vec2& place = scene.bodies[static_cast<std::size_t>(body.index)].position;
-            if (!((body.pose.position - place).norm() <= most * body.size)) return false;
+            const Vec2& start = scene.bodies[body.index].position;
+            if (!((body.pose.position - start).norm() <= most * body.size)) return false;
         }
     }
     if (!is_free) return false;
     for (const PlacedBody& body : bodies) {
-        scene.bodies[static_cast<std::size_t>(body.index)].position = body.pose.position;
+        scene.bodies[body.index].position = body.pose.position;
     }
     return true;
 }
