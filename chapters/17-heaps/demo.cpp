@@ -63,10 +63,10 @@ void pour(int count)
 
 } // namespace
 
-/// count  discs to pour: 198 if none are given
+/// count  discs to pour: 200 if none are given
 int main(int argc, char** argv)
 {
     count_blocks();
     look_back();
-    pour(argc > 1 ? std::atoi(argv[1]) : 198);
+    pour(argc > 1 ? std::atoi(argv[1]) : 200);
 }

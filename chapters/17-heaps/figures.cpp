@@ -191,7 +191,7 @@ int main(int argc, char** argv)
 {
     if (argc < 2) return 1;
     const std::string folder = argv[1];
-    RestEngine heap(over_a_pit(198));
+    RestEngine heap(over_a_pit(200));
     time_to_sleep(heap, 30.0);
     draw_heap(folder, heap);
     draw_fill(folder);

@@ -89,12 +89,13 @@ void Islands::split(const RestData& data, std::span<const int> bodies, std::vect
 void Islands::part_slow(const RestData& data, std::span<const int> bodies, std::vector<ContactPoint>& found)
 {
     const StepMotion& motion = data.motion;
-    if (static_cast<int>(bodies.size()) <= data.options.most_solved) return;
+    const int most = std::min(rest_tolerance::k_most_whole, data.options.most_solved);
+    if (static_cast<int>(bodies.size()) <= most) return;
     for (const int k : bodies) slot_[k] = 0;
     for (const int k : bodies) ++slot_[root_of(k)];
     parts_.clear();
     for (const int k : bodies) {
-        if (slot_[root_of(k)] > data.options.most_solved) parts_.push_back(k);
+        if (slot_[root_of(k)] > most) parts_.push_back(k);
     }
     if (parts_.empty()) return;
     const auto goes_far = [&](int k) {
@@ -108,8 +109,8 @@ void Islands::part_slow(const RestData& data, std::span<const int> bodies, std::
         if (c.normal > 0.0 || c.closes_at < motion.span) return true;
         const double time = motion.span;
         const double u = normal_speed(c, motion.before[c.a], motion.before[c.b]);
-        const double way = time * (std::min(u, 0.0) + 0.5 * time * std::min(motion.fall_of(c), 0.0));
-        return c.gap + way <= data.bodies.touch_gap(c.a, c.b);
+        const double fall = motion.field_size[c.a] + motion.field_size[c.b]; // where one is held, too
+        return c.gap + time * (std::min(u, 0.0) - 0.5 * time * fall) <= data.bodies.touch_gap(c.a, c.b);
     };
     // [rest.islands.holds]
     const auto wholes = std::count_if(parts_.begin(), parts_.end(), [&](int k) { return parent_[k] == k; });
