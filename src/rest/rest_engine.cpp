@@ -140,12 +140,15 @@ void RestEngine::step_by(double length, double end)
     if (length == whole) {
         step();
     } else {
-        // Loads are remembered for a whole step, and only a whole one shows that nothing changes
+        // Loads are remembered for a whole step. One that was halved shows, as well as that, that nothing changes: what
+        // it is made of is half of the same numbers, or a quarter
         const bool sleeps = data_.options.sleeps;
+        int halvings = 0;
+        const bool is_halved = std::frexp(length / whole, &halvings) == 0.5;
         const bool tells = length > rest_tolerance::k_at_once * whole;
         scale_loads_awake(length / whole);
         data_.options.step = length;
-        data_.options.sleeps = false;
+        data_.options.sleeps = sleeps && is_halved;
         step();
         data_.options.step = whole;
         data_.options.sleeps = sleeps;

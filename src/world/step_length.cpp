@@ -37,9 +37,11 @@ bool ends_whole_step(double step, double time)
 
 double length_of_step(double step, double from, double end)
 {
-    const double count = std::round(from / step);
-    const bool is_whole = from == count * step && end == (count + 1.0) * step;
-    return is_whole ? step : end - from;
+    for (double h = step; h > 0.75 * (end - from); h *= 0.5) {
+        const double count = std::round(from / h);
+        if (from == count * h && end == (count + 1.0) * h) return h;
+    }
+    return end - from;
 }
 
 double pace_of(const BodyState& state, double radius, const Field& field)

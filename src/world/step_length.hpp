@@ -13,8 +13,8 @@ namespace flying {
 /// Whole steps end there, and the last of those into which one is halved.
 [[nodiscard]] bool ends_whole_step(double step, double time);
 
-/// Of a step between two moments: a whole one has its length to the bit, whatever the difference of its ends rounds to.
-/// [s]
+/// Of a step between two moments: a whole one, and one that was halved, has its length to the bit, whatever the
+/// difference of its ends rounds to.  [s]
 [[nodiscard]] double length_of_step(double step, double from, double end);
 
 /// How fast a body changes places, by its size, or would after a fall of a few sizes: what small bodies bear in a step

@@ -40,12 +40,14 @@ TEST_CASE("of the parts into which a step is halved, the last one ends it as a w
     }
 }
 
-TEST_CASE("a whole step has its length to the bit wherever it lies")
+TEST_CASE("a whole step, and one that was halved, has its length to the bit wherever it lies")
 {
     constexpr double k_step = 1.0 / 60.0;
     for (int k = 0; k < 100'000; ++k) {
         const double from = k * k_step;
         CHECK(length_of_step(k_step, from, (k + 1.0) * k_step) == k_step);
+        const double h = std::ldexp(k_step, -(k % 11));
+        CHECK(length_of_step(k_step, k * h, (k + 1.0) * h) == h);
         CHECK(length_of_step(k_step, from, from + 0.005) == from + 0.005 - from);
     }
 }
