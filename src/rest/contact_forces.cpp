@@ -56,10 +56,7 @@ void find_impulses(RestData& data, Island& island, std::span<const Mover> start,
 {
     set_free(data, island, start, time);
     const std::span<ContactPoint> points = island.points;
-    // An island that stands from the start, and bears for the first time, is worth a search
-    const bool is_new = stood(data, island) && std::all_of(points.begin(), points.end(),
-                                                           [](const ContactPoint& c) { return c.normal == 0.0; });
-    const Effort effort = is_large(island) && !is_new ? Effort::brief : Effort::full;
+    const Effort effort = is_large(island) && !hardly_any_moves(data, island) ? Effort::brief : Effort::full;
     island.is_solved = data.solver.solve(data.motion.now, island.members, points,
                                          rest_tolerance::k_residual * top_speed(data, island), effort);
 }

@@ -37,10 +37,20 @@ bool are_unequal(const RestData& data, std::span<const int> members)
     return greatest > rest_tolerance::k_unequal_masses * least;
 }
 
+bool hardly_any_moves(const RestData& data, const Island& island)
+{
+    const double still = rest_tolerance::k_still * field_speed(data, island);
+    const auto moves = [&](int member) {
+        return greatest_speed(data.motion.before, data.bodies.radius, {&member, 1}) > still;
+    };
+    return std::count_if(island.members.begin(), island.members.end(), moves) <= rest_tolerance::k_most_in_detail;
+}
+
 bool is_solved_whole(const RestData& data, const Island& island)
 {
     if (island.member_count() <= std::min(rest_tolerance::k_most_whole, data.options.most_solved)) return true;
-    if (top_speed(data, island) > rest_tolerance::k_standing * field_speed(data, island)) return false;
+    const bool stands = top_speed(data, island) <= rest_tolerance::k_standing * field_speed(data, island);
+    if (!stands && !hardly_any_moves(data, island)) return false;
     if (island.member_count() <= data.options.most_solved) return true;
     int pairs = 0;
     int last = -1;

@@ -29,9 +29,11 @@ struct Island
 [[nodiscard]] bool is_large(const Island& island);
 /// The heaviest of them weighs so many times as much as the lightest that sweeps hardly get on.
 [[nodiscard]] bool are_unequal(const RestData& data, std::span<const int> members);
+/// A few bodies move, as one that slides over a wall, and all others rest.
+[[nodiscard]] bool hardly_any_moves(const RestData& data, const Island& island);
 /// All its impulses are looked for at once, to rounding: in islands that are not too large, in larger ones that stand
-/// or begin to fall, and in tall ones of any height, in which each body leans on hardly more than one other: their
-/// equations stay sparse.
+/// or begin to fall, or of which but a few bodies move, and in tall ones of any height, in which each body leans on
+/// hardly more than one other: their equations stay sparse.
 [[nodiscard]] bool is_solved_whole(const RestData& data, const Island& island);
 
 /// The greatest velocity of any of these bodies, its rim's included.  [m/s]
