@@ -1,7 +1,6 @@
 #include "rest/narrow_phase.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 #include <span>
 
@@ -59,22 +58,6 @@ namespace {
 [[nodiscard]] bool any_has_cuts(const RestBodies& bodies, const RestPair& pair)
 {
     return bodies.has_cuts(pair.a) || bodies.has_cuts(pair.b);
-}
-
-/// The least distance between two parallel lines that have the part between them; infinite for a half-plane.  [m]
-[[nodiscard]] double width_of(const Shape& part)
-{
-    if (const auto* disc = std::get_if<Disc>(&part)) return 2.0 * disc->radius;
-    double width = std::numeric_limits<double>::infinity();
-    const auto* polygon = std::get_if<Polygon>(&part);
-    if (!polygon) return width;
-    for (const Edge& edge : polygon->edges()) {
-        double deepest = 0.0;
-        for (const Vec2& vertex : polygon->vertices())
-            deepest = std::max(deepest, edge.normal.dot(polygon->vertices()[edge.from] - vertex));
-        width = std::min(width, deepest);
-    }
-    return width;
 }
 
 // Where surfaces of neighbours act as one (collide/seams.hpp): what neighbours what.
@@ -149,7 +132,7 @@ NarrowPhase::NarrowPhase(const RestBodies& bodies)
 {
     for (const CollisionShape& shape : bodies.shapes) {
         std::vector<double>& widths = widths_.emplace_back();
-        for (const ConvexPart& part : shape.parts) widths.push_back(width_of(part.shape));
+        for (const ConvexPart& part : shape.parts) widths.push_back(least_width(part.shape));
     }
     seams_.resize(bodies.list.size());
     std::vector<BoxCells::Entry> boxes;
