@@ -102,7 +102,7 @@ void forget_ways(RestData& data, const Island& island)
     if (own == pair.feature + pair.count) return {};
     const Vec2 place = pair.place[own - pair.feature];
     const int body = data.bodies.list[c.a].is_static ? c.b : c.a;
-    const double near = rest_tolerance::k_watch * std::min(data.bodies.radius[c.a], data.bodies.radius[c.b]);
+    const double near = rest_tolerance::k_watch * data.bodies.size_of(c.a, c.b);
     std::optional<Contact> best;
     double least = near * near;
     for (int i = 0; i < manifold.count; ++i) {
@@ -246,7 +246,7 @@ void CurvedWays::look_along(RestData& data, const Island& island, double part, s
     for (std::size_t k = 0; k < points.size(); ++k) {
         const ContactPoint& c = points[k];
         if (k == 0 || c.pair != points[k - 1].pair) {
-            const double size = std::min(data.bodies.radius[c.a], data.bodies.radius[c.b]);
+            const double size = data.bodies.size_of(c.a, c.b);
             margin = data.motion.reach[c.a] + data.motion.reach[c.b] + rest_tolerance::k_watch * size;
             manifold =
                 look(data, data.pairs.pairs()[c.pair], data.motion.end_poses[c.a], data.motion.end_poses[c.b], margin);
@@ -288,7 +288,7 @@ CurvedWays::Bend CurvedWays::bend_lines(RestData& data, const Island& island, bo
             continue;
         }
         set_mean_lines(bent, c, half_[k], end_[k], data.motion.now[c.a], data.motion.now[c.b]);
-        const double size = std::min(data.bodies.radius[c.a], data.bodies.radius[c.b]);
+        const double size = data.bodies.size_of(c.a, c.b);
         const double bend = bend_of(c, end_[k], data.motion.now[c.a], data.motion.now[c.b], size);
         any = any || (c.normal > 0.0 && bend > rest_tolerance::k_straight && bend * motion > rounding);
 

@@ -122,7 +122,7 @@ double next_closing(const RestData& data, const RestPair& pair, const Manifold& 
 /// How near to each other two bodies are looked at that get no further than so.  [m]
 [[nodiscard]] double margin_of(const RestData& data, const RestPair& pair, std::span<const double> farthest)
 {
-    const double size = std::min(data.bodies.radius[pair.a], data.bodies.radius[pair.b]);
+    const double size = data.bodies.size_of(pair.a, pair.b);
     return farthest[pair.a] + farthest[pair.b] + rest_tolerance::k_watch * size;
 }
 
@@ -158,7 +158,7 @@ Manifold find_from_memory(RestData& data, RestPair& pair, double margin)
 void recall_loads(const RestData& data, RestPair& pair, const Manifold& manifold)
 {
     const int own = data.motion.is_moved(pair.a) ? pair.a : pair.b;
-    const double size = std::min(data.bodies.radius[pair.a], data.bodies.radius[pair.b]);
+    const double size = data.bodies.size_of(pair.a, pair.b);
     const Rotation own_from_world = inverse(data.bodies.poses[own].rotation);
     PairLoads now;
     now.count = manifold.count;
@@ -244,7 +244,7 @@ void find_contacts(RestData& data, int index, std::vector<ContactPoint>& found)
     RestPair& pair = data.pairs.pairs()[index];
 
     // Leave out those too far from each other for this step
-    const double size = std::min(data.bodies.radius[pair.a], data.bodies.radius[pair.b]);
+    const double size = data.bodies.size_of(pair.a, pair.b);
     const double margin = margin_of(data, pair, data.motion.reach);
     Manifold room;
     const Manifold& manifold = look_at_start(data, pair, margin, room);

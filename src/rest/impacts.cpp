@@ -15,12 +15,6 @@
 namespace flying {
 namespace {
 
-/// Of the smaller one of two bodies.  [m]
-[[nodiscard]] double size_of(const RestData& data, const ContactPoint& c)
-{
-    return std::min(data.bodies.radius[c.a], data.bodies.radius[c.b]);
-}
-
 /// A rebound that would come back within the rest of the step doesn't happen, but for one that loses nothing: the
 /// slowest approach that brings a rebound.  [m/s]
 [[nodiscard]] double slowest_rebound(const RestData& data, const ContactPoint& c)
@@ -75,7 +69,7 @@ struct ApproachSpeeds
 /// A gap this small isn't worth a moment of its own, unless it closes fast.  [m]
 double hardly_open(const RestData& data, const ContactPoint& c)
 {
-    return rest_tolerance::k_closed * size_of(data, c);
+    return rest_tolerance::k_closed * data.bodies.size_of(c.a, c.b);
 }
 
 /// The moment of the first impact after the beginning; 0 where there is none.  [s]
@@ -125,7 +119,8 @@ bool Impacts::strike(RestData& data, Island& island, HeapSweeps& sweeps)
     const double within = island.in_turn ? rest_tolerance::k_at_once * data.motion.span : data.motion.span;
     const auto is_open = [&](const ContactPoint& c, double approach, double rebound) {
         if (!(c.gap - within * approach > 0.0)) return false;
-        const double landed = speeds.lands(approach, rebound) ? rest_tolerance::k_landed * size_of(data, c) : 0.0;
+        const double size = data.bodies.size_of(c.a, c.b);
+        const double landed = speeds.lands(approach, rebound) ? rest_tolerance::k_landed * size : 0.0;
         return c.gap > std::max(data.bodies.touch_gap(c.a, c.b), landed);
     };
     const auto is_blow = [&](const ContactPoint& c) {

@@ -21,7 +21,7 @@ double overlap_at_start(const RestData& data, const Island& island)
 {
     double worst = 0.0;
     for (const ContactPoint& c : island.points) {
-        worst = std::max(worst, -c.gap / std::min(data.bodies.radius[c.a], data.bodies.radius[c.b]));
+        worst = std::max(worst, -c.gap / data.bodies.size_of(c.a, c.b));
     }
     return worst;
 }

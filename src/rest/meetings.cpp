@@ -57,7 +57,7 @@ bool find_meetings(const RestData& data, std::span<const RestPair> pairs, std::s
         });
     };
     for (const RestPair& pair : pairs) {
-        const double size = std::min(data.bodies.radius[pair.a], data.bodies.radius[pair.b]);
+        const double size = data.bodies.size_of(pair.a, pair.b);
         const BodyState& a = data.bodies.list[pair.a].state;
         const BodyState& b = data.bodies.list[pair.b].state;
         const Contact deepest = lowest_point(data, pair, a, b, 0.0);

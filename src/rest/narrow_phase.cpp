@@ -67,7 +67,7 @@ void find_seams_with(const RestBodies& bodies, int body, int part, int neighbour
                      std::vector<Seam>& seams)
 {
     const auto& polygon = std::get<Polygon>(bodies.shapes[body].parts[part].shape);
-    const double size = std::min(bodies.radius[body], bodies.radius[neighbour]);
+    const double size = bodies.size_of(body, neighbour);
     const double reach =
         bodies.poses[body].position.cwiseAbs().maxCoeff() + bodies.poses[neighbour].position.cwiseAbs().maxCoeff();
     SeamTolerance tolerance = seam_tolerance(size, reach);

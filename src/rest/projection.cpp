@@ -35,7 +35,7 @@ namespace {
 [[nodiscard]] bool comes_nearer(const RestData& data, int a, int b)
 {
     const double nearer = (data.motion.shift[b] - data.motion.shift[a]).norm() + arc_of(data, a) + arc_of(data, b);
-    return nearer > rest_tolerance::k_fair_overlap * std::min(data.bodies.radius[a], data.bodies.radius[b]);
+    return nearer > rest_tolerance::k_fair_overlap * data.bodies.size_of(a, b);
 }
 
 /// A point's gap as the step ends, if its two went straight on.  [m]
@@ -72,7 +72,7 @@ namespace {
 [[nodiscard]] bool may_be_unfair(const RestData& data, std::span<const ContactPoint> points)
 {
     const ContactPoint& c = points.front();
-    const double fair = rest_tolerance::k_fair_overlap * std::min(data.bodies.radius[c.a], data.bodies.radius[c.b]);
+    const double fair = rest_tolerance::k_fair_overlap * data.bodies.size_of(c.a, c.b);
     if (stays(data, c.a) && stays(data, c.b))
         return std::any_of(points.begin(), points.end(), [&](const ContactPoint& point) { return point.gap < -fair; });
     if ((data.bodies.has_cuts(c.a) || data.bodies.has_cuts(c.b)) && comes_nearer(data, c.a, c.b)) return true;
@@ -245,7 +245,7 @@ const RestPair& Projection::pair_at(const RestData& data, int index) const
 double Projection::find_overlap_of_pair(RestData& data, int index)
 {
     const RestPair& pair = pair_at(data, index);
-    const double size = std::min(data.bodies.radius[pair.a], data.bodies.radius[pair.b]);
+    const double size = data.bodies.size_of(pair.a, pair.b);
     const double margin = rest_tolerance::k_watch * size;
     const Pose& pose_a = data.motion.end_poses[pair.a];
     const Pose& pose_b = data.motion.end_poses[pair.b];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -21,6 +22,8 @@ struct RestBodies
     void set_pose(int body, const BodyState& state);
     /// The body is cut into parts.
     [[nodiscard]] bool has_cuts(int body) const { return shapes[body].parts.size() > 1; }
+    /// What lengths between two bodies are compared with: the bounding radius of the smaller one.  [m]
+    [[nodiscard]] double size_of(int a, int b) const { return std::min(radius[a], radius[b]); }
     /// Velocity of a body's point.  [m/s]
     [[nodiscard]] Vec2 velocity_of(int body, const Vec2& point) const;
     /// A gap below which two bodies touch, for all that rounding tells.  [m]

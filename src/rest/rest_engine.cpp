@@ -223,7 +223,7 @@ bool RestEngine::bounces(const RestPair& pair, double load) const
     const Vec2 fall = pull(pair.b) - pull(pair.a);
     const double press = std::max(step * fall.norm(), push);
     const double least = rest_tolerance::k_blow * press;
-    const double near = std::min(data_.bodies.radius[pair.a], data_.bodies.radius[pair.b]);
+    const double near = data_.bodies.size_of(pair.a, pair.b);
     const Manifold manifold = look(data_, pair, pose_a, pose_b, rest_tolerance::k_closed * near);
     for (int k = 0; k < manifold.count; ++k) {
         const Contact& contact = manifold.contacts[k];
