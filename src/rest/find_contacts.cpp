@@ -229,14 +229,7 @@ double time_to_close(double gap, double u, double a, double within)
 
 bool may_touch(const RestData& data, const RestPair& pair, std::span<const double> farthest)
 {
-    const ConvexPart& part_a = data.bodies.shapes[pair.a].parts[pair.part_a];
-    const ConvexPart& part_b = data.bodies.shapes[pair.b].parts[pair.part_b];
-    const Pose& pose_a = data.bodies.poses[pair.a];
-    const Pose& pose_b = data.bodies.poses[pair.b];
-    const double clear = part_a.radius + part_b.radius + margin_of(data, pair, farthest);
-    const Vec2 way =
-        (pose_b.position - pose_a.position) + (pose_b.rotation * part_b.centre - pose_a.rotation * part_a.centre);
-    return way.squaredNorm() <= clear * clear;
+    return are_near(data, pair, data.bodies.poses[pair.a], data.bodies.poses[pair.b], margin_of(data, pair, farthest));
 }
 
 void find_contacts(RestData& data, int index, std::vector<ContactPoint>& found)

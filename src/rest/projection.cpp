@@ -249,12 +249,7 @@ double Projection::find_overlap_of_pair(RestData& data, int index)
     const double margin = rest_tolerance::k_watch * size;
     const Pose& pose_a = data.motion.end_poses[pair.a];
     const Pose& pose_b = data.motion.end_poses[pair.b];
-    const ConvexPart& part_a = data.bodies.shapes[pair.a].parts[pair.part_a];
-    const ConvexPart& part_b = data.bodies.shapes[pair.b].parts[pair.part_b];
-    const double clear = part_a.radius + part_b.radius + margin;
-    const Vec2 way =
-        (pose_b.position - pose_a.position) + (pose_b.rotation * part_b.centre - pose_a.rotation * part_a.centre);
-    if (way.squaredNorm() > clear * clear) return 0.0;
+    if (!are_near(data, pair, pose_a, pose_b, margin)) return 0.0;
     const Manifold manifold = look(data, pair, pose_a, pose_b, margin);
     ++data.counts.manifolds;
     double worst = 0.0;

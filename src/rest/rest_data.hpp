@@ -31,6 +31,19 @@ struct RestData
     double max_overlap = 0.0; ///< the deepest that any step has begun with [m]
 };
 
+/// The circles of a pair's two parts come as near to each other as this, with the two bodies at these poses.
+/// gap  [m]
+[[nodiscard]] inline bool are_near(const RestData& data, const RestPair& pair, const Pose& pose_a, const Pose& pose_b,
+                                   double gap)
+{
+    const ConvexPart& part_a = data.bodies.shapes[pair.a].parts[pair.part_a];
+    const ConvexPart& part_b = data.bodies.shapes[pair.b].parts[pair.part_b];
+    const double clear = part_a.radius + part_b.radius + gap;
+    const Vec2 way =
+        (pose_b.position - pose_a.position) + (pose_b.rotation * part_b.centre - pose_a.rotation * part_a.centre);
+    return way.squaredNorm() <= clear * clear;
+}
+
 /// The points at which a pair touches or might soon touch, with the two bodies at these poses.
 /// margin  points further apart than this make no contact [m]
 [[nodiscard]] inline Manifold look(const RestData& data, const RestPair& pair, const Pose& pose_a, const Pose& pose_b,

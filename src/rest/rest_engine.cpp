@@ -258,14 +258,9 @@ bool RestEngine::stays_apart(const RestPair& pair, double within) const
     const double margin = within * (closing + 0.5 * within * fall.norm()) + touch;
 
     // Look at the points that are near
-    const ConvexPart& part_a = data_.bodies.shapes[pair.a].parts[pair.part_a];
-    const ConvexPart& part_b = data_.bodies.shapes[pair.b].parts[pair.part_b];
     const Pose& pose_a = data_.bodies.poses[pair.a];
     const Pose& pose_b = data_.bodies.poses[pair.b];
-    const double far = part_a.radius + part_b.radius + margin;
-    const Vec2 way =
-        (pose_b.position - pose_a.position) + (pose_b.rotation * part_b.centre - pose_a.rotation * part_a.centre);
-    if (way.squaredNorm() > far * far) return true;
+    if (!are_near(data_, pair, pose_a, pose_b, margin)) return true;
     const Manifold manifold = look(data_, pair, pose_a, pose_b, margin);
     for (int k = 0; k < manifold.count; ++k) {
         const Contact& contact = manifold.contacts[k];
