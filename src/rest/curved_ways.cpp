@@ -98,9 +98,9 @@ void forget_ways(RestData& data, const Island& island)
                                                   bool is_beside)
 {
     const RestPair& pair = data.pairs.pairs()[c.pair];
-    const auto own = std::find(pair.feature, pair.feature + pair.count, c.feature);
-    if (own == pair.feature + pair.count) return {};
-    const Vec2 place = pair.place[own - pair.feature];
+    const int own = pair.find(c.feature);
+    if (own < 0) return {};
+    const Vec2& place = pair.place[own];
     const int body = data.bodies.list[c.a].is_static ? c.b : c.a;
     const double near = rest_tolerance::k_watch * data.bodies.size_of(c.a, c.b);
     std::optional<Contact> best;

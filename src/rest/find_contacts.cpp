@@ -30,10 +30,8 @@ namespace {
 /// A point that bore a load when the step before ended.
 [[nodiscard]] bool bore(const RestPair& pair, std::uint32_t feature)
 {
-    for (int i = 0; i < pair.count; ++i) {
-        if (pair.feature[i] == feature) return pair.normal[i] > 0.0;
-    }
-    return false;
+    const int point = pair.find(feature);
+    return point >= 0 && pair.normal[point] > 0.0;
 }
 
 /// The points of a pair that were open when the step began, and below which gap they count as closed.

@@ -137,12 +137,9 @@ void recall_impulses(const RestData& data, const Island& island)
 {
     for (ContactPoint& c : island.points) {
         const RestPair& pair = data.pairs.pairs()[c.pair];
-        c.normal = c.tangent = 0.0;
-        for (int i = 0; i < pair.count; ++i) {
-            if (pair.feature[i] != c.feature) continue;
-            c.normal = pair.normal[i];
-            c.tangent = pair.tangent[i];
-        }
+        const int own = pair.find(c.feature);
+        c.normal = own >= 0 ? pair.normal[own] : 0.0;
+        c.tangent = own >= 0 ? pair.tangent[own] : 0.0;
     }
 }
 

@@ -33,8 +33,8 @@ double end_of_load(const RestData& data, const Island& island)
     double first = data.motion.span;
     for (const ContactPoint& c : island.points) {
         const RestPair& pair = data.pairs.pairs()[c.pair];
-        const auto* own = std::find(pair.feature, pair.feature + pair.count, c.feature);
-        const double before = own != pair.feature + pair.count ? pair.normal[own - pair.feature] : 0.0;
+        const int own = pair.find(c.feature);
+        const double before = own >= 0 ? pair.normal[own] : 0.0;
         if (!(3.0 * c.normal < before)) continue;
 
         // Both are means, and stand for the middles of their steps; of one that has ended before that, less is known

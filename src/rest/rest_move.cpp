@@ -48,12 +48,11 @@ void RestEngine::move_island(const Island& island)
     bool same = true;
     for (const ContactPoint& c : island.points) {
         RestPair& pair = data_.pairs.pairs()[c.pair];
-        for (int i = 0; i < pair.count; ++i) {
-            if (pair.feature[i] != c.feature) continue;
-            same = same && pair.normal[i] == c.normal && pair.tangent[i] == c.tangent;
-            pair.normal[i] = c.normal;
-            pair.tangent[i] = c.tangent;
-        }
+        const int own = pair.find(c.feature);
+        if (own < 0) continue;
+        same = same && pair.normal[own] == c.normal && pair.tangent[own] == c.tangent;
+        pair.normal[own] = c.normal;
+        pair.tangent[own] = c.tangent;
     }
 
     expect(data_, island, marks_);
