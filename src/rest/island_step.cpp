@@ -50,12 +50,9 @@ bool is_fair(const RestData& data, const Island& island, double overlap)
 {
     const double fair = is_heap(island) ? rest_tolerance::k_most_overlap : rest_tolerance::k_fair_overlap;
     if (overlap > fair && overlap > overlap_at_start(data, island)) return false;
-    for (const int member : island.members) {
-        const double arc = std::abs(data.motion.turn[member]) * data.bodies.turning[member];
-        const double room = rest_tolerance::k_room_reaches * data.motion.reach[member];
-        if (!(data.motion.shift[member].norm() + arc <= room)) return false;
-    }
-    return true;
+    return std::all_of(island.members.begin(), island.members.end(), [&](int member) {
+        return farthest_way(data, member) <= rest_tolerance::k_room_reaches * data.motion.reach[member];
+    });
 }
 
 /// Ways of an island whose velocities are found.

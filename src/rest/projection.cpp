@@ -7,15 +7,10 @@
 #include "collide/separating_axis.hpp"
 #include "rest/energy_limit.hpp"
 #include "rest/rest_tolerance.hpp"
+#include "rest/rest_way.hpp"
 
 namespace flying {
 namespace {
-
-/// How far its turn may bring any point of a body.  [m]
-[[nodiscard]] double arc_of(const RestData& data, int body)
-{
-    return std::abs(data.motion.turn[body]) * data.bodies.turning[body];
-}
 
 /// The step leads it nowhere.
 [[nodiscard]] bool stays(const RestData& data, int body)
@@ -154,7 +149,7 @@ void Projection::find_unforeseen(RestData& data, const Island& island)
     unforeseen_.clear();
     std::vector<BoxCells::Entry> thrown;
     for (const int member : island.members) {
-        if (data.motion.shift[member].norm() + arc_of(data, member) > data.motion.reach[member])
+        if (farthest_way(data, member) > data.motion.reach[member])
             thrown.push_back({bounding_box(data.bodies.list[member].shape, end_pose(data, member)), member});
     }
     if (thrown.empty()) return;

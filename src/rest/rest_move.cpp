@@ -62,16 +62,14 @@ void RestEngine::move_island(const Island& island)
         data_.bodies.in_large_island[member] = is_heap(island) ? 1 : 0;
         BodyState& state = data_.bodies.list[member].state;
         const Mover& now = data_.motion.now[member];
-        const Vec2& way = data_.motion.shift[member];
         const BodyState old = state;
-        const double arc = std::abs(data_.motion.turn[member]) * data_.bodies.turning[member];
-        if (way.norm() + arc > data_.motion.reach[member]) {
+        if (farthest_way(data_, member) > data_.motion.reach[member]) {
             BodyBefore& before = before_[member];
             before.reach = 0.0;
             before.thrown_at =
                 std::min(before.thrown_at, data_.options.step - data_.motion.after - 0.5 * data_.motion.span);
         }
-        state.position += way;
+        state.position += data_.motion.shift[member];
         state.angle += data_.motion.turn[member];
         same = same && state.position == old.position && state.angle == old.angle && now.v_x == 0.0 && now.v_y == 0.0 &&
                now.spin == 0.0 && stood_alike(member);

@@ -1,5 +1,7 @@
 #include "rest/rest_way.hpp"
 
+#include <cmath>
+
 namespace flying {
 namespace {
 
@@ -29,6 +31,16 @@ struct Along
 }
 
 } // namespace
+
+double arc_of(const RestData& data, int body)
+{
+    return std::abs(data.motion.turn[body]) * data.bodies.turning[body];
+}
+
+double farthest_way(const RestData& data, int body)
+{
+    return data.motion.shift[body].norm() + arc_of(data, body);
+}
 
 void go_along(StepMotion& motion, const Island& island, double time)
 {
