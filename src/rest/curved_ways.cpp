@@ -74,22 +74,20 @@ void set_mean_lines(ContactPoint& mean, const ContactPoint& start, const Contact
     return top_motion(data, island) > still_speed(data, island);
 }
 
-void first_ways(RestData& data, const Island& island)
-{
-    for (const int member : island.members) {
-        const Mover& old = data.motion.before[member];
-        const Mover& now = data.motion.now[member];
-        data.motion.shift[member] = 0.5 * data.motion.span * Vec2(old.v_x + now.v_x, old.v_y + now.v_y);
-        data.motion.turn[member] = 0.5 * data.motion.span * (old.spin + now.spin);
-    }
-}
-
 void forget_ways(RestData& data, const Island& island)
 {
     for (const int member : island.members) {
         data.motion.shift[member] = Vec2::Zero();
         data.motion.turn[member] = 0.0;
     }
+}
+
+void take_first_ways(RestData& data, const Island& island)
+{
+    forget_ways(data, island);
+    StepMotion& motion = data.motion;
+    for (const int member : island.members)
+        motion.add_mean_way(member, motion.before[member], motion.now[member], motion.span);
 }
 
 /// The contact that continues a point further along the ways, in a look at its pair or at one beside it: the one of its
@@ -153,7 +151,7 @@ bool CurvedWays::follow(RestData& data, Island& island)
     lets_go_ = false;
     if (!may_bend(data, island)) return false;
     bent_.assign(points.begin(), points.end());
-    first_ways(data, island);
+    take_first_ways(data, island);
     if (bend_lines(data, island, false) != Bend::some) {
         forget_ways(data, island);
         return false;

@@ -1,7 +1,6 @@
 #include "rest/island_step.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "rest/contact_forces.hpp"
 #include "rest/energy_limit.hpp"
@@ -62,13 +61,8 @@ void find_places(RestData& data, const Island& island)
 
     // Places move by the mean of the velocities before and after
     StepMotion& motion = data.motion;
-    for (const int member : island.members) {
-        const Mover& old = motion.before[member];
-        const Mover& now = motion.now[member];
-        const Vec2 mean(0.5 * (old.v_x + now.v_x), 0.5 * (old.v_y + now.v_y));
-        motion.shift[member] += motion.span * mean;
-        motion.turn[member] += motion.span * (0.5 * (old.spin + now.spin));
-    }
+    for (const int member : island.members)
+        motion.add_mean_way(member, motion.before[member], motion.now[member], motion.span);
 }
 
 } // namespace

@@ -50,6 +50,13 @@ struct StepMotion
         return c.n_x * more.x() + c.n_y * more.y();
     }
 
+    /// Adds the way of a body that goes for so long [s] by the mean of two velocities.
+    void add_mean_way(int body, const Mover& one, const Mover& two, double time)
+    {
+        shift[body] += time * Vec2(0.5 * (one.v_x + two.v_x), 0.5 * (one.v_y + two.v_y));
+        turn[body] += time * (0.5 * (one.spin + two.spin));
+    }
+
     /// Normal, arms and effective masses of a point.
     /// r_a, r_b  from the centres of the two bodies to it [m]
     void set_arms(ContactPoint& c, const Vec2& normal, const Vec2& r_a, const Vec2& r_b) const;
