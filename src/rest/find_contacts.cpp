@@ -217,6 +217,13 @@ void add_points(const RestData& data, int index, const Manifold& manifold, doubl
 
 } // namespace
 
+double opening_speed(const Contact& contact, const BodyState& a, const BodyState& b)
+{
+    const Vec2 of_a = velocity_at(a, contact.point - a.position);
+    const Vec2 of_b = velocity_at(b, contact.point - b.position);
+    return (of_b - of_a).dot(contact.normal);
+}
+
 double time_to_close(double gap, double u, double a, double within)
 {
     if (gap + within * (u + 0.5 * a * within) > 0.0) return 2.0 * within;

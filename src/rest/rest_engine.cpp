@@ -7,6 +7,7 @@
 
 #include "math/hash.hpp"
 #include "rest/body_order.hpp"
+#include "rest/find_contacts.hpp"
 #include "rest/rest_tolerance.hpp"
 #include "rest/step_field.hpp"
 
@@ -228,9 +229,7 @@ bool RestEngine::bounces(const RestPair& pair, double load) const
     for (int k = 0; k < manifold.count; ++k) {
         const Contact& contact = manifold.contacts[k];
         if (contact.separation < -data_.bodies.touch_gap(pair.a, pair.b)) return false; // steps take that off first
-        const Vec2 velocity_a = velocity_at(a.state, contact.point - pose_a.position);
-        const Vec2 velocity_b = velocity_at(b.state, contact.point - pose_b.position);
-        const double u = (velocity_b - velocity_a).dot(contact.normal);
+        const double u = opening_speed(contact, a.state, b.state);
         const double f = std::min(0.0, fall.dot(contact.normal));
         if (u * u - 2.0 * f * std::max(contact.separation, 0.0) < least * least) return false;
     }
@@ -264,9 +263,7 @@ bool RestEngine::stays_apart(const RestPair& pair, double within) const
     const Manifold manifold = look(data_, pair, pose_a, pose_b, margin);
     for (int k = 0; k < manifold.count; ++k) {
         const Contact& contact = manifold.contacts[k];
-        const Vec2 velocity_a = velocity_at(a.state, contact.point - pose_a.position);
-        const Vec2 velocity_b = velocity_at(b.state, contact.point - pose_b.position);
-        double u = (velocity_b - velocity_a).dot(contact.normal);
+        double u = opening_speed(contact, a.state, b.state);
         if (std::abs(u) <= rest_tolerance::k_rounding * top) u = 0.0;
         const double f = fall.dot(contact.normal);
         if (contact.separation < -touch) return false;
