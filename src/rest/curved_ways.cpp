@@ -17,7 +17,7 @@ void set_mean_lines(ContactPoint& mean, const ContactPoint& start, const Contact
                     const Mover& a, const Mover& b)
 {
     // [rest.curves.simpson]
-    // The mean of a line over a way, by the rule for barrels
+    // The mean of a line over a way, by Simpson's rule
     const auto simpson = [&](double ContactPoint::*number) {
         return ((start.*number + end.*number) + 4.0 * half.*number) / 6.0;
     };

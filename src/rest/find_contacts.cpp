@@ -86,7 +86,7 @@ double next_closing(const RestData& data, const RestPair& pair, const Manifold& 
                     Closing& closing)
 {
     const double left = data.motion.span - moment;
-    // In a crowd, what bore a load goes on to bear, whatever gap turning or a push out of an overlap has left
+    // In a large island, what bore a load goes on to bear, whatever gap turning or a push out of an overlap has left
     const bool in_large_island = data.bodies.in_large_island[pair.a] || data.bodies.in_large_island[pair.b];
     double wait = std::numeric_limits<double>::infinity();
     for (int k = 0; k < manifold.count; ++k) {

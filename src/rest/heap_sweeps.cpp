@@ -167,7 +167,7 @@ void HeapSweeps::set_velocity_bias_swept(const RestData& data, const Island& isl
 {
     const double field = field_speed(data, island);
     for (ContactPoint& c : island.points) {
-        // All of a gap passes with the velocities that the step ends with. In a calm group nothing comes to close one:
+        // All of a gap passes with the velocities that the step ends with. In a calm island nothing comes to close one:
         // what bears over a gap that a calm speed would close goes on to bear, or its load would wane for minutes
         c.bound = -std::max(c.gap, 0.0) / data.motion.span;
         if (is_calm && c.normal > 0.0 && -c.bound <= rest_tolerance::k_rest_speed * field) c.bound = 0.0;

@@ -15,8 +15,8 @@ namespace flying {
 /// needs for its own work to itself.
 struct RestData
 {
-    RestData(const RestOptions& how, RestBodies who)
-        : options(how), bodies(std::move(who)), motion(bodies, options.step), looks(bodies)
+    RestData(const RestOptions& how, RestBodies what)
+        : options(how), bodies(std::move(what)), motion(bodies, options.step), looks(bodies)
     {
         solver.set_warm(options.warm_starts);
     }

@@ -101,12 +101,12 @@ std::vector<RestContact> RestEngine::contacts() const
     return result;
 }
 
-std::vector<int> RestEngine::groups() const
+std::vector<int> RestEngine::islands() const
 {
-    std::vector<int> group(data_.bodies.list.size());
-    for (std::size_t k = 0; k < group.size(); ++k) group[k] = static_cast<int>(k);
+    std::vector<int> island(data_.bodies.list.size());
+    for (std::size_t k = 0; k < island.size(); ++k) island[k] = static_cast<int>(k);
     const auto root = [&](int k) {
-        while (group[k] != k) k = group[k] = group[group[k]];
+        while (island[k] != k) k = island[k] = island[island[k]];
         return k;
     };
     for (const RestContact& contact : contacts()) {
@@ -116,12 +116,12 @@ std::vector<int> RestEngine::groups() const
             continue;
         const int one = root(contact.a);
         const int two = root(contact.b);
-        group[std::max(one, two)] = std::min(one, two);
+        island[std::max(one, two)] = std::min(one, two);
     }
-    for (int k = 0; k < static_cast<int>(group.size()); ++k) {
-        group[k] = body(k).is_static || !body(k).is_active ? -1 : root(k);
+    for (int k = 0; k < static_cast<int>(island.size()); ++k) {
+        island[k] = body(k).is_static || !body(k).is_active ? -1 : root(k);
     }
-    return group;
+    return island;
 }
 
 std::uint64_t RestEngine::hash() const

@@ -110,11 +110,11 @@ public:
     /// it would have had there.
     void go_on_from(const Memory& memory);
 
-    /// Contacts of the last step, in the order of (a, b); those of sleeping groups included.
+    /// Contacts of the last step, in the order of (a, b); those of sleeping islands included.
     [[nodiscard]] std::vector<RestContact> contacts() const;
-    /// For each body, the number of its group: bodies that touch, by whatever chain of moving bodies, share one, which
+    /// For each body, the number of its island: bodies that touch, by whatever chain of moving bodies, share one, which
     /// is its lowest body. -1 for static bodies and those not active.
-    [[nodiscard]] std::vector<int> groups() const;
+    [[nodiscard]] std::vector<int> islands() const;
     /// Steps leave it out, since one of them has changed nothing of its island.
     [[nodiscard]] bool is_asleep(int body) const { return sleepers_.is_asleep(data_.bodies.place[body]); }
     /// Those that are awake, as they lie in memory.

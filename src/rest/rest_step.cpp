@@ -184,7 +184,7 @@ bool RestEngine::list_what_impacts_reach()
 
 void RestEngine::solve_islands(int depth)
 {
-    data_.counts.groups += static_cast<std::int64_t>(islands_.all().size());
+    data_.counts.islands += static_cast<std::int64_t>(islands_.all().size());
     data_.counts.points += static_cast<std::int64_t>(islands_.point_count());
     for (Island& island : islands_.all()) island_step_.find(data_, island, may_be_parted(island, depth));
 }
@@ -304,8 +304,8 @@ void RestEngine::make_parts(int depth, std::span<const double> cuts)
     parts_.at[depth].clear();
 }
 
-/// A part of the step begins. As parts of a whole step begin, all is looked at; who may get further in a part of a part
-/// has been thrown. In a whole step that is made again bodies are thought to get as far as it threw them.
+/// A part of the step begins. As parts of a whole step begin, all is looked at; what may get further in a part of a
+/// part has been thrown. In a whole step that is made again bodies are thought to get as far as it threw them.
 void RestEngine::begin_part(std::span<const int> bodies, int depth)
 {
     measure_reach(bodies);
