@@ -66,23 +66,24 @@ private:
         more_turns, ///< the same, when they have done so for long
         nothing,    ///< along the path that begins with no impulses
     };
-    struct Island
+    /// An island as it was handed over.
+    struct Task
     {
         std::span<Mover> movers;
         std::span<const int> members;
         std::span<ContactPoint> points;
         double tolerance;
     };
-    void take_problem(const Island& island);
-    void go_by_turns(const Island& island, const Rounds& rounds);
-    [[nodiscard]] bool improve(const Island& island, From from);
-    [[nodiscard]] bool find_pieces(const Island& island, From from);
-    [[nodiscard]] bool find_from_here(const Island& island);
-    void forget_what_suits_worse(const Island& island);
-    void restore_free(const Island& island) const;
-    void apply(const Island& island) const;
-    void go_back_to_best(const Island& island) const;
-    void take_impulses(const Island& island) const;
+    void take_problem(const Task& task);
+    void go_by_turns(const Task& task, const Rounds& rounds);
+    [[nodiscard]] bool improve(const Task& task, From from);
+    [[nodiscard]] bool find_pieces(const Task& task, From from);
+    [[nodiscard]] bool find_from_here(const Task& task);
+    void forget_what_suits_worse(const Task& task);
+    void restore_free(const Task& task) const;
+    void apply(const Task& task) const;
+    void go_back_to_best(const Task& task) const;
+    void take_impulses(const Task& task) const;
 
     bool is_warm_ = true;
     SolveCounts counts_;
