@@ -80,7 +80,6 @@ void keep_velocities(RestData& data, const Island& island)
 
 } // namespace
 
-/// A gap this small isn't worth a moment of its own, unless it closes fast.  [m]
 double hardly_open(const RestData& data, const ContactPoint& c)
 {
     return rest_tolerance::k_closed * data.bodies.size_of(c.a, c.b);

@@ -269,8 +269,6 @@ double Projection::find_overlap_of_pair(RestData& data, int index)
     return worst;
 }
 
-/// Moves bodies out of what they overlap: the same conditions for places as for velocities, least by the masses,
-/// without friction. It adds no velocity.
 double Projection::put_apart(RestData& data, const Island& island, double overlap, HeapSweeps& sweeps)
 {
     if (overlap <= 0.0) return 0.0;
