@@ -28,12 +28,9 @@ void set_mean_lines(ContactPoint& mean, const ContactPoint& start, const Contact
     mean.normal_arm_b = simpson(&ContactPoint::normal_arm_b);
     mean.tangent_arm_a = simpson(&ContactPoint::tangent_arm_a);
     mean.tangent_arm_b = simpson(&ContactPoint::tangent_arm_b);
-    const double shift = (a.inv_mass + b.inv_mass) * (mean.n_x * mean.n_x + mean.n_y * mean.n_y);
-    const auto mass = [&](double arm_a, double arm_b) {
-        return 1.0 / (shift + (a.inv_moment * (arm_a * arm_a) + b.inv_moment * (arm_b * arm_b)));
-    };
-    mean.normal_mass = mass(mean.normal_arm_a, mean.normal_arm_b);
-    mean.tangent_mass = mass(mean.tangent_arm_a, mean.tangent_arm_b);
+    const double shifts = (a.inv_mass + b.inv_mass) * (mean.n_x * mean.n_x + mean.n_y * mean.n_y);
+    mean.normal_mass = effective_mass(shifts, a, b, mean.normal_arm_a, mean.normal_arm_b);
+    mean.tangent_mass = effective_mass(shifts, a, b, mean.tangent_arm_a, mean.tangent_arm_b);
 }
 
 /// How far two points' lines are from each other; arms in units of `size`.

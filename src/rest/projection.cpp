@@ -365,9 +365,7 @@ void Projection::find_pushes(RestData& data, const Island& island, double tolera
         for (ContactPoint& c : points_) {
             const Mover& a = pushes_[c.a];
             const Mover& b = pushes_[c.b];
-            const double shifts = a.inv_mass + b.inv_mass;
-            c.normal_mass = 1.0 / (shifts + (a.inv_moment * (c.normal_arm_a * c.normal_arm_a) +
-                                             b.inv_moment * (c.normal_arm_b * c.normal_arm_b)));
+            c.normal_mass = effective_mass(a.inv_mass + b.inv_mass, a, b, c.normal_arm_a, c.normal_arm_b);
         }
     }
     if (is_heap(island)) sweeps.sweep_places(data, island, pushes_, points_, tolerance);

@@ -73,12 +73,9 @@ inline void StepMotion::set_arms(ContactPoint& c, const Vec2& n, const Vec2& r_a
     c.normal_arm_b = normal_arm(r_b, n);
     c.tangent_arm_a = r_a.dot(n);
     c.tangent_arm_b = r_b.dot(n);
-    const double mass = a.inv_mass + b.inv_mass;
-    c.normal_mass =
-        1.0 /
-        (mass + (a.inv_moment * (c.normal_arm_a * c.normal_arm_a) + b.inv_moment * (c.normal_arm_b * c.normal_arm_b)));
-    c.tangent_mass = 1.0 / (mass + (a.inv_moment * (c.tangent_arm_a * c.tangent_arm_a) +
-                                    b.inv_moment * (c.tangent_arm_b * c.tangent_arm_b)));
+    const double shifts = a.inv_mass + b.inv_mass;
+    c.normal_mass = effective_mass(shifts, a, b, c.normal_arm_a, c.normal_arm_b);
+    c.tangent_mass = effective_mass(shifts, a, b, c.tangent_arm_a, c.tangent_arm_b);
 }
 // [rest.contacts.arms]
 
