@@ -7,6 +7,7 @@
 
 #include "rest/energy_limit.hpp"
 #include "rest/rest_tolerance.hpp"
+#include "rest/rest_way.hpp"
 #include "rest/step_field.hpp"
 
 namespace flying {
@@ -231,11 +232,7 @@ void CurvedWays::take_lines_halfway(RestData& data, Island& island)
 void CurvedWays::look_along(RestData& data, const Island& island, double part, std::vector<ContactPoint>& there)
 {
     const std::span<const ContactPoint> points = island.points;
-    for (const int member : island.members) {
-        const BodyState& s = data.bodies.list[member].state;
-        data.motion.end_poses[member] = {s.position + part * data.motion.shift[member],
-                                         Rotation::of(s.angle + part * data.motion.turn[member])};
-    }
+    set_end_poses(data, island, part);
     Manifold manifold;
     double margin = 0.0;
     for (std::size_t k = 0; k < points.size(); ++k) {

@@ -107,17 +107,6 @@ namespace {
     return contact;
 }
 
-[[nodiscard]] Pose end_pose(const RestData& data, int body)
-{
-    const BodyState& s = data.bodies.list[body].state;
-    return {s.position + data.motion.shift[body], Rotation::of(s.angle + data.motion.turn[body])};
-}
-
-void set_end_poses(RestData& data, const Island& island)
-{
-    for (const int member : island.members) data.motion.end_poses[member] = end_pose(data, member);
-}
-
 } // namespace
 
 double Projection::measure_overlap(RestData& data, const Island& island)
@@ -130,7 +119,7 @@ double Projection::measure_overlap(RestData& data, const Island& island)
     const bool may_any =
         std::any_of(points.begin(), points.end(), [&](const ContactPoint& c) { return may_overlap(data, c); });
     if (!may_any && !any_nearer) return 0.0;
-    set_end_poses(data, island);
+    set_end_poses(data, island, 1.0);
     list_pairs_of(data, points);
     const auto is_overlap = [&](int index) {
         const RestPair& pair = data.pairs.pairs()[index];
@@ -150,7 +139,7 @@ void Projection::find_unforeseen(RestData& data, const Island& island)
     std::vector<BoxCells::Entry> thrown;
     for (const int member : island.members) {
         if (farthest_way(data, member) > data.motion.reach[member])
-            thrown.push_back({bounding_box(data.bodies.list[member].shape, end_pose(data, member)), member});
+            thrown.push_back({bounding_box(data.bodies.list[member].shape, pose_along(data, member, 1.0)), member});
     }
     if (thrown.empty()) return;
     BodySet members(data.bodies.count());
@@ -194,7 +183,7 @@ double Projection::measure_overlap_of_heap(RestData& data, const Island& island)
     for_each([&](int, std::span<const ContactPoint> points) { is_fair = is_fair && is_known(points); });
     if (is_fair) return 0.0;
 
-    set_end_poses(data, island);
+    set_end_poses(data, island, 1.0);
     double worst = 0.0;
     for_each([&](int pair, std::span<const ContactPoint> points) {
         if (!is_known(points)) {
