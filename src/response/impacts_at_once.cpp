@@ -65,16 +65,12 @@ public:
     void add(const ImpactPair& pair, std::span<const ImpactPoint> points)
     {
         for (std::size_t k = pair.first; k < pair.end; ++k) {
-            GroupPoint point;
-            point.a = pair.a;
-            point.b = pair.b;
-            point.frame = frame_at(points[k]);
-            point.material = pair.material;
+            points_.push_back({pair.a, pair.b, frame_at(points[k]), pair.material});
+            const GroupPoint& point = points_.back();
             const double v_n = speed_along(point.frame.normal, motion_of(point));
             const double v_t = speed_along(point.frame.tangent, motion_of(point));
             top_speed_ = std::max({top_speed_, std::abs(v_n), std::abs(v_t), bodies_[pair.a].velocity.norm(),
                                    bodies_[pair.b].velocity.norm()});
-            points_.push_back(point);
         }
         rests_ = std::max(rests_, pair.rests);
     }

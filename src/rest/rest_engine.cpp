@@ -160,8 +160,7 @@ void RestEngine::step_by(double length, double end)
             data_.motion.expected_angular_acceleration[k] = before_[k].expected_angular_acceleration;
         }
     }
-    start_ = end;
-    steps_ = 0;
+    set_time(end);
 }
 
 void RestEngine::scale_loads_awake(double factor)
