@@ -152,7 +152,7 @@ void Projection::find_unforeseen(RestData& data, const Island& island)
         const auto found = std::lower_bound(island.points.begin(), island.points.end(), pair, comes_before);
         return found != island.points.end() && found->a == pair.a && found->b == pair.b;
     };
-    unforeseen_ = data.pairs.pairs_at(std::move(thrown), data.bodies.list, data.bodies.shapes);
+    unforeseen_ = data.pairs.pairs_at(std::move(thrown), data.bodies);
     std::erase_if(unforeseen_,
                   [&](const RestPair& pair) { return !is_ours(pair.a) || !is_ours(pair.b) || has_points(pair); });
 }

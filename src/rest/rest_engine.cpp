@@ -330,7 +330,7 @@ void RestEngine::go_on_from(const Memory& memory)
         pair.memory = {};
         pair.last_look = {};
     }
-    data_.pairs.remember(std::move(pairs), data_.bodies.list, awake_);
+    data_.pairs.remember(std::move(pairs), data_.bodies, awake_);
 }
 
 std::vector<std::optional<BodyState>> RestEngine::foresee(double length, double end, double since)

@@ -84,7 +84,7 @@ void RestEngine::list_awake()
     awake_.insert(woken);
     awake_.erase(gone);
     any_pairs = any_pairs || !woken.empty() || !gone.empty();
-    if (any_pairs) data_.pairs.separate(data_.bodies.list, awake_);
+    if (any_pairs) data_.pairs.separate(data_.bodies, awake_);
 }
 
 /// A step begins for those that are awake.
@@ -158,7 +158,7 @@ void RestEngine::measure_reach(std::span<const int> bodies)
 bool RestEngine::list_pairs()
 {
     const PairReach reach{farthest_, data_.motion.reach};
-    const int boxes = data_.pairs.update(data_.bodies.list, data_.bodies.shapes, data_.bodies.radius, reach, awake_);
+    const int boxes = data_.pairs.update(data_.bodies, reach, awake_);
     data_.counts.looks += boxes > 0 ? 1 : 0;
     data_.counts.boxes += boxes;
     return boxes > 0;
@@ -238,13 +238,8 @@ void RestEngine::find_pairs_of(std::span<CutIsland> islands, std::span<const int
         if (data_.bodies.list[pair.b].is_static) return a;
         return a == b ? a : -1;
     };
-    const auto reacher = [&](int body) {
-        const RestBody& one = data_.bodies.list[body];
-        return Reacher{one.shape, data_.bodies.poses[body], one.is_static ? 0.0 : data_.bodies.radius[body],
-                       farthest_[body]};
-    };
     const auto is_listed = [&](const RestPair& pair) {
-        return may_touch(data_, pair, farthest_) && may_meet(reacher(pair.a), reacher(pair.b));
+        return may_touch(data_, pair, farthest_) && may_meet(data_.bodies, pair.a, pair.b, farthest_);
     };
     const int count = static_cast<int>(is_first ? data_.pairs.pairs().size() : pairs.size());
     for (int k = 0; k < count; ++k) {
@@ -337,7 +332,7 @@ bool RestEngine::go_back(Meetings& met)
         thrown.push_back({bounding_box(data_.bodies.list[k].shape, pose_of(data_.bodies.list[k].state)), k});
     }
     if (thrown.empty()) return false;
-    const std::vector<RestPair> pairs = data_.pairs.pairs_at(std::move(thrown), data_.bodies.list, data_.bodies.shapes);
+    const std::vector<RestPair> pairs = data_.pairs.pairs_at(std::move(thrown), data_.bodies);
     if (!find_meetings(data_, pairs, before_, awake_, met)) return false;
     wake_met(met);
     bool any_heap = false;
