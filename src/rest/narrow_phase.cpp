@@ -55,11 +55,6 @@ namespace {
     return crossing.count > 0 ? crossing : manifold;
 }
 
-[[nodiscard]] bool any_has_cuts(const RestBodies& bodies, const RestPair& pair)
-{
-    return bodies.has_cuts(pair.a) || bodies.has_cuts(pair.b);
-}
-
 // Where surfaces of neighbours act as one (collide/seams.hpp): what neighbours what.
 
 /// Adds the seams of a part with a part of another body.
@@ -197,9 +192,10 @@ void NarrowPhase::mend(const RestBodies& bodies, const PairList& pairs, const Re
 Manifold NarrowPhase::look(const RestBodies& bodies, const PairList& pairs, const RestPair& pair, const Pose& pose_a,
                            const Pose& pose_b, double margin) const
 {
-    Manifold manifold = any_has_cuts(bodies, pair) ? points_of_outlines(bodies, pair, pose_a, pose_b, margin)
-                                                   : near_points(bodies.shapes[pair.a].parts[0].shape, pose_a,
-                                                                 bodies.shapes[pair.b].parts[0].shape, pose_b, margin);
+    Manifold manifold = bodies.has_cuts(pair.a, pair.b)
+                            ? points_of_outlines(bodies, pair, pose_a, pose_b, margin)
+                            : near_points(bodies.shapes[pair.a].parts[0].shape, pose_a,
+                                          bodies.shapes[pair.b].parts[0].shape, pose_b, margin);
     if (manifold.count > 0) mend(bodies, pairs, pair, pose_a, pose_b, margin, manifold);
     return manifold;
 }
@@ -211,7 +207,7 @@ Manifold NarrowPhase::find_cached(const RestBodies& bodies, const PairList& pair
     const Shape& part_a = bodies.shapes[pair.a].parts[pair.part_a].shape;
     const Shape& part_b = bodies.shapes[pair.b].parts[pair.part_b].shape;
     Manifold manifold;
-    if (!any_has_cuts(bodies, pair)) manifold = near_points(part_a, pose_a, part_b, pose_b, margin, pair.memory);
+    if (!bodies.has_cuts(pair.a, pair.b)) manifold = near_points(part_a, pose_a, part_b, pose_b, margin, pair.memory);
     else if (find_separation(part_a, pose_a, part_b, pose_b, pair.memory) <= margin)
         manifold = points_of_outlines(bodies, pair, pose_a, pose_b, margin);
     if (manifold.count > 0) mend(bodies, pairs, pair, pose_a, pose_b, margin, manifold);

@@ -70,7 +70,7 @@ namespace {
     const double fair = rest_tolerance::k_fair_overlap * data.bodies.size_of(c.a, c.b);
     if (stays(data, c.a) && stays(data, c.b))
         return std::any_of(points.begin(), points.end(), [&](const ContactPoint& point) { return point.gap < -fair; });
-    if ((data.bodies.has_cuts(c.a) || data.bodies.has_cuts(c.b)) && comes_nearer(data, c.a, c.b)) return true;
+    if (data.bodies.has_cuts(c.a, c.b) && comes_nearer(data, c.a, c.b)) return true;
     // Corners that are no points were further away; how far isn't known, since what sticks out beyond the end of an
     // edge was clipped
     double next = 0.0;
@@ -207,8 +207,7 @@ void Projection::list_pairs_of(const RestData& data, std::span<const ContactPoin
     const std::span<const RestPair> pairs = data.pairs.pairs();
     for (const ContactPoint& c : points) {
         if (!pairs_near_.empty() && pairs_near_.back() >= c.pair) continue;
-        const bool has_parts = data.bodies.shapes[c.a].parts.size() + data.bodies.shapes[c.b].parts.size() > 2;
-        const bool all = has_parts && comes_nearer(data, c.a, c.b);
+        const bool all = data.bodies.has_cuts(c.a, c.b) && comes_nearer(data, c.a, c.b);
         // The pairs of all parts of the two stand together
         const auto is_theirs = [&](int pair) { return pairs[pair].a == c.a && pairs[pair].b == c.b; };
         int first = c.pair;
@@ -250,7 +249,7 @@ double Projection::find_overlap_of_pair(RestData& data, int index)
     };
     for (int k = 0; k < manifold.count; ++k) add(manifold.contacts[k]);
     if (worst > 0.0 || !comes_nearer(data, pair.a, pair.b)) return worst;
-    if (data.bodies.has_cuts(pair.a) || data.bodies.has_cuts(pair.b)) return worst; // its edge may be a cut
+    if (data.bodies.has_cuts(pair.a, pair.b)) return worst; // its edge may be a cut
 
     // What sticks out beyond the ends of the edge that it lies deepest under is clipped there
     const Contact clipped = overlap_at_end(data, pair);
