@@ -191,7 +191,6 @@ void RestEngine::solve_islands(int depth)
 
 void RestEngine::finish_islands(int depth, std::span<const int> pairs)
 {
-    parts_.at.resize(rest_tolerance::k_most_parts + 1);
     std::vector<CutIsland>& cut = parts_.at[depth];
     cut.clear();
     for (Island& island : islands_.all()) {
