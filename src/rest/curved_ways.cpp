@@ -7,7 +7,6 @@
 
 #include "rest/energy_limit.hpp"
 #include "rest/rest_tolerance.hpp"
-#include "rest/rest_way.hpp"
 #include "rest/step_field.hpp"
 
 namespace flying {

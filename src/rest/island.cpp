@@ -125,6 +125,11 @@ StaticHold static_hold(const RestData& data, std::span<const ContactPoint> point
     return hold;
 }
 
+void set_end_poses(RestData& data, const Island& island, double part)
+{
+    for (const int member : island.members) data.motion.end_poses[member] = pose_along(data, member, part);
+}
+
 void scale_impulses(const Island& island, double factor)
 {
     for (ContactPoint& c : island.points) {

@@ -7,7 +7,6 @@
 #include "collide/separating_axis.hpp"
 #include "rest/energy_limit.hpp"
 #include "rest/rest_tolerance.hpp"
-#include "rest/rest_way.hpp"
 
 namespace flying {
 namespace {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <utility>
 
 #include "rest/island_solver.hpp"
@@ -30,6 +31,25 @@ struct RestData
     RestCounts counts;
     double max_overlap = 0.0; ///< the deepest that any step has begun with [m]
 };
+
+/// How far its turn in the step may bring any point of a body.  [m]
+[[nodiscard]] inline double arc_of(const RestData& data, int body)
+{
+    return std::abs(data.motion.turn[body]) * data.bodies.turning[body];
+}
+
+/// How far the step takes any point of it, at most.  [m]
+[[nodiscard]] inline double farthest_way(const RestData& data, int body)
+{
+    return data.motion.shift[body].norm() + arc_of(data, body);
+}
+
+/// Where it is at a part of its way: 0 at the beginning, 1 at the end.
+[[nodiscard]] inline Pose pose_along(const RestData& data, int body, double part)
+{
+    const BodyState& s = data.bodies.list[body].state;
+    return {s.position + part * data.motion.shift[body], Rotation::of(s.angle + part * data.motion.turn[body])};
+}
 
 /// The circles of a pair's two parts come as near to each other as this, with the two bodies at these poses.
 /// gap  [m]

@@ -1,7 +1,5 @@
 #include "rest/rest_way.hpp"
 
-#include <cmath>
-
 namespace flying {
 namespace {
 
@@ -31,27 +29,6 @@ struct Along
 }
 
 } // namespace
-
-double arc_of(const RestData& data, int body)
-{
-    return std::abs(data.motion.turn[body]) * data.bodies.turning[body];
-}
-
-double farthest_way(const RestData& data, int body)
-{
-    return data.motion.shift[body].norm() + arc_of(data, body);
-}
-
-Pose pose_along(const RestData& data, int body, double part)
-{
-    const BodyState& s = data.bodies.list[body].state;
-    return {s.position + part * data.motion.shift[body], Rotation::of(s.angle + part * data.motion.turn[body])};
-}
-
-void set_end_poses(RestData& data, const Island& island, double part)
-{
-    for (const int member : island.members) data.motion.end_poses[member] = pose_along(data, member, part);
-}
 
 void go_along(StepMotion& motion, const Island& island, double time)
 {
