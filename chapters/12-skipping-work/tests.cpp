@@ -186,8 +186,8 @@ TEST_CASE("a stack that sleeps has the bits of one that is kept awake")
     CHECK(one.counts().asleep > 0);
     CHECK(two.counts().asleep == 0);
     RECORD_VALUE("skipping-work.asleep", one.counts().asleep);
-    RECORD_VALUE("skipping-work.groups", one.counts().groups);
-    RECORD_VALUE("skipping-work.groups_awake", two.counts().groups);
+    RECORD_VALUE("skipping-work.groups", one.counts().islands);
+    RECORD_VALUE("skipping-work.groups_awake", two.counts().islands);
     // [skipping-work.tests.sleep.counts]
 }
 // [skipping-work.tests.sleep]

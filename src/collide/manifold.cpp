@@ -10,14 +10,6 @@ namespace flying {
 
 namespace {
 
-/// The number of a pair of features: a vertex of one body on an edge of the other.
-std::uint32_t feature_number(Owner of_vertex, int vertex, int edge)
-{
-    const std::uint32_t is_of_b = of_vertex == Owner::b ? 1u : 0u;
-    return is_of_b | (static_cast<std::uint32_t>(vertex) & 0x7fffu) << 1 |
-           (static_cast<std::uint32_t>(edge) & 0xffffu) << 16;
-}
-
 /// One contact of two surfaces: `point` lies on the second, `separation` away from the
 /// first along the normal.
 Contact contact_at(const Vec2& point, const Vec2& normal, double separation,
@@ -123,8 +115,8 @@ Manifold clip(const Polygon& reference, const Pose& world_from_reference, const 
     const auto keep = [&](const ClippedEnd& end, double separation) {
         if (separation > margin) return;
         const std::uint32_t feature = end.is_cut
-                                          ? feature_number(Owner::a, end.vertex, facing)
-                                          : feature_number(Owner::b, end.vertex, axis.edge);
+                                          ? feature_number({Owner::a, end.vertex, facing})
+                                          : feature_number({Owner::b, end.vertex, axis.edge});
         add(manifold,
             contact_at(world_from_reference * end.point, normal, separation, feature));
     };
@@ -172,7 +164,7 @@ Manifold between(const Polygon& a, const Pose& world_from_a, const Disc& b, cons
     // Inside, the shortest way out leads over that edge; outside, the nearest point of any edge decides
     Vec2 normal = a.edges()[nearest].normal;
     double distance = outside;
-    std::uint32_t feature = feature_number(Owner::b, 0, nearest);
+    std::uint32_t feature = feature_number({Owner::b, 0, nearest});
     if (outside > 0.0) {
         double least = std::numeric_limits<double>::infinity();
         for (int k = 0; k < static_cast<int>(a.edges().size()); ++k) {
@@ -185,7 +177,7 @@ Manifold between(const Polygon& a, const Pose& world_from_a, const Disc& b, cons
             if ((!is_corner && way < 0.0) || way >= least) continue;
             least = distance = way;
             normal = is_corner ? Vec2(from_start / way) : edge.normal;
-            feature = is_corner ? feature_number(Owner::a, k, 0) : feature_number(Owner::b, 0, k);
+            feature = is_corner ? feature_number({Owner::a, k, 0}) : feature_number({Owner::b, 0, k});
         }
     }
 
@@ -223,8 +215,8 @@ Manifold between(const HalfPlane& a, const Pose&, const Polygon& b, const Pose& 
     for (const int vertex : {lowest, other}) {
         const double separation = height + normal.dot(b.vertices()[vertex]);
         if (separation > margin) continue;
-        add(manifold,
-            contact_at(world_from_b * b.vertices()[vertex], a.normal, separation, feature_number(Owner::b, vertex, 0)));
+        const Vec2 point = world_from_b * b.vertices()[vertex];
+        add(manifold, contact_at(point, a.normal, separation, feature_number({Owner::b, vertex, 0})));
     }
     return manifold;
 }

@@ -237,8 +237,7 @@ void mend_at_seams(const Polygon& part, const Pose& world_from_part, std::span<c
             contact.separation = height;
             contact.normal = world_from_part.rotation * Vec2(sign * instead);
             contact.point = world_from_part * Vec2(nearest.point - 0.5 * contact.separation * instead);
-            contact.feature = (owner == Owner::a ? 1u : 0u) | static_cast<std::uint32_t>(nearest.vertex) << 1 |
-                              static_cast<std::uint32_t>(seam.open) << 16;
+            contact.feature = feature_number({owner == Owner::a ? Owner::b : Owner::a, nearest.vertex, seam.open});
             return contact.separation <= margin;
         }
         return true;

@@ -13,5 +13,7 @@ using Shape = std::variant<Disc, Polygon, HalfPlane>;
 
 /// Radius of the smallest circle about the centre of mass that holds the shape; infinite for a half-plane.  [m]
 [[nodiscard]] double bounding_radius(const Shape& shape);
+/// The least distance between two parallel lines that have a convex shape between them; infinite for a half-plane.  [m]
+[[nodiscard]] double least_width(const Shape& convex);
 
 } // namespace flying

@@ -21,6 +21,11 @@ constexpr int k_sweeps = 1000;
     return body.inertia.inv_mass > 0.0 || body.inertia.inv_moment_of_inertia > 0.0;
 }
 
+[[nodiscard]] PairMotion pair_motion(std::span<const ImpactBody> bodies, int a, int b)
+{
+    return {bodies[a].velocity, bodies[b].velocity, bodies[a].spin, bodies[b].spin};
+}
+
 /// What pushes do to one body of a group.
 struct Share
 {
@@ -60,16 +65,12 @@ public:
     void add(const ImpactPair& pair, std::span<const ImpactPoint> points)
     {
         for (std::size_t k = pair.first; k < pair.end; ++k) {
-            GroupPoint point;
-            point.a = pair.a;
-            point.b = pair.b;
-            point.frame = frame_at(points[k]);
-            point.material = pair.material;
+            points_.push_back({pair.a, pair.b, frame_at(points[k]), pair.material});
+            const GroupPoint& point = points_.back();
             const double v_n = speed_along(point.frame.normal, motion_of(point));
             const double v_t = speed_along(point.frame.tangent, motion_of(point));
             top_speed_ = std::max({top_speed_, std::abs(v_n), std::abs(v_t), bodies_[pair.a].velocity.norm(),
                                    bodies_[pair.b].velocity.norm()});
-            points_.push_back(point);
         }
         rests_ = std::max(rests_, pair.rests);
     }
@@ -128,10 +129,7 @@ public:
     // [response.at_once.give_back]
 
 private:
-    [[nodiscard]] PairMotion motion_of(const GroupPoint& p) const
-    {
-        return {bodies_[p.a].velocity, bodies_[p.b].velocity, bodies_[p.a].spin, bodies_[p.b].spin};
-    }
+    [[nodiscard]] PairMotion motion_of(const GroupPoint& p) const { return pair_motion(bodies_, p.a, p.b); }
 
     /// Each line along which a body is pushed meets as much of its mass as any other.
     void split_masses()
@@ -250,6 +248,36 @@ bool strike(std::span<ImpactBody> bodies, const ImpactPair& pair, std::span<cons
     return is_a ? ImpactPoint{point.r_b, point.r_a, -point.normal} : point;
 }
 
+/// Which pairs each body that moves belongs to.
+class PairsOfBodies
+{
+public:
+    PairsOfBodies(std::span<const ImpactBody> bodies, std::span<const ImpactPair> pairs) : begins_(bodies.size() + 1)
+    {
+        const auto each = [&](auto&& act) {
+            for (std::size_t k = 0; k < pairs.size(); ++k) {
+                for (const int body : {pairs[k].a, pairs[k].b}) {
+                    if (moves(bodies[body])) act(body, static_cast<int>(k));
+                }
+            }
+        };
+        each([&](int body, int) { ++begins_[body + 1]; });
+        std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
+        pairs_.resize(begins_.back());
+        std::vector<std::size_t> next = begins_;
+        each([&](int body, int k) { pairs_[next[body]++] = k; });
+    }
+    /// Ascending; none where it doesn't move.
+    [[nodiscard]] std::span<const int> of(int body) const
+    {
+        return std::span(pairs_).subspan(begins_[body], begins_[body + 1] - begins_[body]);
+    }
+
+private:
+    std::vector<std::size_t> begins_; // by body, and one more
+    std::vector<int> pairs_;
+};
+
 /// Pairs and their points, where immovable bodies that push one body along one normal are one: tiles that lie side by
 /// side, or slabs that overlap and whose tops are level.
 class JoinedPairs
@@ -258,36 +286,37 @@ public:
     JoinedPairs(std::span<const ImpactBody> bodies, std::span<const ImpactPair> pairs,
                 std::span<const ImpactPoint> points, std::span<const double> slowest)
     {
-        // Find, for each pair, the first one and the next one of the same floor
+        // Find, of each pair, the first one of the same floor: itself where there is none before, or where both move
         const int count = static_cast<int>(pairs.size());
-        std::vector<int> floors(bodies.size(), -1); // of each body, the last floor's first pair
-        std::vector<int> floor_before(count, -1);   // of each first pair, that of the body's floor before
-        std::vector<int> last(count, -1);           // of each first pair, the last of its floor
-        std::vector<int> next(count, -1);
+        const PairsOfBodies pairs_of(bodies, pairs);
+        const auto has_floor = [&](int k) { return moves(bodies[pairs[k].a]) != moves(bodies[pairs[k].b]); };
+        const auto beside = [&](int k) { return pairs_of.of(moves(bodies[pairs[k].a]) ? pairs[k].a : pairs[k].b); };
+        std::vector<int> first_of(count);
         for (int k = 0; k < count; ++k) {
-            const bool is_a = moves(bodies[pairs[k].a]);
-            last[k] = k;
-            if (is_a == moves(bodies[pairs[k].b])) continue;
-            int& newest = floors[is_a ? pairs[k].a : pairs[k].b];
-            int first = newest;
-            while (first >= 0 && !is_one_floor(bodies, pairs[first], pairs[k], points)) first = floor_before[first];
-            if (first < 0) {
-                floor_before[k] = newest;
-                newest = k;
-                continue;
+            first_of[k] = k;
+            if (!has_floor(k)) continue;
+            for (const int other : beside(k)) {
+                if (other == k) break;
+                const bool is_first = has_floor(other) && first_of[other] == other;
+                if (is_first && is_one_floor(bodies, pairs[other], pairs[k], points)) first_of[k] = other;
             }
-            next[last[first]] = k;
-            last[first] = k;
-            last[k] = -1;
         }
 
+        // Make one pair of all those of a floor
+        std::vector<int> floor;
         for (int first = 0; first < count; ++first) {
-            if (last[first] < 0) continue;
-            const bool is_joined = last[first] != first;
+            if (first_of[first] != first) continue;
+            floor.assign(1, first);
+            if (has_floor(first)) {
+                for (const int other : beside(first)) {
+                    if (other > first && first_of[other] == first) floor.push_back(other);
+                }
+            }
+            const bool is_joined = floor.size() > 1;
             const auto is_turned = [&](int k) { return is_joined && moves(bodies[pairs[k].a]); };
             ImpactPair& pair = pairs_.emplace_back(seen_by_mover(pairs[first], is_turned(first)));
             pair.first = points_.size();
-            for (int k = first; k >= 0; k = next[k]) {
+            for (const int k : floor) {
                 for (std::size_t i = pairs[k].first; i < pairs[k].end; ++i) {
                     ImpactPoint point = seen_by_mover(points[i], is_turned(k));
                     if (is_joined)
@@ -337,37 +366,6 @@ private:
     std::vector<double> slowest_;
 };
 
-/// Which pairs each body that moves belongs to.
-class PairsOfBodies
-{
-public:
-    PairsOfBodies() = default;
-    PairsOfBodies(std::span<const ImpactBody> bodies, std::span<const ImpactPair> pairs) : begins_(bodies.size() + 1)
-    {
-        const auto each = [&](auto&& act) {
-            for (std::size_t k = 0; k < pairs.size(); ++k) {
-                for (const int body : {pairs[k].a, pairs[k].b}) {
-                    if (moves(bodies[body])) act(body, static_cast<int>(k));
-                }
-            }
-        };
-        each([&](int body, int) { ++begins_[body + 1]; });
-        std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
-        pairs_.resize(begins_.back());
-        std::vector<std::size_t> next = begins_;
-        each([&](int body, int k) { pairs_[next[body]++] = k; });
-    }
-    [[nodiscard]] bool is_empty() const { return begins_.empty(); }
-    void append(int body, std::vector<int>& list) const
-    {
-        list.insert(list.end(), pairs_.begin() + begins_[body], pairs_.begin() + begins_[body + 1]);
-    }
-
-private:
-    std::vector<std::size_t> begins_; // by body, and one more
-    std::vector<int> pairs_;
-};
-
 } // namespace
 
 std::vector<int> number_anew(std::span<ImpactPair> pairs)
@@ -394,8 +392,7 @@ int resolve_impacts(std::span<ImpactBody> bodies, std::span<const ImpactPair> al
     const std::span<const ImpactPoint> points = joined.points();
     const std::span<const double> slowest = joined.slowest();
     const auto approaches = [&](const ImpactPair& pair) {
-        const PairMotion motion{bodies[pair.a].velocity, bodies[pair.b].velocity, bodies[pair.a].spin,
-                                bodies[pair.b].spin};
+        const PairMotion motion = pair_motion(bodies, pair.a, pair.b);
         for (std::size_t k = pair.first; k < pair.end; ++k) {
             if (speed_along(frame_at(points[k]).normal, motion) < -slowest[k]) return true;
         }
@@ -405,12 +402,12 @@ int resolve_impacts(std::span<ImpactBody> bodies, std::span<const ImpactPair> al
     std::vector<Share> shares(bodies.size());
     std::vector<int> candidates(pairs.size()); // all at first; then those of the bodies that were struck
     std::iota(candidates.begin(), candidates.end(), 0);
-    PairsOfBodies pairs_of;
+    const PairsOfBodies pairs_of(bodies, pairs);
     std::vector<int> chosen;
     std::vector<std::array<int, 2>> ties; // of those chosen
     int impacts = 0;
     while (impacts < most) {
-        // Find who approaches, and who shares a body
+        // Find the pairs that approach, and those of them that share a body
         chosen.clear();
         ties.clear();
         for (const int k : candidates) {
@@ -419,7 +416,6 @@ int resolve_impacts(std::span<ImpactBody> bodies, std::span<const ImpactPair> al
             ties.push_back({tie(pairs[k].a), tie(pairs[k].b)});
         }
         if (chosen.empty()) break;
-        if (pairs_of.is_empty()) pairs_of = PairsOfBodies(bodies, pairs);
 
         // Strike
         candidates.clear();
@@ -435,7 +431,10 @@ int resolve_impacts(std::span<ImpactBody> bodies, std::span<const ImpactPair> al
             }
             impacts += static_cast<int>(group.size());
             for (const int k : group) {
-                for (const int body : {pairs[k].a, pairs[k].b}) pairs_of.append(body, candidates);
+                for (const int body : {pairs[k].a, pairs[k].b}) {
+                    const std::span<const int> others = pairs_of.of(body);
+                    candidates.insert(candidates.end(), others.begin(), others.end());
+                }
             }
         }
         std::sort(candidates.begin(), candidates.end());

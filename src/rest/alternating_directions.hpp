@@ -15,16 +15,16 @@ struct Rounds
     int lasting = 1;        ///< after so many in which all points do what they did: bear or part, hold or slip
 };
 
-/// Coulomb's conditions at all points of a group, met by turns (alternating direction method of multipliers, Boyd et
+/// Coulomb's conditions at all points of an island, met by turns (alternating direction method of multipliers, Boyd et
 /// al. 2011; here the limits of friction follow the normal impulses). In one turn each point is a spring, which all
 /// bodies follow at once: one system of equations, factorised once for all rounds. In the other each point by itself
 /// takes the impulse that its conditions allow nearest to what its spring asks for, and remembers what it was denied.
-/// So a load goes through the whole group in each round, where a sweep leads it one body on.
+/// So a load goes through the whole island in each round, where a sweep leads it one body on.
 class AlternatingDirections
 {
 public:
-    /// Better impulses for a group of any size, of masses of any ratio: allowed ones, whatever they leave. Points whose
-    /// bound is -infinity, since they won't close, bear nothing.
+    /// Better impulses for an island of any size, of masses of any ratio: allowed ones, whatever they leave. Points
+    /// whose bound is -infinity, since they won't close, bear nothing.
     ///
     /// pieces   of the problem; they are soft meanwhile
     /// problem  with the impulses to start from, and what they leave of slips; on return with those found

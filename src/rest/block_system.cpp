@@ -96,7 +96,7 @@ void BlockSystem::order(int count, std::span<const Edge> edges)
     rank_.resize(count);
     body_.resize(count);
 
-    // A group of a few needs no search
+    // An island of a few bodies needs no search
     if (count <= rest_tolerance::k_most_in_detail) {
         for (int k = 0; k < count; ++k) rank_[k] = body_[k] = k;
         return;

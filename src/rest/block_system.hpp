@@ -11,11 +11,11 @@ struct Block
     double at[3][4] = {};
 };
 
-/// Square systems of equations whose unknowns come in threes, one three for each body of a group, and whose blocks
+/// Square systems of equations whose unknowns come in threes, one three for each body of an island, and whose blocks
 /// couple only those bodies that touch. Factorised without pivoting between blocks (the blocks on the diagonal hold the
 /// masses and dominate), in an order that keeps the factors sparse.
 ///
-/// Call `set_pattern` once for a group, then fill `diagonal` and `lower`/`upper`, `factorise`, `solve`.
+/// Call `set_pattern` once for an island, then fill `diagonal` and `lower`/`upper`, `factorise`, `solve`.
 class BlockSystem
 {
 public:

@@ -69,6 +69,13 @@ struct ContactPoint
     return tangent_speed(c, b.v_x - a.v_x, b.v_y - a.v_y, a.spin, b.spin);
 }
 
+/// Effective mass of a push between two bodies.  [kg]
+/// shifts  sum of the inverse masses, as the push meets them [1/kg]
+[[nodiscard]] inline double effective_mass(double shifts, const Mover& a, const Mover& b, double arm_a, double arm_b)
+{
+    return 1.0 / (shifts + (a.inv_moment * (arm_a * arm_a) + b.inv_moment * (arm_b * arm_b)));
+}
+
 /// What a push does to both bodies; A gets as much the other way.
 struct PushOnBoth
 {

@@ -17,7 +17,7 @@ void set_mean_lines(ContactPoint& mean, const ContactPoint& start, const Contact
                     const Mover& a, const Mover& b)
 {
     // [rest.curves.simpson]
-    // The mean of a line over a way, by the rule for barrels
+    // The mean of a line over a way, by Simpson's rule
     const auto simpson = [&](double ContactPoint::*number) {
         return ((start.*number + end.*number) + 4.0 * half.*number) / 6.0;
     };
@@ -28,12 +28,9 @@ void set_mean_lines(ContactPoint& mean, const ContactPoint& start, const Contact
     mean.normal_arm_b = simpson(&ContactPoint::normal_arm_b);
     mean.tangent_arm_a = simpson(&ContactPoint::tangent_arm_a);
     mean.tangent_arm_b = simpson(&ContactPoint::tangent_arm_b);
-    const double shift = (a.inv_mass + b.inv_mass) * (mean.n_x * mean.n_x + mean.n_y * mean.n_y);
-    const auto mass = [&](double arm_a, double arm_b) {
-        return 1.0 / (shift + (a.inv_moment * (arm_a * arm_a) + b.inv_moment * (arm_b * arm_b)));
-    };
-    mean.normal_mass = mass(mean.normal_arm_a, mean.normal_arm_b);
-    mean.tangent_mass = mass(mean.tangent_arm_a, mean.tangent_arm_b);
+    const double shifts = (a.inv_mass + b.inv_mass) * (mean.n_x * mean.n_x + mean.n_y * mean.n_y);
+    mean.normal_mass = effective_mass(shifts, a, b, mean.normal_arm_a, mean.normal_arm_b);
+    mean.tangent_mass = effective_mass(shifts, a, b, mean.tangent_arm_a, mean.tangent_arm_b);
 }
 
 /// How far two points' lines are from each other; arms in units of `size`.
@@ -74,16 +71,6 @@ void set_mean_lines(ContactPoint& mean, const ContactPoint& start, const Contact
     return top_motion(data, island) > still_speed(data, island);
 }
 
-void first_ways(RestData& data, const Island& island)
-{
-    for (const int member : island.members) {
-        const Mover& old = data.motion.before[member];
-        const Mover& now = data.motion.now[member];
-        data.motion.shift[member] = 0.5 * data.motion.span * Vec2(old.v_x + now.v_x, old.v_y + now.v_y);
-        data.motion.turn[member] = 0.5 * data.motion.span * (old.spin + now.spin);
-    }
-}
-
 void forget_ways(RestData& data, const Island& island)
 {
     for (const int member : island.members) {
@@ -92,17 +79,25 @@ void forget_ways(RestData& data, const Island& island)
     }
 }
 
+void take_first_ways(RestData& data, const Island& island)
+{
+    forget_ways(data, island);
+    StepMotion& motion = data.motion;
+    for (const int member : island.members)
+        motion.add_mean_way(member, motion.before[member], motion.now[member], motion.span);
+}
+
 /// The contact that continues a point further along the ways, in a look at its pair or at one beside it: the one of its
 /// name, or, where names have changed, the one nearest to its place.
 [[nodiscard]] std::optional<Contact> same_contact(const RestData& data, const ContactPoint& c, const Manifold& manifold,
                                                   bool is_beside)
 {
     const RestPair& pair = data.pairs.pairs()[c.pair];
-    const auto own = std::find(pair.feature, pair.feature + pair.count, c.feature);
-    if (own == pair.feature + pair.count) return {};
-    const Vec2 place = pair.place[own - pair.feature];
+    const int own = pair.find(c.feature);
+    if (own < 0) return {};
+    const Vec2& place = pair.place[own];
     const int body = data.bodies.list[c.a].is_static ? c.b : c.a;
-    const double near = rest_tolerance::k_watch * std::min(data.bodies.radius[c.a], data.bodies.radius[c.b]);
+    const double near = rest_tolerance::k_watch * data.bodies.size_of(c.a, c.b);
     std::optional<Contact> best;
     double least = near * near;
     for (int i = 0; i < manifold.count; ++i) {
@@ -153,7 +148,7 @@ bool CurvedWays::follow(RestData& data, Island& island)
     lets_go_ = false;
     if (!may_bend(data, island)) return false;
     bent_.assign(points.begin(), points.end());
-    first_ways(data, island);
+    take_first_ways(data, island);
     if (bend_lines(data, island, false) != Bend::some) {
         forget_ways(data, island);
         return false;
@@ -236,17 +231,13 @@ void CurvedWays::take_lines_halfway(RestData& data, Island& island)
 void CurvedWays::look_along(RestData& data, const Island& island, double part, std::vector<ContactPoint>& there)
 {
     const std::span<const ContactPoint> points = island.points;
-    for (const int member : island.members) {
-        const BodyState& s = data.bodies.list[member].state;
-        data.motion.end_poses[member] = {s.position + part * data.motion.shift[member],
-                                         Rotation::of(s.angle + part * data.motion.turn[member])};
-    }
+    set_end_poses(data, island, part);
     Manifold manifold;
     double margin = 0.0;
     for (std::size_t k = 0; k < points.size(); ++k) {
         const ContactPoint& c = points[k];
         if (k == 0 || c.pair != points[k - 1].pair) {
-            const double size = std::min(data.bodies.radius[c.a], data.bodies.radius[c.b]);
+            const double size = data.bodies.size_of(c.a, c.b);
             margin = data.motion.reach[c.a] + data.motion.reach[c.b] + rest_tolerance::k_watch * size;
             manifold =
                 look(data, data.pairs.pairs()[c.pair], data.motion.end_poses[c.a], data.motion.end_poses[c.b], margin);
@@ -288,7 +279,7 @@ CurvedWays::Bend CurvedWays::bend_lines(RestData& data, const Island& island, bo
             continue;
         }
         set_mean_lines(bent, c, half_[k], end_[k], data.motion.now[c.a], data.motion.now[c.b]);
-        const double size = std::min(data.bodies.radius[c.a], data.bodies.radius[c.b]);
+        const double size = data.bodies.size_of(c.a, c.b);
         const double bend = bend_of(c, end_[k], data.motion.now[c.a], data.motion.now[c.b], size);
         any = any || (c.normal > 0.0 && bend > rest_tolerance::k_straight && bend * motion > rounding);
 

@@ -30,10 +30,8 @@ namespace {
 /// A point that bore a load when the step before ended.
 [[nodiscard]] bool bore(const RestPair& pair, std::uint32_t feature)
 {
-    for (int i = 0; i < pair.count; ++i) {
-        if (pair.feature[i] == feature) return pair.normal[i] > 0.0;
-    }
-    return false;
+    const int point = pair.find(feature);
+    return point >= 0 && pair.normal[point] > 0.0;
 }
 
 /// The points of a pair that were open when the step began, and below which gap they count as closed.
@@ -88,7 +86,7 @@ double next_closing(const RestData& data, const RestPair& pair, const Manifold& 
                     Closing& closing)
 {
     const double left = data.motion.span - moment;
-    // In a crowd, what bore a load goes on to bear, whatever gap turning or a push out of an overlap has left
+    // In a large island, what bore a load goes on to bear, whatever gap turning or a push out of an overlap has left
     const bool in_large_island = data.bodies.in_large_island[pair.a] || data.bodies.in_large_island[pair.b];
     double wait = std::numeric_limits<double>::infinity();
     for (int k = 0; k < manifold.count; ++k) {
@@ -122,7 +120,7 @@ double next_closing(const RestData& data, const RestPair& pair, const Manifold& 
 /// How near to each other two bodies are looked at that get no further than so.  [m]
 [[nodiscard]] double margin_of(const RestData& data, const RestPair& pair, std::span<const double> farthest)
 {
-    const double size = std::min(data.bodies.radius[pair.a], data.bodies.radius[pair.b]);
+    const double size = data.bodies.size_of(pair.a, pair.b);
     return farthest[pair.a] + farthest[pair.b] + rest_tolerance::k_watch * size;
 }
 
@@ -158,7 +156,7 @@ Manifold find_from_memory(RestData& data, RestPair& pair, double margin)
 void recall_loads(const RestData& data, RestPair& pair, const Manifold& manifold)
 {
     const int own = data.motion.is_moved(pair.a) ? pair.a : pair.b;
-    const double size = std::min(data.bodies.radius[pair.a], data.bodies.radius[pair.b]);
+    const double size = data.bodies.size_of(pair.a, pair.b);
     const Rotation own_from_world = inverse(data.bodies.poses[own].rotation);
     PairLoads now;
     now.count = manifold.count;
@@ -219,6 +217,13 @@ void add_points(const RestData& data, int index, const Manifold& manifold, doubl
 
 } // namespace
 
+double opening_speed(const Contact& contact, const BodyState& a, const BodyState& b)
+{
+    const Vec2 of_a = velocity_at(a, contact.point - a.position);
+    const Vec2 of_b = velocity_at(b, contact.point - b.position);
+    return (of_b - of_a).dot(contact.normal);
+}
+
 double time_to_close(double gap, double u, double a, double within)
 {
     if (gap + within * (u + 0.5 * a * within) > 0.0) return 2.0 * within;
@@ -229,14 +234,7 @@ double time_to_close(double gap, double u, double a, double within)
 
 bool may_touch(const RestData& data, const RestPair& pair, std::span<const double> farthest)
 {
-    const ConvexPart& part_a = data.bodies.shapes[pair.a].parts[pair.part_a];
-    const ConvexPart& part_b = data.bodies.shapes[pair.b].parts[pair.part_b];
-    const Pose& pose_a = data.bodies.poses[pair.a];
-    const Pose& pose_b = data.bodies.poses[pair.b];
-    const double clear = part_a.radius + part_b.radius + margin_of(data, pair, farthest);
-    const Vec2 way =
-        (pose_b.position - pose_a.position) + (pose_b.rotation * part_b.centre - pose_a.rotation * part_a.centre);
-    return way.squaredNorm() <= clear * clear;
+    return are_near(data, pair, data.bodies.poses[pair.a], data.bodies.poses[pair.b], margin_of(data, pair, farthest));
 }
 
 void find_contacts(RestData& data, int index, std::vector<ContactPoint>& found)
@@ -244,7 +242,7 @@ void find_contacts(RestData& data, int index, std::vector<ContactPoint>& found)
     RestPair& pair = data.pairs.pairs()[index];
 
     // Leave out those too far from each other for this step
-    const double size = std::min(data.bodies.radius[pair.a], data.bodies.radius[pair.b]);
+    const double size = data.bodies.size_of(pair.a, pair.b);
     const double margin = margin_of(data, pair, data.motion.reach);
     Manifold room;
     const Manifold& manifold = look_at_start(data, pair, margin, room);

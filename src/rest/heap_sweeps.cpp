@@ -45,7 +45,7 @@ namespace {
     const std::vector<Mover>& now = data.motion.now;
     const auto keeps_apart = [&](const ContactPoint& c) {
         const double mean = 0.5 * (normal_speed(c, before[c.a], before[c.b]) + normal_speed(c, now[c.a], now[c.b]));
-        const double size = std::min(data.bodies.radius[c.a], data.bodies.radius[c.b]);
+        const double size = data.bodies.size_of(c.a, c.b);
         return std::max(c.gap, 0.0) + data.motion.span * mean >= -most_added(false) * size;
     };
     return std::all_of(points.begin(), points.end(), keeps_apart);
@@ -160,15 +160,14 @@ void HeapSweeps::sweep_on(RestData& data, const Island& island, std::span<Mover>
 void HeapSweeps::allow(const RestData& data, std::span<const ContactPoint> points, double most)
 {
     allowed_.clear();
-    for (const ContactPoint& c : points)
-        allowed_.push_back(most * std::min(data.bodies.radius[c.a], data.bodies.radius[c.b]));
+    for (const ContactPoint& c : points) allowed_.push_back(most * data.bodies.size_of(c.a, c.b));
 }
 
 void HeapSweeps::set_velocity_bias_swept(const RestData& data, const Island& island, bool is_calm) const
 {
     const double field = field_speed(data, island);
     for (ContactPoint& c : island.points) {
-        // All of a gap passes with the velocities that the step ends with. In a calm group nothing comes to close one:
+        // All of a gap passes with the velocities that the step ends with. In a calm island nothing comes to close one:
         // what bears over a gap that a calm speed would close goes on to bear, or its load would wane for minutes
         c.bound = -std::max(c.gap, 0.0) / data.motion.span;
         if (is_calm && c.normal > 0.0 && -c.bound <= rest_tolerance::k_rest_speed * field) c.bound = 0.0;

@@ -13,25 +13,6 @@
 #include "rest/step_field.hpp"
 
 namespace flying {
-namespace {
-
-/// Of the smaller one of two bodies.  [m]
-[[nodiscard]] double size_of(const RestData& data, const ContactPoint& c)
-{
-    return std::min(data.bodies.radius[c.a], data.bodies.radius[c.b]);
-}
-
-/// A rebound that would come back within the rest of the step doesn't happen, but for one that loses nothing: the
-/// slowest approach that brings a rebound.  [m/s]
-[[nodiscard]] double slowest_rebound(const RestData& data, const ContactPoint& c)
-{
-    if (is_lossless(c)) return 0.0;
-    if (c.restitution == 0.0) return std::numeric_limits<double>::infinity();
-    const double by_load = c.normal / c.normal_mass;
-    const double by_fall =
-        -std::min(data.motion.fall_of(c), data.motion.weight_of(c)) * (data.motion.span + data.motion.after);
-    return std::max({by_load, by_fall, 0.0}) / (2.0 * c.restitution);
-}
 
 /// What approaches of an island are measured by.
 struct ApproachSpeeds
@@ -57,6 +38,20 @@ struct ApproachSpeeds
     }
 };
 
+namespace {
+
+/// A rebound that would come back within the rest of the step doesn't happen, but for one that loses nothing: the
+/// slowest approach that brings a rebound.  [m/s]
+[[nodiscard]] double slowest_rebound(const RestData& data, const ContactPoint& c)
+{
+    if (is_lossless(c)) return 0.0;
+    if (c.restitution == 0.0) return std::numeric_limits<double>::infinity();
+    const double by_load = c.normal / c.normal_mass;
+    const double by_fall =
+        -std::min(data.motion.fall_of(c), data.motion.weight_of(c)) * (data.motion.span + data.motion.after);
+    return std::max({by_load, by_fall, 0.0}) / (2.0 * c.restitution);
+}
+
 /// All points lie between the same two bodies; what can't be moved counts as one.
 [[nodiscard]] bool is_one_pair(const RestData& data, std::span<const ContactPoint> points)
 {
@@ -70,12 +65,24 @@ struct ApproachSpeeds
     });
 }
 
+/// What follows the impacts begins with the velocities that they leave.
+void keep_velocities(RestData& data, const Island& island)
+{
+    for (const int member : island.members) {
+        const Mover& now = data.motion.before[member];
+        BodyState& state = data.bodies.list[member].state;
+        if (state.velocity == Vec2(now.v_x, now.v_y) && state.spin == now.spin) continue;
+        state.velocity = Vec2(now.v_x, now.v_y);
+        state.spin = now.spin;
+        expect_flight(data, member, state.position); // what it bore before tells nothing any more
+    }
+}
+
 } // namespace
 
-/// A gap this small isn't worth a moment of its own, unless it closes fast.  [m]
 double hardly_open(const RestData& data, const ContactPoint& c)
 {
-    return rest_tolerance::k_closed * size_of(data, c);
+    return rest_tolerance::k_closed * data.bodies.size_of(c.a, c.b);
 }
 
 /// The moment of the first impact after the beginning; 0 where there is none.  [s]
@@ -109,24 +116,22 @@ double missed_impact(const RestData& data, const Island& island)
     return first < data.motion.span ? std::max(first, rest_tolerance::k_at_once * data.motion.span) : 0.0;
 }
 
-/// Impacts of an island, at the moment at which the step, or the part of one, begins: first those that throw back, then
-/// the rest of the approaches, all at once and without rebound. True where there were any; `before` is what they
-/// leave. Where impacts have no moments of their own, all that closes within the step counts as closed.
-bool Impacts::strike(RestData& data, Island& island, HeapSweeps& sweeps)
+/// Finds the points that are closed, and where impacts have no moments of their own those that may come to be. True
+/// where any of the first approaches.
+///
+/// within  what closes so soon is closed [s]
+bool Impacts::find_closed(const RestData& data, const Island& island, const ApproachSpeeds& speeds, double within)
 {
-    const auto approach_of = [&](const ContactPoint& c) {
-        return -normal_speed(c, data.motion.before[c.a], data.motion.before[c.b]);
-    };
-    if (std::none_of(island.points.begin(), island.points.end(), [&](auto& c) { return approach_of(c) > 0.0; }))
-        return false;
     // [rest.impacts.closed]
     // Find what is closed, or closes; what lands is closed a little early
-    const ApproachSpeeds speeds(data, island);
-    const double within = island.in_turn ? rest_tolerance::k_at_once * data.motion.span : data.motion.span;
     const auto is_open = [&](const ContactPoint& c, double approach, double rebound) {
         if (!(c.gap - within * approach > 0.0)) return false;
-        const double landed = speeds.lands(approach, rebound) ? rest_tolerance::k_landed * size_of(data, c) : 0.0;
+        const double size = data.bodies.size_of(c.a, c.b);
+        const double landed = speeds.lands(approach, rebound) ? rest_tolerance::k_landed * size : 0.0;
         return c.gap > std::max(data.bodies.touch_gap(c.a, c.b), landed);
+    };
+    const auto approach_of = [&](const ContactPoint& c) {
+        return -normal_speed(c, data.motion.before[c.a], data.motion.before[c.b]);
     };
     const auto is_blow = [&](const ContactPoint& c) {
         const double approach = approach_of(c);
@@ -150,8 +155,29 @@ bool Impacts::strike(RestData& data, Island& island, HeapSweeps& sweeps)
         rebounds_.push_back(std::max(blows_.back(), rebound));
     }
     // [rest.impacts.closed]
+    return true;
+}
 
-    data.counts.impacts += throw_back(data.motion.before, struck_, rebounds_, speeds.rounding);
+/// Any of these points still misses its bound by more than is no blow.
+bool Impacts::any_approaches(std::span<const Mover> velocities) const
+{
+    for (std::size_t k = 0; k < struck_.size(); ++k) {
+        const ContactPoint& c = struck_[k];
+        if (normal_speed(c, velocities[c.a], velocities[c.b]) < c.bound - blows_[k]) return true;
+    }
+    return false;
+}
+
+bool Impacts::strike(RestData& data, Island& island, HeapSweeps& sweeps)
+{
+    const std::span<Mover> velocities = data.motion.before;
+    const auto closes = [&](const ContactPoint& c) { return normal_speed(c, velocities[c.a], velocities[c.b]) < 0.0; };
+    if (std::none_of(island.points.begin(), island.points.end(), closes)) return false;
+    const ApproachSpeeds speeds(data, island);
+    const double within = island.in_turn ? rest_tolerance::k_at_once * data.motion.span : data.motion.span;
+    if (!find_closed(data, island, speeds, within)) return false;
+
+    data.counts.impacts += throw_back(velocities, struck_, rebounds_, speeds.rounding);
     // What was thrown may close other gaps, and all of them within a step whose impacts have no moments
     for (const ContactPoint& c : open_) {
         struck_.push_back(c);
@@ -159,12 +185,7 @@ bool Impacts::strike(RestData& data, Island& island, HeapSweeps& sweeps)
         struck_.back().normal = struck_.back().tangent = 0.0;
         blows_.push_back(speeds.slowest_blow(slowest_rebound(data, c)));
     }
-    bool any_left = false;
-    for (std::size_t k = 0; k < struck_.size(); ++k) {
-        const ContactPoint& c = struck_[k];
-        any_left = any_left || normal_speed(c, data.motion.before[c.a], data.motion.before[c.b]) < c.bound - blows_[k];
-    }
-    if (any_left) {
+    if (any_approaches(velocities)) {
         if (is_lossless(island)) {
             // An end is not in sight, as in a pit that is packed to the last digit, and would not be in another part of
             // the step: over all of what is left of it the forces of the contacts turn round what approaches
@@ -173,15 +194,7 @@ bool Impacts::strike(RestData& data, Island& island, HeapSweeps& sweeps)
         }
         end_approaches(data, island, sweeps);
     }
-    if (!island.in_turn) return true;
-    for (const int member : island.members) {
-        const Mover& now = data.motion.before[member];
-        BodyState& state = data.bodies.list[member].state;
-        if (state.velocity == Vec2(now.v_x, now.v_y) && state.spin == now.spin) continue;
-        state.velocity = Vec2(now.v_x, now.v_y);
-        state.spin = now.spin;
-        expect_flight(data, member, state.position); // what it bore before tells nothing any more
-    }
+    if (island.in_turn) keep_velocities(data, island);
     return true;
 }
 

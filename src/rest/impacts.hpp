@@ -7,6 +7,7 @@
 namespace flying {
 
 class HeapSweeps;
+struct ApproachSpeeds;
 
 /// A gap this small isn't worth a moment of its own, unless it closes fast.  [m]
 [[nodiscard]] double hardly_open(const RestData& data, const ContactPoint& c);
@@ -26,6 +27,9 @@ public:
     bool strike(RestData& data, Island& island, HeapSweeps& sweeps);
 
 private:
+    [[nodiscard]] bool find_closed(const RestData& data, const Island& island, const ApproachSpeeds& speeds,
+                                   double within);
+    [[nodiscard]] bool any_approaches(std::span<const Mover> velocities) const;
     void end_approaches(RestData& data, Island& island, HeapSweeps& sweeps);
 
     std::vector<ContactPoint> struck_; // what is closed, or closes

@@ -125,6 +125,11 @@ StaticHold static_hold(const RestData& data, std::span<const ContactPoint> point
     return hold;
 }
 
+void set_end_poses(RestData& data, const Island& island, double part)
+{
+    for (const int member : island.members) data.motion.end_poses[member] = pose_along(data, member, part);
+}
+
 void scale_impulses(const Island& island, double factor)
 {
     for (ContactPoint& c : island.points) {
@@ -137,12 +142,9 @@ void recall_impulses(const RestData& data, const Island& island)
 {
     for (ContactPoint& c : island.points) {
         const RestPair& pair = data.pairs.pairs()[c.pair];
-        c.normal = c.tangent = 0.0;
-        for (int i = 0; i < pair.count; ++i) {
-            if (pair.feature[i] != c.feature) continue;
-            c.normal = pair.normal[i];
-            c.tangent = pair.tangent[i];
-        }
+        const int own = pair.find(c.feature);
+        c.normal = own >= 0 ? pair.normal[own] : 0.0;
+        c.tangent = own >= 0 ? pair.tangent[own] : 0.0;
     }
 }
 

@@ -71,6 +71,8 @@ struct StaticHold
 };
 [[nodiscard]] StaticHold static_hold(const RestData& data, std::span<const ContactPoint> points);
 
+/// Takes all its bodies to be at a part of their ways.
+void set_end_poses(RestData& data, const Island& island, double part);
 void scale_impulses(const Island& island, double factor);
 /// Points get what they bore at the end of the step before.
 void recall_impulses(const RestData& data, const Island& island);

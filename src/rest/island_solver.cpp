@@ -33,8 +33,8 @@ double rounding_of(std::span<const ContactPoint> points, std::size_t members)
 bool IslandSolver::solve(std::span<Mover> movers, std::span<const int> members, std::span<ContactPoint> points,
                          double tolerance, Effort effort)
 {
-    const Island island{movers, members, points, tolerance};
-    take_problem(island);
+    const Task task{movers, members, points, tolerance};
+    take_problem(task);
 
     // What was right in the step before most often is right still
     if (!is_warm_) forget_impulses(points);
@@ -44,20 +44,20 @@ bool IslandSolver::solve(std::span<Mover> movers, std::span<const int> members, 
         ++counts_.accepted;
         return true;
     }
-    forget_what_suits_worse(island);
+    forget_what_suits_worse(task);
 
     const std::int64_t before = pieces_.factorisations();
     pieces_.begin(problem_, members, movers.size());
     best_ = worst_residual(points, movers);
     kept_.assign(points.begin(), points.end());
-    bool content = improve(island, From::here);
+    bool content = improve(task, From::here);
     for (const From from : {From::turns, From::more_turns, From::nothing}) {
         if (content || effort == Effort::brief) break;
         if (from == From::nothing && points.size() > rest_tolerance::k_most_whole) break;
-        go_back_to_best(island);
-        content = improve(island, from);
+        go_back_to_best(task);
+        content = improve(task, from);
     }
-    if (!content) go_back_to_best(island);
+    if (!content) go_back_to_best(task);
     counts_.factorisations += pieces_.factorisations() - before;
     ++(content ? counts_.solved : counts_.unsolved);
     return content;
@@ -66,48 +66,47 @@ bool IslandSolver::solve(std::span<Mover> movers, std::span<const int> members, 
 void IslandSolver::solve_by_turns(std::span<Mover> movers, std::span<const int> members, std::span<ContactPoint> points,
                                   double tolerance, int rounds)
 {
-    const Island island{movers, members, points, tolerance};
-    take_problem(island);
+    const Task task{movers, members, points, tolerance};
+    take_problem(task);
     warm_start(points, movers);
     const std::int64_t before = pieces_.factorisations();
     pieces_.begin(problem_, members, movers.size());
-    go_by_turns(island, {tolerance, rounds, rounds});
+    go_by_turns(task, {tolerance, rounds, rounds});
     counts_.factorisations += pieces_.factorisations() - before;
 }
 
-void IslandSolver::take_problem(const Island& island)
+void IslandSolver::take_problem(const Task& task)
 {
-    problem_.points = island.points;
+    problem_.points = task.points;
     problem_.bodies.clear();
-    for (const int member : island.members) problem_.bodies.push_back(island.movers[member]);
+    for (const int member : task.members) problem_.bodies.push_back(task.movers[member]);
 }
 
 /// Impulses that suit this step worse than none go.
-void IslandSolver::forget_what_suits_worse(const Island& island)
+void IslandSolver::forget_what_suits_worse(const Task& task)
 {
-    const double warm = worst_residual(island.points, island.movers);
-    kept_.assign(island.points.begin(), island.points.end());
-    forget_impulses(island.points);
-    restore_free(island);
-    if (worst_residual(island.points, island.movers) < warm) return;
-    std::copy(kept_.begin(), kept_.end(), island.points.begin());
-    apply(island);
+    const double warm = worst_residual(task.points, task.movers);
+    kept_.assign(task.points.begin(), task.points.end());
+    forget_impulses(task.points);
+    restore_free(task);
+    if (worst_residual(task.points, task.movers) < warm) return;
+    go_back_to_best(task);
 }
 
 /// Looks for the pieces, then takes off what rounding leaves, until all points are content.
-bool IslandSolver::improve(const Island& island, From from)
+bool IslandSolver::improve(const Task& task, From from)
 {
     double before = std::numeric_limits<double>::infinity();
     for (int k = 0; k < rest_tolerance::k_patience; ++k) {
-        measure_slips(problem_, island.movers);
-        if (!(k == 0 ? find_pieces(island, from) : find_from_here(island))) return false;
-        take_impulses(island);
-        const double now = worst_residual(island.points, island.movers);
-        const double rounding = std::max(island.tolerance, rounding_of(island.points, island.members.size()));
+        measure_slips(problem_, task.movers);
+        if (!(k == 0 ? find_pieces(task, from) : find_from_here(task))) return false;
+        take_impulses(task);
+        const double now = worst_residual(task.points, task.movers);
+        const double rounding = std::max(task.tolerance, rounding_of(task.points, task.members.size()));
         const bool content = now <= rounding || (now >= 0.5 * before && now <= rest_tolerance::k_stagnant * rounding);
         if (now < best_ || content) {
             best_ = now;
-            kept_.assign(island.points.begin(), island.points.end());
+            kept_.assign(task.points.begin(), task.points.end());
         }
         if (content) return true;
         if (!(now < before)) return false;
@@ -116,66 +115,66 @@ bool IslandSolver::improve(const Island& island, From from)
     return false;
 }
 
-bool IslandSolver::find_pieces(const Island& island, From from)
+bool IslandSolver::find_pieces(const Task& task, From from)
 {
     switch (from) {
     case From::here:
         return find_by_newton(pieces_, problem_);
     case From::turns:
     case From::more_turns:
-        go_by_turns(island, {0.0, rest_tolerance::k_more_sweeps,
-                             from == From::turns ? rest_tolerance::k_quick_rounds : rest_tolerance::k_patience});
-        measure_slips(problem_, island.movers);
-        return find_from_here(island);
+        go_by_turns(task, {0.0, rest_tolerance::k_more_sweeps,
+                           from == From::turns ? rest_tolerance::k_quick_rounds : rest_tolerance::k_patience});
+        measure_slips(problem_, task.movers);
+        return find_from_here(task);
     case From::nothing:
-        forget_impulses(island.points);
-        restore_free(island);
-        measure_slips(problem_, island.movers);
+        forget_impulses(task.points);
+        restore_free(task);
+        measure_slips(problem_, task.movers);
         return path_.follow(pieces_, problem_, PiecePath::Start::nothing,
-                            rest_tolerance::k_few_rounds * static_cast<int>(island.points.size()));
+                            rest_tolerance::k_few_rounds * static_cast<int>(task.points.size()));
     }
     return false;
 }
 
-void IslandSolver::go_by_turns(const Island& island, const Rounds& rounds)
+void IslandSolver::go_by_turns(const Task& task, const Rounds& rounds)
 {
-    measure_slips(problem_, island.movers);
+    measure_slips(problem_, task.movers);
     turns_.solve(pieces_, problem_, rounds);
-    take_impulses(island);
+    take_impulses(task);
 }
 
 /// From impulses that are nearly right.
-bool IslandSolver::find_from_here(const Island& island)
+bool IslandSolver::find_from_here(const Task& task)
 {
     return find_by_newton(pieces_, problem_) ||
-           path_.follow(pieces_, problem_, PiecePath::Start::impulses, few_pieces(island.points.size()));
+           path_.follow(pieces_, problem_, PiecePath::Start::impulses, few_pieces(task.points.size()));
 }
 
-void IslandSolver::restore_free(const Island& island) const
+void IslandSolver::restore_free(const Task& task) const
 {
-    for (std::size_t k = 0; k < island.members.size(); ++k) island.movers[island.members[k]] = problem_.bodies[k];
+    for (std::size_t k = 0; k < task.members.size(); ++k) task.movers[task.members[k]] = problem_.bodies[k];
 }
 
 /// The impulses of the points, and nothing else, act on the members.
-void IslandSolver::apply(const Island& island) const
+void IslandSolver::apply(const Task& task) const
 {
-    restore_free(island);
-    warm_start(island.points, island.movers);
+    restore_free(task);
+    warm_start(task.points, task.movers);
 }
 
-void IslandSolver::go_back_to_best(const Island& island) const
+void IslandSolver::go_back_to_best(const Task& task) const
 {
-    std::copy(kept_.begin(), kept_.end(), island.points.begin());
-    apply(island);
+    std::copy(kept_.begin(), kept_.end(), task.points.begin());
+    apply(task);
 }
 
-void IslandSolver::take_impulses(const Island& island) const
+void IslandSolver::take_impulses(const Task& task) const
 {
-    for (std::size_t k = 0; k < island.points.size(); ++k) {
-        island.points[k].normal = problem_.impulse[2 * k];
-        island.points[k].tangent = problem_.impulse[2 * k + 1];
+    for (std::size_t k = 0; k < task.points.size(); ++k) {
+        task.points[k].normal = problem_.impulse[2 * k];
+        task.points[k].tangent = problem_.impulse[2 * k + 1];
     }
-    apply(island);
+    apply(task);
 }
 
 } // namespace flying

@@ -13,8 +13,8 @@
 
 namespace flying {
 
-/// What rounding leaves of the content of a group: in proportion to what its greatest impulse does to the lightest it
-/// pushes, for each body through which the load goes.  [m/s]
+/// What rounding leaves of the residual of an island: in proportion to what its greatest impulse does to the lightest
+/// it pushes, for each body through which the load goes.  [m/s]
 [[nodiscard]] double rounding_of(std::span<const ContactPoint> points, std::size_t members);
 
 /// What is tried before a search for impulses gives up.
@@ -24,7 +24,7 @@ enum class Effort
     brief, ///< Newton's method, from what is there
 };
 
-/// Finds the impulses of one group of bodies that lean on each other, so that every point is content:
+/// Finds the impulses of one island of bodies that lean on each other, so that every point is content:
 ///
 ///     normal    0 <= j,  u_n >= bound,  and j > 0 only where u_n = bound
 ///     tangent   |q| <= mu j,  and where the point slips, q = -mu j times the sign of the slip
@@ -35,15 +35,16 @@ enum class Effort
 class IslandSolver
 {
 public:
-    /// movers   all bodies; those of the group hold the velocities that they would have without contacts
-    /// members  the group's bodies that can move, ascending
-    /// points   the group's points with impulses to start from, not yet applied; on return those found, applied
+    /// movers   all bodies; those of the island hold the velocities that they would have without contacts
+    /// members  the island's bodies that can move, ascending
+    /// points   the island's points with impulses to start from, not yet applied; on return those found, applied
     /// tolerance  velocities below this are content enough; rounding of the impulses adds its own share [m/s]
     /// True where all points are content to rounding; else the impulses are the best that were met.
     bool solve(std::span<Mover> movers, std::span<const int> members, std::span<ContactPoint> points, double tolerance,
                Effort effort = Effort::full);
 
-    /// Better impulses for a group of any size, by rounds of alternating directions: allowed ones, whatever they leave.
+    /// Better impulses for an island of any size, by rounds of alternating directions: allowed ones, whatever they
+    /// leave.
     ///
     /// movers, members, points  as above
     /// tolerance  it ends where no point is moved by more in a round [m/s]
@@ -65,23 +66,24 @@ private:
         more_turns, ///< the same, when they have done so for long
         nothing,    ///< along the path that begins with no impulses
     };
-    struct Island
+    /// An island as it was handed over.
+    struct Task
     {
         std::span<Mover> movers;
         std::span<const int> members;
         std::span<ContactPoint> points;
         double tolerance;
     };
-    void take_problem(const Island& island);
-    void go_by_turns(const Island& island, const Rounds& rounds);
-    [[nodiscard]] bool improve(const Island& island, From from);
-    [[nodiscard]] bool find_pieces(const Island& island, From from);
-    [[nodiscard]] bool find_from_here(const Island& island);
-    void forget_what_suits_worse(const Island& island);
-    void restore_free(const Island& island) const;
-    void apply(const Island& island) const;
-    void go_back_to_best(const Island& island) const;
-    void take_impulses(const Island& island) const;
+    void take_problem(const Task& task);
+    void go_by_turns(const Task& task, const Rounds& rounds);
+    [[nodiscard]] bool improve(const Task& task, From from);
+    [[nodiscard]] bool find_pieces(const Task& task, From from);
+    [[nodiscard]] bool find_from_here(const Task& task);
+    void forget_what_suits_worse(const Task& task);
+    void restore_free(const Task& task) const;
+    void apply(const Task& task) const;
+    void go_back_to_best(const Task& task) const;
+    void take_impulses(const Task& task) const;
 
     bool is_warm_ = true;
     SolveCounts counts_;

@@ -1,7 +1,6 @@
 #include "rest/island_step.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "rest/contact_forces.hpp"
 #include "rest/energy_limit.hpp"
@@ -21,7 +20,7 @@ double overlap_at_start(const RestData& data, const Island& island)
 {
     double worst = 0.0;
     for (const ContactPoint& c : island.points) {
-        worst = std::max(worst, -c.gap / std::min(data.bodies.radius[c.a], data.bodies.radius[c.b]));
+        worst = std::max(worst, -c.gap / data.bodies.size_of(c.a, c.b));
     }
     return worst;
 }
@@ -33,8 +32,8 @@ double end_of_load(const RestData& data, const Island& island)
     double first = data.motion.span;
     for (const ContactPoint& c : island.points) {
         const RestPair& pair = data.pairs.pairs()[c.pair];
-        const auto* own = std::find(pair.feature, pair.feature + pair.count, c.feature);
-        const double before = own != pair.feature + pair.count ? pair.normal[own - pair.feature] : 0.0;
+        const int own = pair.find(c.feature);
+        const double before = own >= 0 ? pair.normal[own] : 0.0;
         if (!(3.0 * c.normal < before)) continue;
 
         // Both are means, and stand for the middles of their steps; of one that has ended before that, less is known
@@ -50,12 +49,9 @@ bool is_fair(const RestData& data, const Island& island, double overlap)
 {
     const double fair = is_heap(island) ? rest_tolerance::k_most_overlap : rest_tolerance::k_fair_overlap;
     if (overlap > fair && overlap > overlap_at_start(data, island)) return false;
-    for (const int member : island.members) {
-        const double arc = std::abs(data.motion.turn[member]) * data.bodies.turning[member];
-        const double room = rest_tolerance::k_room_reaches * data.motion.reach[member];
-        if (!(data.motion.shift[member].norm() + arc <= room)) return false;
-    }
-    return true;
+    return std::all_of(island.members.begin(), island.members.end(), [&](int member) {
+        return farthest_way(data, member) <= rest_tolerance::k_room_reaches * data.motion.reach[member];
+    });
 }
 
 /// Ways of an island whose velocities are found.
@@ -65,13 +61,8 @@ void find_places(RestData& data, const Island& island)
 
     // Places move by the mean of the velocities before and after
     StepMotion& motion = data.motion;
-    for (const int member : island.members) {
-        const Mover& old = motion.before[member];
-        const Mover& now = motion.now[member];
-        const Vec2 mean(0.5 * (old.v_x + now.v_x), 0.5 * (old.v_y + now.v_y));
-        motion.shift[member] += motion.span * mean;
-        motion.turn[member] += motion.span * (0.5 * (old.spin + now.spin));
-    }
+    for (const int member : island.members)
+        motion.add_mean_way(member, motion.before[member], motion.now[member], motion.span);
 }
 
 } // namespace

@@ -9,7 +9,7 @@
 
 namespace flying {
 
-/// How a group too large to factorise in each step is swept.
+/// How an island too large to factorise in each step is swept.
 struct SweepPlan
 {
     bool is_warm = true; ///< from the impulses that the points have; else from none
@@ -19,13 +19,13 @@ struct SweepPlan
     double tolerance = -1.0; ///< where no point asks for a greater change, impulses stay as they are [m/s]
 };
 
-/// Sweeps over all points of a group (projected Gauss-Seidel), from where the step before has ended.
+/// Sweeps over all points of an island (projected Gauss-Seidel), from where the step before has ended.
 class IslandSweeps
 {
 public:
-    /// movers   all bodies; those of the group hold the velocities that they would have without contacts
-    /// members  the group's bodies that can move, ascending
-    /// points   the group's points with impulses to start from, not yet applied; on return those found, applied
+    /// movers   all bodies; those of the island hold the velocities that they would have without contacts
+    /// members  the island's bodies that can move, ascending
+    /// points   the island's points with impulses to start from, not yet applied; on return those found, applied
     void sweep(std::span<Mover> movers, std::span<const int> members, std::span<ContactPoint> points,
                const SweepPlan& plan, SolveCounts& counts);
 

@@ -38,8 +38,13 @@ void Islands::split(const RestData& data, std::span<const int> bodies, std::vect
     }
     // [rest.islands.join]
     part_slow(data, bodies, found);
+    count(motion, bodies, found);
+    lay_out(bodies, found);
+}
 
-    // Count members and points
+/// Numbers the islands, and counts their members and points: as many as begin before each.
+void Islands::count(const StepMotion& motion, std::span<const int> bodies, std::span<const ContactPoint> found)
+{
     islands_.clear();
     first_member_.assign(1, 0);
     for (const int k : bodies) {
@@ -53,7 +58,7 @@ void Islands::split(const RestData& data, std::span<const int> bodies, std::vect
     }
     first_point_.assign(first_member_.size(), 0);
     slots_.clear();
-    last = -1;
+    int last = -1;
     int slot = 0;
     for (const ContactPoint& point : found) {
         if (point.pair != last) slot = slot_[root_of(motion.is_moved(point.a) ? point.a : point.b)];
@@ -63,21 +68,22 @@ void Islands::split(const RestData& data, std::span<const int> bodies, std::vect
     }
     std::partial_sum(first_member_.begin(), first_member_.end(), first_member_.begin());
     std::partial_sum(first_point_.begin(), first_point_.end(), first_point_.begin());
+}
 
-    // Lay them out
+/// Puts members and points where those of their islands stand.
+void Islands::lay_out(std::span<const int> bodies, std::vector<ContactPoint>& found)
+{
     members_.resize(bodies.size());
+    next_ = first_member_;
+    for (const int k : bodies) members_[next_[slot_[root_of(k)]]++] = k;
     if (islands_.size() == 1 ||
         (!found.empty() && first_point_[slots_[0] + 1] - first_point_[slots_[0]] == found.size())) {
         points_.swap(found); // all of one island, in order
     } else {
         points_.resize(found.size());
-        for (std::size_t k = 0; k < found.size(); ++k) points_[first_point_[slots_[k]]++] = found[k];
-        for (std::size_t k = first_point_.size() - 1; k > 0; --k) first_point_[k] = first_point_[k - 1];
-        first_point_[0] = 0;
+        next_ = first_point_;
+        for (std::size_t k = 0; k < found.size(); ++k) points_[next_[slots_[k]]++] = found[k];
     }
-    for (const int k : bodies) members_[first_member_[slot_[root_of(k)]]++] = k;
-    for (std::size_t k = first_member_.size() - 1; k > 0; --k) first_member_[k] = first_member_[k - 1];
-    first_member_[0] = 0;
     for (std::size_t k = 0; k < islands_.size(); ++k) {
         islands_[k].members = std::span(members_).subspan(first_member_[k], first_member_[k + 1] - first_member_[k]);
         islands_[k].points = std::span(points_).subspan(first_point_[k], first_point_[k + 1] - first_point_[k]);

@@ -22,17 +22,20 @@ public:
 private:
     [[nodiscard]] int root_of(int body);
     bool join(const ContactPoint& point);
+    void count(const StepMotion& motion, std::span<const int> bodies, std::span<const ContactPoint> found);
+    void lay_out(std::span<const int> bodies, std::vector<ContactPoint>& found);
     void part_slow(const RestData& data, std::span<const int> bodies, std::vector<ContactPoint>& found);
 
     std::vector<Island> islands_;
-    std::vector<int> members_;         // by islands
-    std::vector<ContactPoint> points_; // by islands
-    std::vector<int> parent_;          // of each body, towards the lowest of its island
-    std::vector<int> slot_;            // of each such lowest body, the number of its island
-    std::vector<int> slots_;           // of each point that was found, the same
-    std::vector<std::size_t> first_member_;
+    std::vector<int> members_;              // by islands
+    std::vector<ContactPoint> points_;      // by islands
+    std::vector<int> parent_;               // of each body, towards the lowest of its island
+    std::vector<int> slot_;                 // of each such lowest body, the number of its island
+    std::vector<int> slots_;                // of each point that was found, the same
+    std::vector<std::size_t> first_member_; // of each island, and the number of all at the end
     std::vector<std::size_t> first_point_;
-    std::vector<int> parts_; // bodies of islands that may part
+    std::vector<std::size_t> next_; // of each island, where the next one goes
+    std::vector<int> parts_;        // bodies of islands that may part
     std::vector<char> is_inside_;
 };
 

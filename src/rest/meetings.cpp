@@ -23,14 +23,6 @@ namespace {
     return lowest;
 }
 
-/// How fast two bodies close the gap at a point.  [m/s]
-[[nodiscard]] double closing_speed(const Contact& contact, const BodyState& a, const BodyState& b)
-{
-    const Vec2 of_a = a.velocity + cross(a.spin, Vec2(contact.point - a.position));
-    const Vec2 of_b = b.velocity + cross(b.spin, Vec2(contact.point - b.position));
-    return contact.normal.dot(of_a - of_b);
-}
-
 } // namespace
 
 double way_since(const RestData& data, const BodyBefore& before, int body)
@@ -57,7 +49,7 @@ bool find_meetings(const RestData& data, std::span<const RestPair> pairs, std::s
         });
     };
     for (const RestPair& pair : pairs) {
-        const double size = std::min(data.bodies.radius[pair.a], data.bodies.radius[pair.b]);
+        const double size = data.bodies.size_of(pair.a, pair.b);
         const BodyState& a = data.bodies.list[pair.a].state;
         const BodyState& b = data.bodies.list[pair.b].state;
         const Contact deepest = lowest_point(data, pair, a, b, 0.0);
@@ -65,7 +57,7 @@ bool find_meetings(const RestData& data, std::span<const RestPair> pairs, std::s
         if (!(depth > rest_tolerance::k_most_overlap * size)) continue;
 
         // What met nothing that it knew of came in as fast as it now goes. If it goes out again, the gap closed evenly
-        const double ago = depth / closing_speed(deepest, a, b);
+        const double ago = depth / -opening_speed(deepest, a, b);
         double when = data.motion.span - ago;
         if (!(ago > 0.0 && when > 0.0)) {
             const double gap = lowest_point(data, pair, state_before(pair.a), state_before(pair.b), size).separation;

@@ -1,7 +1,6 @@
 #include "rest/narrow_phase.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 #include <span>
 
@@ -56,27 +55,6 @@ namespace {
     return crossing.count > 0 ? crossing : manifold;
 }
 
-[[nodiscard]] bool any_has_cuts(const RestBodies& bodies, const RestPair& pair)
-{
-    return bodies.has_cuts(pair.a) || bodies.has_cuts(pair.b);
-}
-
-/// The least distance between two parallel lines that have the part between them; infinite for a half-plane.  [m]
-[[nodiscard]] double width_of(const Shape& part)
-{
-    if (const auto* disc = std::get_if<Disc>(&part)) return 2.0 * disc->radius;
-    double width = std::numeric_limits<double>::infinity();
-    const auto* polygon = std::get_if<Polygon>(&part);
-    if (!polygon) return width;
-    for (const Edge& edge : polygon->edges()) {
-        double deepest = 0.0;
-        for (const Vec2& vertex : polygon->vertices())
-            deepest = std::max(deepest, edge.normal.dot(polygon->vertices()[edge.from] - vertex));
-        width = std::min(width, deepest);
-    }
-    return width;
-}
-
 // Where surfaces of neighbours act as one (collide/seams.hpp): what neighbours what.
 
 /// Adds the seams of a part with a part of another body.
@@ -84,7 +62,7 @@ void find_seams_with(const RestBodies& bodies, int body, int part, int neighbour
                      std::vector<Seam>& seams)
 {
     const auto& polygon = std::get<Polygon>(bodies.shapes[body].parts[part].shape);
-    const double size = std::min(bodies.radius[body], bodies.radius[neighbour]);
+    const double size = bodies.size_of(body, neighbour);
     const double reach =
         bodies.poses[body].position.cwiseAbs().maxCoeff() + bodies.poses[neighbour].position.cwiseAbs().maxCoeff();
     SeamTolerance tolerance = seam_tolerance(size, reach);
@@ -149,7 +127,7 @@ NarrowPhase::NarrowPhase(const RestBodies& bodies)
 {
     for (const CollisionShape& shape : bodies.shapes) {
         std::vector<double>& widths = widths_.emplace_back();
-        for (const ConvexPart& part : shape.parts) widths.push_back(width_of(part.shape));
+        for (const ConvexPart& part : shape.parts) widths.push_back(least_width(part.shape));
     }
     seams_.resize(bodies.list.size());
     std::vector<BoxCells::Entry> boxes;
@@ -214,9 +192,10 @@ void NarrowPhase::mend(const RestBodies& bodies, const PairList& pairs, const Re
 Manifold NarrowPhase::look(const RestBodies& bodies, const PairList& pairs, const RestPair& pair, const Pose& pose_a,
                            const Pose& pose_b, double margin) const
 {
-    Manifold manifold = any_has_cuts(bodies, pair) ? points_of_outlines(bodies, pair, pose_a, pose_b, margin)
-                                                   : near_points(bodies.shapes[pair.a].parts[0].shape, pose_a,
-                                                                 bodies.shapes[pair.b].parts[0].shape, pose_b, margin);
+    Manifold manifold = bodies.has_cuts(pair.a, pair.b)
+                            ? points_of_outlines(bodies, pair, pose_a, pose_b, margin)
+                            : near_points(bodies.shapes[pair.a].parts[0].shape, pose_a,
+                                          bodies.shapes[pair.b].parts[0].shape, pose_b, margin);
     if (manifold.count > 0) mend(bodies, pairs, pair, pose_a, pose_b, margin, manifold);
     return manifold;
 }
@@ -228,7 +207,7 @@ Manifold NarrowPhase::find_cached(const RestBodies& bodies, const PairList& pair
     const Shape& part_a = bodies.shapes[pair.a].parts[pair.part_a].shape;
     const Shape& part_b = bodies.shapes[pair.b].parts[pair.part_b].shape;
     Manifold manifold;
-    if (!any_has_cuts(bodies, pair)) manifold = near_points(part_a, pose_a, part_b, pose_b, margin, pair.memory);
+    if (!bodies.has_cuts(pair.a, pair.b)) manifold = near_points(part_a, pose_a, part_b, pose_b, margin, pair.memory);
     else if (find_separation(part_a, pose_a, part_b, pose_b, pair.memory) <= margin)
         manifold = points_of_outlines(bodies, pair, pose_a, pose_b, margin);
     if (manifold.count > 0) mend(bodies, pairs, pair, pose_a, pose_b, margin, manifold);

@@ -14,6 +14,11 @@
 namespace flying {
 namespace {
 
+/// Added to the number of a vertex and an edge, where the two overlap and the edge is the shortest way out, or where
+/// the vertex is over an end of the edge.
+constexpr std::uint32_t k_way_out = 0x80000000u;
+constexpr std::uint32_t k_over_end = 0xc0000000u;
+
 /// One of the two.
 struct NearSide
 {
@@ -37,7 +42,8 @@ struct NearSide
 
 /// The way out of `side` over one of its edges that is the shortest for the other. The normal leads from the side to
 /// the other.
-[[nodiscard]] Contact shortest_way_out(const NearSide& side, const NearSide& other)
+/// owner  of the other
+[[nodiscard]] Contact shortest_way_out(const NearSide& side, const NearSide& other, Owner owner)
 {
     Contact best;
     best.separation = -std::numeric_limits<double>::infinity();
@@ -51,7 +57,7 @@ struct NearSide
         best.separation = separation;
         best.normal = side.pose.rotation * normal;
         best.point = side.pose * point - 0.5 * separation * best.normal;
-        best.feature = 0x80000000u | static_cast<std::uint32_t>(k) << 16 | static_cast<std::uint32_t>(deepest) << 1;
+        best.feature = k_way_out | feature_number({owner, deepest, k});
     }
     return best;
 }
@@ -59,10 +65,9 @@ struct NearSide
 /// The shorter of the ways out of either of the two. The normal leads from `a` to `b`.
 [[nodiscard]] Contact shortest_way_apart(const NearSide& a, const NearSide& b)
 {
-    Contact out_of_a = shortest_way_out(a, b);
-    Contact out_of_b = shortest_way_out(b, a);
+    const Contact out_of_a = shortest_way_out(a, b, Owner::b);
+    Contact out_of_b = shortest_way_out(b, a, Owner::a);
     out_of_b.normal = -out_of_b.normal;
-    out_of_a.feature |= 1u; // the corner is B's
     return out_of_b.separation > out_of_a.separation ? out_of_b : out_of_a;
 }
 
@@ -74,14 +79,15 @@ struct Nearest
 };
 
 /// Corners of one over edges of the other, ends of the edges included, nearer than what was found.
-void look_at_corners(const NearSide& side, const NearSide& other, std::uint32_t owner, Nearest& nearest)
+/// owner  of the corners
+void look_at_corners(const NearSide& side, const NearSide& other, Owner owner, Nearest& nearest)
 {
     const Polygon& polygon = side.polygon;
     const Polygon& there = other.polygon;
     const Pose side_from_other = relative_pose(side.pose, other.pose);
-    for (std::size_t v = 0; v < there.vertices().size(); ++v) {
+    for (int v = 0; v < static_cast<int>(there.vertices().size()); ++v) {
         const Vec2 corner = side_from_other * there.vertices()[v];
-        for (std::size_t k = 0; k < polygon.edges().size(); ++k) {
+        for (int k = 0; k < static_cast<int>(polygon.edges().size()); ++k) {
             const Edge& edge = polygon.edges()[k];
             const Vec2 from_start = corner - polygon.vertices()[edge.from];
             const double along = edge.tangent.dot(from_start);
@@ -95,9 +101,7 @@ void look_at_corners(const NearSide& side, const NearSide& other, std::uint32_t 
             nearest.contact.separation = std::sqrt(square);
             nearest.contact.normal = side.pose.rotation * Vec2(way / nearest.contact.separation);
             nearest.contact.point = side.pose * Vec2(corner - 0.5 * way);
-            const std::uint32_t kind = is_over ? 0u : 0xc0000000u;
-            nearest.contact.feature =
-                kind | static_cast<std::uint32_t>(k) << 16 | static_cast<std::uint32_t>(v) << 1 | owner;
+            nearest.contact.feature = feature_number({owner, v, k}) | (is_over ? 0u : k_over_end);
         }
     }
 }
@@ -105,9 +109,9 @@ void look_at_corners(const NearSide& side, const NearSide& other, std::uint32_t 
 [[nodiscard]] Nearest nearest_points(const NearSide& a, const NearSide& b)
 {
     Nearest nearest;
-    look_at_corners(a, b, 1u, nearest);
+    look_at_corners(a, b, Owner::b, nearest);
     const double least = nearest.square;
-    look_at_corners(b, a, 0u, nearest);
+    look_at_corners(b, a, Owner::a, nearest);
     if (nearest.square < least) nearest.contact.normal = -nearest.contact.normal;
     return nearest;
 }
@@ -152,9 +156,8 @@ void take_middle_way(const NearSide& a, const NearSide& b, Manifold& manifold)
     const Contact lowest = manifold.contacts[is_second ? 1 : 0];
 
     // The corner over the edge, and the end of this that is nearer to it
-    const bool of_b = (lowest.feature & 1u) != 0u;
-    const int vertex = static_cast<int>(lowest.feature >> 1 & 0x7fffu);
-    const int over = static_cast<int>(lowest.feature >> 16 & 0x3fffu);
+    const auto [owner, vertex, over] = vertex_on_edge(lowest.feature);
+    const bool of_b = owner == Owner::b;
     const NearSide& with_edge = of_b ? a : b;
     const NearSide& with_corner = of_b ? b : a;
     const Pose here_from_there = relative_pose(with_edge.pose, with_corner.pose);

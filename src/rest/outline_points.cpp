@@ -6,7 +6,7 @@
 #include <limits>
 #include <optional>
 
-#include "collide/separating_axis.hpp"
+#include "collide/manifold.hpp"
 #include "rest/corner_ways.hpp"
 #include "rest/rest_tolerance.hpp"
 
@@ -145,12 +145,12 @@ private:
 ///
 /// sides_from_corners  where the body with the corners lies, as the one with the sides sees it
 /// corners_from_sides  the other way round
-/// owner               1 where the corners are B's, else 0
+/// owner               of the corners
 /// add                 takes a contact in the frame of the sides, with the normal out of these
 template <class Add>
 void add_corners_over_sides(const OutlineSide& with_sides, const OutlineSide& with_corners,
-                            const Pose& sides_from_corners, const Pose& corners_from_sides, std::uint32_t owner,
-                            double margin, double touch, const Add& add)
+                            const Pose& sides_from_corners, const Pose& corners_from_sides, Owner owner, double margin,
+                            double touch, const Add& add)
 {
     for (const Corner& there : with_corners.outline.corners_of(with_corners.part)) {
         const Corner corner = seen_from(sides_from_corners, there);
@@ -172,10 +172,8 @@ void add_corners_over_sides(const OutlineSide& with_sides, const OutlineSide& wi
                     part_otherwise(with_sides.outline, side, with_corners.outline, corner, corners_from_sides, touch);
                 if (other.is_known) parting = other;
             }
-            const std::uint32_t feature =
-                static_cast<std::uint32_t>(side.edge) << 16 | static_cast<std::uint32_t>(corner.vertex) << 1 | owner;
             add(Contact{corner.place - (corner.radius + 0.5 * parting.separation) * parting.normal, parting.normal,
-                        parting.separation, feature});
+                        parting.separation, feature_number({owner, corner.vertex, side.edge})});
         }
     }
 }
@@ -267,9 +265,9 @@ Manifold outline_points(const OutlineSide& a, const OutlineSide& b, double margi
     const Pose a_from_b = relative_pose(a.pose, b.pose);
     const Pose b_from_a = relative_pose(b.pose, a.pose);
     BestPoints points;
-    add_corners_over_sides(a, b, a_from_b, b_from_a, 1u, margin, touch,
+    add_corners_over_sides(a, b, a_from_b, b_from_a, Owner::b, margin, touch,
                            [&](const Contact& contact) { points.add(contact); });
-    add_corners_over_sides(b, a, b_from_a, a_from_b, 0u, margin, touch, [&](const Contact& contact) {
+    add_corners_over_sides(b, a, b_from_a, a_from_b, Owner::a, margin, touch, [&](const Contact& contact) {
         points.add(
             {a_from_b * contact.point, -(a_from_b.rotation * contact.normal), contact.separation, contact.feature});
     });
@@ -291,7 +289,7 @@ Manifold outline_points(const HalfPlane& wall, const OutlineSide& b, double marg
         const double separation = wall.normal.dot(place) - offset - corner.radius;
         if (separation > margin) continue;
         points.add({b.pose.position + (place - (corner.radius + 0.5 * separation) * wall.normal), wall.normal,
-                    separation, static_cast<std::uint32_t>(corner.vertex) << 1 | 1u});
+                    separation, feature_number({Owner::b, corner.vertex, 0})});
     }
     return points.fetch(rest_tolerance::k_watch * b.outline.longest_side(b.part), margin);
 }

@@ -49,45 +49,44 @@ void sort_once(std::vector<std::pair<int, int>>& found)
     return height <= wall.offset;
 }
 
-/// The box of a body that may get so far, and beyond it the gap within which others are watched.
-/// radius  of its bounding circle; 0 where it is static: the others have such room [m]
-[[nodiscard]] Aabb roomy_box(const Shape& shape, const Pose& pose, double radius, double farthest)
+/// The box of a body that may get so far, and beyond it the gap within which others are watched; where it is static,
+/// the others have such room.
+[[nodiscard]] Aabb roomy_box(const RestBodies& bodies, int body, const Pose& pose, double farthest)
 {
-    const double room = farthest + rest_tolerance::k_watch * radius;
-    const Aabb box = bounding_box(shape, pose);
+    const double room = farthest + (bodies.list[body].is_static ? 0.0 : rest_tolerance::k_watch * bodies.radius[body]);
+    const Aabb box = bounding_box(bodies.list[body].shape, pose);
     return {box.min - Vec2(room, room), box.max + Vec2(room, room)};
 }
 
 } // namespace
 
-bool may_meet(const Reacher& a, const Reacher& b)
+bool may_meet(const RestBodies& bodies, int a, int b, std::span<const double> farthest)
 {
-    const auto* wall = std::get_if<HalfPlane>(&a.shape);
-    const Reacher& other = wall ? b : a;
-    const Aabb box = roomy_box(other.shape, other.pose, other.radius, other.farthest);
-    if (wall) return overlap(box, *wall);
-    if (const auto* other_wall = std::get_if<HalfPlane>(&b.shape)) return overlap(box, *other_wall);
-    return overlap(box, roomy_box(b.shape, b.pose, b.radius, b.farthest));
+    const auto box_of = [&](int body) { return roomy_box(bodies, body, bodies.poses[body], farthest[body]); };
+    if (const auto* wall = std::get_if<HalfPlane>(&bodies.list[a].shape)) return overlap(box_of(b), *wall);
+    if (const auto* wall = std::get_if<HalfPlane>(&bodies.list[b].shape)) return overlap(box_of(a), *wall);
+    return overlap(box_of(a), box_of(b));
 }
 
-bool PairList::all_inside(std::span<const RestBody> bodies, std::span<const double> radius,
-                          std::span<const double> farthest, const BodySet& awake) const
+bool PairList::all_inside(const RestBodies& bodies, std::span<const double> farthest, const BodySet& awake) const
 {
     for (const int k : awake.list()) {
-        const RestBody& body = bodies[k];
-        const double moved = (body.state.position - homes_[k].position).norm();
-        const double turned = std::abs(body.state.angle - homes_[k].angle) * radius[k];
+        const BodyState& state = bodies.list[k].state;
+        const double moved = (state.position - homes_[k].position).norm();
+        const double turned = std::abs(state.angle - homes_[k].angle) * bodies.radius[k];
         if (moved + turned + farthest[k] > homes_[k].room) return false;
     }
     return true;
 }
 
-void PairList::separate(std::span<const RestBody> bodies, const BodySet& awake)
+void PairList::separate(const RestBodies& bodies, const BodySet& awake)
 {
     const auto is_awake = [&](const RestPair& pair) { return awake.has(pair.a) || awake.has(pair.b); };
     const auto is_asleep = [&](const RestPair& pair) { return !is_awake(pair); };
-    const auto is_gone = [&](const RestPair& pair) { return !bodies[pair.a].is_active || !bodies[pair.b].is_active; };
-    const int count = static_cast<int>(bodies.size());
+    const auto is_gone = [&](const RestPair& pair) {
+        return !bodies.list[pair.a].is_active || !bodies.list[pair.b].is_active;
+    };
+    const int count = bodies.count();
     awake_.clear_index(count);
     asleep_.clear_index(count);
     std::vector<RestPair> woken;
@@ -99,11 +98,10 @@ void PairList::separate(std::span<const RestBody> bodies, const BodySet& awake)
     asleep_.make_index();
 }
 
-void PairList::remember(std::vector<RestPair> pairs, std::span<const RestBody> bodies, const BodySet& awake)
+void PairList::remember(std::vector<RestPair> pairs, const RestBodies& bodies, const BodySet& awake)
 {
-    const int count = static_cast<int>(bodies.size());
-    awake_.clear_index(count);
-    asleep_.clear_index(count);
+    awake_.clear_index(bodies.count());
+    asleep_.clear_index(bodies.count());
     asleep_.pairs.clear();
     awake_.pairs = std::move(pairs);
     separate(bodies, awake);
@@ -119,35 +117,33 @@ std::vector<RestPair> PairList::all() const
     return all;
 }
 
-int PairList::update(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes,
-                     std::span<const double> radius, const PairReach& reach, const BodySet& awake)
+int PairList::update(const RestBodies& bodies, const PairReach& reach, const BodySet& awake)
 {
-    if (!is_new_ && is_valid_ && all_inside(bodies, radius, reach.farthest, awake)) return 0;
+    if (!is_new_ && is_valid_ && all_inside(bodies, reach.farthest, awake)) return 0;
     boxes_sorted_ = 0;
     if (is_new_) {
-        search_all(bodies, shapes, radius, reach);
+        search_all(bodies, reach);
         separate(bodies, awake);
-    } else search(bodies, shapes, radius, reach, awake);
+    } else search(bodies, reach, awake);
     return boxes_sorted_;
 }
 
 /// For the pairs of all that move, those that sleep too.
-void PairList::search_all(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes,
-                          std::span<const double> radius, const PairReach& reach)
+void PairList::search_all(const RestBodies& bodies, const PairReach& reach)
 {
-    const int count = static_cast<int>(bodies.size());
-    homes_.resize(bodies.size());
-    boxes_.resize(bodies.size());
+    const int count = bodies.count();
+    homes_.resize(bodies.list.size());
+    boxes_.resize(bodies.list.size());
     walls_.clear();
     first_circle_.assign(1, 0);
-    for (const CollisionShape& shape : shapes)
+    for (const CollisionShape& shape : bodies.shapes)
         first_circle_.push_back(first_circle_.back() + static_cast<int>(shape.parts.size()));
     circles_.resize(first_circle_.back());
     std::vector<int> movers;
     for (int k = 0; k < count; ++k) {
-        const RestBody& body = bodies[k];
+        const RestBody& body = bodies.list[k];
         if (std::holds_alternative<HalfPlane>(body.shape)) walls_.push_back(k);
-        if (body.is_static) make_box(body, shapes[k], k, 0.0, 0.0);
+        if (body.is_static) make_box(bodies, k, 0.0);
         else if (body.is_active) movers.push_back(k);
     }
     BodySet all(count);
@@ -157,52 +153,53 @@ void PairList::search_all(std::span<const RestBody> bodies, std::span<const Coll
     awake_.pairs = this->all();
     asleep_.pairs.clear();
     sort_others(bodies, all);
-    search(bodies, shapes, radius, reach, all);
+    search(bodies, reach, all);
     is_new_ = false;
 }
 
 /// For the pairs of some, among which are all that may have left their boxes; all pairs of theirs are known as `pairs`.
-void PairList::search(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes,
-                      std::span<const double> radius, const PairReach& reach, const BodySet& movers)
+void PairList::search(const RestBodies& bodies, const PairReach& reach, const BodySet& movers)
 {
     // What was searched for last has another box by now than when the others were sorted
-    const auto is_other = [&](int k) { return bodies[k].is_active && !movers.has(k); };
+    const auto is_other = [&](int k) { return bodies.list[k].is_active && !movers.has(k); };
     if (std::any_of(searched_.begin(), searched_.end(), is_other)) sort_others(bodies, movers);
     searched_.assign(movers.list().begin(), movers.list().end());
 
     for (const int k : movers.list()) {
         const double room = std::max(rest_tolerance::k_room_reaches * reach.usual[k], reach.farthest[k]);
-        make_box(bodies[k], shapes[k], k, radius[k], room);
+        make_box(bodies, k, room);
     }
     find_partners(bodies, movers);
-    awake_.clear_index(static_cast<int>(bodies.size()));
-    add_pairs(bodies, radius);
+    awake_.clear_index(bodies.count());
+    add_pairs(bodies);
     awake_.make_index();
     is_valid_ = true;
 }
 
 /// room  that the body has in it [m]
-void PairList::make_box(const RestBody& body, const CollisionShape& shape, int k, double radius, double room)
+void PairList::make_box(const RestBodies& bodies, int k, double room)
 {
-    const Pose pose = pose_of(body.state);
-    homes_[k] = {body.state.position, body.state.angle, room};
+    const BodyState& state = bodies.list[k].state;
+    const Pose pose = pose_of(state);
+    homes_[k] = {state.position, state.angle, room};
     int circle = first_circle_[k];
-    for (const ConvexPart& part : shape.parts) circles_[circle++] = {pose * part.centre, part.radius};
-    boxes_[k] = roomy_box(body.shape, pose, radius, room);
+    for (const ConvexPart& part : bodies.shapes[k].parts) circles_[circle++] = {pose * part.centre, part.radius};
+    boxes_[k] = roomy_box(bodies, k, pose, room);
 }
 
-void PairList::sort_others(std::span<const RestBody> bodies, const BodySet& movers)
+void PairList::sort_others(const RestBodies& bodies, const BodySet& movers)
 {
     std::vector<BoxCells::Entry> entries;
-    for (int k = 0; k < static_cast<int>(bodies.size()); ++k) {
-        const bool has_box = bodies[k].is_active && !std::holds_alternative<HalfPlane>(bodies[k].shape);
+    for (int k = 0; k < bodies.count(); ++k) {
+        const RestBody& body = bodies.list[k];
+        const bool has_box = body.is_active && !std::holds_alternative<HalfPlane>(body.shape);
         if (has_box && !movers.has(k)) entries.push_back({boxes_[k], k});
     }
     boxes_sorted_ += static_cast<int>(entries.size());
     others_.sort(std::move(entries));
 }
 
-void PairList::find_partners(std::span<const RestBody> bodies, const BodySet& movers)
+void PairList::find_partners(const RestBodies& bodies, const BodySet& movers)
 {
     // Sort the boxes of those that are searched for into cells
     std::vector<BoxCells::Entry> entries;
@@ -219,27 +216,25 @@ void PairList::find_partners(std::span<const RestBody> bodies, const BodySet& mo
 }
 
 /// The others stay where they are, and walls without end meet what reaches into them.
-void PairList::find_partners_among(const BoxCells& others, const BoxCells::Entry& entry,
-                                   std::span<const RestBody> bodies, const BodySet& movers,
-                                   std::vector<std::pair<int, int>>& found) const
+void PairList::find_partners_among(const BoxCells& others, const BoxCells::Entry& entry, const RestBodies& bodies,
+                                   const BodySet& movers, std::vector<std::pair<int, int>>& found) const
 {
     others.visit_all_at(entry.box, [&](const BoxCells::Entry& other) {
-        if (bodies[other.body].is_active && !movers.has(other.body))
+        if (bodies.list[other.body].is_active && !movers.has(other.body))
             found.emplace_back(std::minmax(entry.body, other.body));
         return true;
     });
     for (const int wall : walls_) {
-        if (overlap(entry.box, std::get<HalfPlane>(bodies[wall].shape)))
+        if (overlap(entry.box, std::get<HalfPlane>(bodies.list[wall].shape)))
             found.emplace_back(std::minmax(entry.body, wall));
     }
 }
 
-std::vector<RestPair> PairList::pairs_at(std::vector<BoxCells::Entry> boxes, std::span<const RestBody> bodies,
-                                         std::span<const CollisionShape> shapes) const
+std::vector<RestPair> PairList::pairs_at(std::vector<BoxCells::Entry> boxes, const RestBodies& bodies) const
 {
     std::vector<int> movers;
     for (const BoxCells::Entry& entry : boxes) movers.push_back(entry.body);
-    BodySet moved(static_cast<int>(bodies.size()));
+    BodySet moved(bodies.count());
     moved.insert(movers);
     BoxCells cells;
     cells.sort(std::move(boxes));
@@ -254,8 +249,8 @@ std::vector<RestPair> PairList::pairs_at(std::vector<BoxCells::Entry> boxes, std
     sort_once(found);
     std::vector<RestPair> pairs;
     for (const auto& [a, b] : found) {
-        for (int one = 0; one < static_cast<int>(shapes[a].parts.size()); ++one) {
-            for (int two = 0; two < static_cast<int>(shapes[b].parts.size()); ++two) {
+        for (int one = 0; one < static_cast<int>(bodies.shapes[a].parts.size()); ++one) {
+            for (int two = 0; two < static_cast<int>(bodies.shapes[b].parts.size()); ++two) {
                 RestPair& pair = pairs.emplace_back();
                 pair.a = a;
                 pair.b = b;
@@ -269,23 +264,23 @@ std::vector<RestPair> PairList::pairs_at(std::vector<BoxCells::Entry> boxes, std
 
 /// The circles of a body's parts that another body may reach.
 ///
-/// radius  of the other body's bounding circle [m]
-/// room    gap that the two may close before one of them leaves its box, with what is watched beyond that [m]
-void PairList::find_parts_near(const RestBody& other, double radius, int body, double room,
+/// room  gap that the two may close before one of them leaves its box, with what is watched beyond that [m]
+void PairList::find_parts_near(const RestBodies& bodies, int other, int body, double room,
                                std::vector<int>& parts) const
 {
     parts.clear();
-    const auto* wall = std::get_if<HalfPlane>(&other.shape);
+    const auto* wall = std::get_if<HalfPlane>(&bodies.list[other].shape);
+    const Vec2& place = bodies.list[other].state.position;
+    const double radius = bodies.radius[other];
     for (int k = first_circle_[body]; k < first_circle_[body + 1]; ++k) {
         const Vec2& centre = circles_[k].centre;
-        const double distance =
-            wall ? wall->normal.dot(centre) - wall->offset : (centre - other.state.position).norm() - radius;
+        const double distance = wall ? wall->normal.dot(centre) - wall->offset : (centre - place).norm() - radius;
         const bool is_all = first_circle_[body + 1] - first_circle_[body] == 1;
         if (is_all || distance <= circles_[k].radius + room) parts.push_back(k);
     }
 }
 
-void PairList::add_pairs(std::span<const RestBody> bodies, std::span<const double> radius)
+void PairList::add_pairs(const RestBodies& bodies)
 {
     old_.swap(awake_.pairs);
     std::vector<RestPair>& pairs = awake_.pairs;
@@ -295,12 +290,12 @@ void PairList::add_pairs(std::span<const RestBody> bodies, std::span<const doubl
         RestPair pair;
         pair.a = a;
         pair.b = b;
-        const Material material = combine(bodies[a].material, bodies[b].material);
+        const Material material = combine(bodies.list[a].material, bodies.list[b].material);
         pair.friction = material.friction;
         pair.restitution = material.restitution;
-        const double room = homes_[a].room + homes_[b].room + rest_tolerance::k_watch * std::min(radius[a], radius[b]);
-        find_parts_near(bodies[b], radius[b], a, room, near_a_);
-        find_parts_near(bodies[a], radius[a], b, room, near_b_);
+        const double room = homes_[a].room + homes_[b].room + rest_tolerance::k_watch * bodies.size_of(a, b);
+        find_parts_near(bodies, b, a, room, near_a_);
+        find_parts_near(bodies, a, b, room, near_b_);
         for (const int one : near_a_) {
             for (const int two : near_b_) {
                 const double clear = circles_[one].radius + circles_[two].radius + room;

@@ -9,7 +9,7 @@
 #include "geometry/aabb.hpp"
 #include "rest/body_set.hpp"
 #include "rest/near_points.hpp"
-#include "rest/rest_body.hpp"
+#include "rest/rest_bodies.hpp"
 
 namespace flying {
 
@@ -22,6 +22,14 @@ struct PairLoads
     double normal[2] = {0.0, 0.0};                ///< impulses that lasted to the end of the step [N s]
     double tangent[2] = {0.0, 0.0};               ///< [N s]
 
+    /// Which point has a name; -1 for none.
+    [[nodiscard]] int find(std::uint32_t name) const
+    {
+        for (int k = 0; k < count; ++k) {
+            if (feature[k] == name) return k;
+        }
+        return -1;
+    }
     /// Impulses of another length of time.
     void scale(double factor)
     {
@@ -65,18 +73,10 @@ struct PairReach
     std::span<const double> usual; ///< in a step: a box that is made anew has room for several of these [m]
 };
 
-/// A body and how far it gets.
-struct Reacher
-{
-    const Shape& shape;
-    const Pose& pose;
-    double radius;   ///< of its bounding circle; 0 where it is static [m]
-    double farthest; ///< [m]
-};
-
 /// The boxes of two bodies, with room for how far they get, overlap. Of two that do a list holds the pair if it was
 /// updated for that; of others it depends on when its boxes were made.
-[[nodiscard]] bool may_meet(const Reacher& a, const Reacher& b);
+/// farthest  of each body [m]
+[[nodiscard]] bool may_meet(const RestBodies& bodies, int a, int b, std::span<const double> farthest);
 
 /// Which pairs may touch soon, kept from step to step. Every body has a box with room to spare, and with the same room
 /// the parts of one that is cut have circles; as long as all stay within their boxes, the list stays as it is. Pairs
@@ -85,24 +85,21 @@ struct Reacher
 class PairList
 {
 public:
-    /// radius  of each body's bounding circle; infinite for half-planes [m]
-    /// awake   as `separate` was told last
+    /// awake  as `separate` was told last
     /// Searches again only where a body that is awake has left its box, or `invalidate` was called, and then only for
     /// the pairs of those that are awake. How many boxes it sorted for that; 0 where it didn't search.
-    int update(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes, std::span<const double> radius,
-               const PairReach& reach, const BodySet& awake);
+    int update(const RestBodies& bodies, const PairReach& reach, const BodySet& awake);
 
     /// Pairs of all parts of some bodies, wherever they are by now, with those of what their boxes overlap: on the list
     /// or not. All others are within the boxes that they had when it was made.
-    [[nodiscard]] std::vector<RestPair> pairs_at(std::vector<BoxCells::Entry> boxes, std::span<const RestBody> bodies,
-                                                 std::span<const CollisionShape> shapes) const;
+    [[nodiscard]] std::vector<RestPair> pairs_at(std::vector<BoxCells::Entry> boxes, const RestBodies& bodies) const;
 
     /// Some body that is awake, or no longer takes part, was put elsewhere.
     void invalidate() { is_valid_ = false; }
     /// Others are awake now, or take part.
-    void separate(std::span<const RestBody> bodies, const BodySet& awake);
+    void separate(const RestBodies& bodies, const BodySet& awake);
     /// Pairs of another list, in order, to search for anew with what they remember.
-    void remember(std::vector<RestPair> pairs, std::span<const RestBody> bodies, const BodySet& awake);
+    void remember(std::vector<RestPair> pairs, const RestBodies& bodies, const BodySet& awake);
 
     /// Those of which a body is awake.
     [[nodiscard]] std::span<RestPair> pairs() { return awake_.pairs; }
@@ -161,19 +158,17 @@ private:
         double room = 0.0; ///< that the body has in its box [m]
     };
 
-    [[nodiscard]] bool all_inside(std::span<const RestBody> bodies, std::span<const double> radius,
-                                  std::span<const double> farthest, const BodySet& awake) const;
-    void search_all(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes,
-                    std::span<const double> radius, const PairReach& reach);
-    void search(std::span<const RestBody> bodies, std::span<const CollisionShape> shapes,
-                std::span<const double> radius, const PairReach& reach, const BodySet& movers);
-    void make_box(const RestBody& body, const CollisionShape& shape, int k, double radius, double room);
-    void sort_others(std::span<const RestBody> bodies, const BodySet& movers);
-    void find_partners(std::span<const RestBody> bodies, const BodySet& movers);
-    void find_partners_among(const BoxCells& others, const BoxCells::Entry& entry, std::span<const RestBody> bodies,
+    [[nodiscard]] bool all_inside(const RestBodies& bodies, std::span<const double> farthest,
+                                  const BodySet& awake) const;
+    void search_all(const RestBodies& bodies, const PairReach& reach);
+    void search(const RestBodies& bodies, const PairReach& reach, const BodySet& movers);
+    void make_box(const RestBodies& bodies, int k, double room);
+    void sort_others(const RestBodies& bodies, const BodySet& movers);
+    void find_partners(const RestBodies& bodies, const BodySet& movers);
+    void find_partners_among(const BoxCells& others, const BoxCells::Entry& entry, const RestBodies& bodies,
                              const BodySet& movers, std::vector<std::pair<int, int>>& found) const;
-    void find_parts_near(const RestBody& other, double radius, int body, double room, std::vector<int>& parts) const;
-    void add_pairs(std::span<const RestBody> bodies, std::span<const double> radius);
+    void find_parts_near(const RestBodies& bodies, int other, int body, double room, std::vector<int>& parts) const;
+    void add_pairs(const RestBodies& bodies);
 
     /// The circle of a part.
     struct PartCircle

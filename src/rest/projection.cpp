@@ -11,12 +11,6 @@
 namespace flying {
 namespace {
 
-/// How far its turn may bring any point of a body.  [m]
-[[nodiscard]] double arc_of(const RestData& data, int body)
-{
-    return std::abs(data.motion.turn[body]) * data.bodies.turning[body];
-}
-
 /// The step leads it nowhere.
 [[nodiscard]] bool stays(const RestData& data, int body)
 {
@@ -35,7 +29,7 @@ namespace {
 [[nodiscard]] bool comes_nearer(const RestData& data, int a, int b)
 {
     const double nearer = (data.motion.shift[b] - data.motion.shift[a]).norm() + arc_of(data, a) + arc_of(data, b);
-    return nearer > rest_tolerance::k_fair_overlap * std::min(data.bodies.radius[a], data.bodies.radius[b]);
+    return nearer > rest_tolerance::k_fair_overlap * data.bodies.size_of(a, b);
 }
 
 /// A point's gap as the step ends, if its two went straight on.  [m]
@@ -72,10 +66,10 @@ namespace {
 [[nodiscard]] bool may_be_unfair(const RestData& data, std::span<const ContactPoint> points)
 {
     const ContactPoint& c = points.front();
-    const double fair = rest_tolerance::k_fair_overlap * std::min(data.bodies.radius[c.a], data.bodies.radius[c.b]);
+    const double fair = rest_tolerance::k_fair_overlap * data.bodies.size_of(c.a, c.b);
     if (stays(data, c.a) && stays(data, c.b))
         return std::any_of(points.begin(), points.end(), [&](const ContactPoint& point) { return point.gap < -fair; });
-    if ((data.bodies.has_cuts(c.a) || data.bodies.has_cuts(c.b)) && comes_nearer(data, c.a, c.b)) return true;
+    if (data.bodies.has_cuts(c.a, c.b) && comes_nearer(data, c.a, c.b)) return true;
     // Corners that are no points were further away; how far isn't known, since what sticks out beyond the end of an
     // edge was clipped
     double next = 0.0;
@@ -112,17 +106,6 @@ namespace {
     return contact;
 }
 
-[[nodiscard]] Pose end_pose(const RestData& data, int body)
-{
-    const BodyState& s = data.bodies.list[body].state;
-    return {s.position + data.motion.shift[body], Rotation::of(s.angle + data.motion.turn[body])};
-}
-
-void set_end_poses(RestData& data, const Island& island)
-{
-    for (const int member : island.members) data.motion.end_poses[member] = end_pose(data, member);
-}
-
 } // namespace
 
 double Projection::measure_overlap(RestData& data, const Island& island)
@@ -135,7 +118,7 @@ double Projection::measure_overlap(RestData& data, const Island& island)
     const bool may_any =
         std::any_of(points.begin(), points.end(), [&](const ContactPoint& c) { return may_overlap(data, c); });
     if (!may_any && !any_nearer) return 0.0;
-    set_end_poses(data, island);
+    set_end_poses(data, island, 1.0);
     list_pairs_of(data, points);
     const auto is_overlap = [&](int index) {
         const RestPair& pair = data.pairs.pairs()[index];
@@ -154,8 +137,8 @@ void Projection::find_unforeseen(RestData& data, const Island& island)
     unforeseen_.clear();
     std::vector<BoxCells::Entry> thrown;
     for (const int member : island.members) {
-        if (data.motion.shift[member].norm() + arc_of(data, member) > data.motion.reach[member])
-            thrown.push_back({bounding_box(data.bodies.list[member].shape, end_pose(data, member)), member});
+        if (farthest_way(data, member) > data.motion.reach[member])
+            thrown.push_back({bounding_box(data.bodies.list[member].shape, pose_along(data, member, 1.0)), member});
     }
     if (thrown.empty()) return;
     BodySet members(data.bodies.count());
@@ -168,7 +151,7 @@ void Projection::find_unforeseen(RestData& data, const Island& island)
         const auto found = std::lower_bound(island.points.begin(), island.points.end(), pair, comes_before);
         return found != island.points.end() && found->a == pair.a && found->b == pair.b;
     };
-    unforeseen_ = data.pairs.pairs_at(std::move(thrown), data.bodies.list, data.bodies.shapes);
+    unforeseen_ = data.pairs.pairs_at(std::move(thrown), data.bodies);
     std::erase_if(unforeseen_,
                   [&](const RestPair& pair) { return !is_ours(pair.a) || !is_ours(pair.b) || has_points(pair); });
 }
@@ -199,7 +182,7 @@ double Projection::measure_overlap_of_heap(RestData& data, const Island& island)
     for_each([&](int, std::span<const ContactPoint> points) { is_fair = is_fair && is_known(points); });
     if (is_fair) return 0.0;
 
-    set_end_poses(data, island);
+    set_end_poses(data, island, 1.0);
     double worst = 0.0;
     for_each([&](int pair, std::span<const ContactPoint> points) {
         if (!is_known(points)) {
@@ -223,8 +206,7 @@ void Projection::list_pairs_of(const RestData& data, std::span<const ContactPoin
     const std::span<const RestPair> pairs = data.pairs.pairs();
     for (const ContactPoint& c : points) {
         if (!pairs_near_.empty() && pairs_near_.back() >= c.pair) continue;
-        const bool has_parts = data.bodies.shapes[c.a].parts.size() + data.bodies.shapes[c.b].parts.size() > 2;
-        const bool all = has_parts && comes_nearer(data, c.a, c.b);
+        const bool all = data.bodies.has_cuts(c.a, c.b) && comes_nearer(data, c.a, c.b);
         // The pairs of all parts of the two stand together
         const auto is_theirs = [&](int pair) { return pairs[pair].a == c.a && pairs[pair].b == c.b; };
         int first = c.pair;
@@ -245,16 +227,11 @@ const RestPair& Projection::pair_at(const RestData& data, int index) const
 double Projection::find_overlap_of_pair(RestData& data, int index)
 {
     const RestPair& pair = pair_at(data, index);
-    const double size = std::min(data.bodies.radius[pair.a], data.bodies.radius[pair.b]);
+    const double size = data.bodies.size_of(pair.a, pair.b);
     const double margin = rest_tolerance::k_watch * size;
     const Pose& pose_a = data.motion.end_poses[pair.a];
     const Pose& pose_b = data.motion.end_poses[pair.b];
-    const ConvexPart& part_a = data.bodies.shapes[pair.a].parts[pair.part_a];
-    const ConvexPart& part_b = data.bodies.shapes[pair.b].parts[pair.part_b];
-    const double clear = part_a.radius + part_b.radius + margin;
-    const Vec2 way =
-        (pose_b.position - pose_a.position) + (pose_b.rotation * part_b.centre - pose_a.rotation * part_a.centre);
-    if (way.squaredNorm() > clear * clear) return 0.0;
+    if (!are_near(data, pair, pose_a, pose_b, margin)) return 0.0;
     const Manifold manifold = look(data, pair, pose_a, pose_b, margin);
     ++data.counts.manifolds;
     double worst = 0.0;
@@ -271,7 +248,7 @@ double Projection::find_overlap_of_pair(RestData& data, int index)
     };
     for (int k = 0; k < manifold.count; ++k) add(manifold.contacts[k]);
     if (worst > 0.0 || !comes_nearer(data, pair.a, pair.b)) return worst;
-    if (data.bodies.has_cuts(pair.a) || data.bodies.has_cuts(pair.b)) return worst; // its edge may be a cut
+    if (data.bodies.has_cuts(pair.a, pair.b)) return worst; // its edge may be a cut
 
     // What sticks out beyond the ends of the edge that it lies deepest under is clipped there
     const Contact clipped = overlap_at_end(data, pair);
@@ -279,8 +256,6 @@ double Projection::find_overlap_of_pair(RestData& data, int index)
     return worst;
 }
 
-/// Moves bodies out of what they overlap: the same conditions for places as for velocities, least by the masses,
-/// without friction. It adds no velocity.
 double Projection::put_apart(RestData& data, const Island& island, double overlap, HeapSweeps& sweeps)
 {
     if (overlap <= 0.0) return 0.0;
@@ -377,9 +352,7 @@ void Projection::find_pushes(RestData& data, const Island& island, double tolera
         for (ContactPoint& c : points_) {
             const Mover& a = pushes_[c.a];
             const Mover& b = pushes_[c.b];
-            const double shifts = a.inv_mass + b.inv_mass;
-            c.normal_mass = 1.0 / (shifts + (a.inv_moment * (c.normal_arm_a * c.normal_arm_a) +
-                                             b.inv_moment * (c.normal_arm_b * c.normal_arm_b)));
+            c.normal_mass = effective_mass(a.inv_mass + b.inv_mass, a, b, c.normal_arm_a, c.normal_arm_b);
         }
     }
     if (is_heap(island)) sweeps.sweep_places(data, island, pushes_, points_, tolerance);

@@ -1,6 +1,5 @@
 #include "rest/rest_bodies.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -77,7 +76,7 @@ double RestBodies::touch_gap(int a, int b) const
 double RestBodies::touch_gap(int a, const Vec2& place_a, int b, const Vec2& place_b) const
 {
     const double coordinates = place_a.cwiseAbs().maxCoeff() + place_b.cwiseAbs().maxCoeff();
-    return rest_tolerance::k_touch * std::min(radius[a], radius[b]) + tolerance::coordinate_rounding(coordinates);
+    return rest_tolerance::k_touch * size_of(a, b) + tolerance::coordinate_rounding(coordinates);
 }
 
 } // namespace flying

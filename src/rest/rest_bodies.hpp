@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -19,8 +20,10 @@ struct RestBodies
     [[nodiscard]] int count() const { return static_cast<int>(list.size()); }
     /// A body is where this state says from now on.
     void set_pose(int body, const BodyState& state);
-    /// The body is cut into parts.
-    [[nodiscard]] bool has_cuts(int body) const { return shapes[body].parts.size() > 1; }
+    /// One of two bodies is cut into parts, or both are.
+    [[nodiscard]] bool has_cuts(int a, int b) const { return shapes[a].parts.size() + shapes[b].parts.size() > 2; }
+    /// What lengths between two bodies are compared with: the bounding radius of the smaller one.  [m]
+    [[nodiscard]] double size_of(int a, int b) const { return std::min(radius[a], radius[b]); }
     /// Velocity of a body's point.  [m/s]
     [[nodiscard]] Vec2 velocity_of(int body, const Vec2& point) const;
     /// A gap below which two bodies touch, for all that rounding tells.  [m]

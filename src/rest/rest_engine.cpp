@@ -7,6 +7,7 @@
 
 #include "math/hash.hpp"
 #include "rest/body_order.hpp"
+#include "rest/find_contacts.hpp"
 #include "rest/rest_tolerance.hpp"
 #include "rest/step_field.hpp"
 
@@ -26,6 +27,7 @@ RestEngine::RestEngine(std::vector<RestBody> bodies, const RestOptions& options,
       before_(data_.bodies.list.size()),
       marks_(data_.bodies.list.size(), 0)
 {
+    parts_.at.resize(rest_tolerance::k_most_parts + 1);
     parts_.of.assign(data_.bodies.list.size(), -1);
     for (int k = 0; k < data_.bodies.count(); ++k) {
         expect_flight(data_, k, data_.bodies.list[k].state.position);
@@ -100,12 +102,12 @@ std::vector<RestContact> RestEngine::contacts() const
     return result;
 }
 
-std::vector<int> RestEngine::groups() const
+std::vector<int> RestEngine::islands() const
 {
-    std::vector<int> group(data_.bodies.list.size());
-    for (std::size_t k = 0; k < group.size(); ++k) group[k] = static_cast<int>(k);
+    std::vector<int> island(data_.bodies.list.size());
+    for (std::size_t k = 0; k < island.size(); ++k) island[k] = static_cast<int>(k);
     const auto root = [&](int k) {
-        while (group[k] != k) k = group[k] = group[group[k]];
+        while (island[k] != k) k = island[k] = island[island[k]];
         return k;
     };
     for (const RestContact& contact : contacts()) {
@@ -115,12 +117,12 @@ std::vector<int> RestEngine::groups() const
             continue;
         const int one = root(contact.a);
         const int two = root(contact.b);
-        group[std::max(one, two)] = std::min(one, two);
+        island[std::max(one, two)] = std::min(one, two);
     }
-    for (int k = 0; k < static_cast<int>(group.size()); ++k) {
-        group[k] = body(k).is_static || !body(k).is_active ? -1 : root(k);
+    for (int k = 0; k < static_cast<int>(island.size()); ++k) {
+        island[k] = body(k).is_static || !body(k).is_active ? -1 : root(k);
     }
-    return group;
+    return island;
 }
 
 std::uint64_t RestEngine::hash() const
@@ -159,8 +161,7 @@ void RestEngine::step_by(double length, double end)
             data_.motion.expected_angular_acceleration[k] = before_[k].expected_angular_acceleration;
         }
     }
-    start_ = end;
-    steps_ = 0;
+    set_time(end);
 }
 
 void RestEngine::scale_loads_awake(double factor)
@@ -223,14 +224,12 @@ bool RestEngine::bounces(const RestPair& pair, double load) const
     const Vec2 fall = pull(pair.b) - pull(pair.a);
     const double press = std::max(step * fall.norm(), push);
     const double least = rest_tolerance::k_blow * press;
-    const double near = std::min(data_.bodies.radius[pair.a], data_.bodies.radius[pair.b]);
+    const double near = data_.bodies.size_of(pair.a, pair.b);
     const Manifold manifold = look(data_, pair, pose_a, pose_b, rest_tolerance::k_closed * near);
     for (int k = 0; k < manifold.count; ++k) {
         const Contact& contact = manifold.contacts[k];
         if (contact.separation < -data_.bodies.touch_gap(pair.a, pair.b)) return false; // steps take that off first
-        const Vec2 velocity_a = velocity_at(a.state, contact.point - pose_a.position);
-        const Vec2 velocity_b = velocity_at(b.state, contact.point - pose_b.position);
-        const double u = (velocity_b - velocity_a).dot(contact.normal);
+        const double u = opening_speed(contact, a.state, b.state);
         const double f = std::min(0.0, fall.dot(contact.normal));
         if (u * u - 2.0 * f * std::max(contact.separation, 0.0) < least * least) return false;
     }
@@ -258,20 +257,13 @@ bool RestEngine::stays_apart(const RestPair& pair, double within) const
     const double margin = within * (closing + 0.5 * within * fall.norm()) + touch;
 
     // Look at the points that are near
-    const ConvexPart& part_a = data_.bodies.shapes[pair.a].parts[pair.part_a];
-    const ConvexPart& part_b = data_.bodies.shapes[pair.b].parts[pair.part_b];
     const Pose& pose_a = data_.bodies.poses[pair.a];
     const Pose& pose_b = data_.bodies.poses[pair.b];
-    const double far = part_a.radius + part_b.radius + margin;
-    const Vec2 way =
-        (pose_b.position - pose_a.position) + (pose_b.rotation * part_b.centre - pose_a.rotation * part_a.centre);
-    if (way.squaredNorm() > far * far) return true;
+    if (!are_near(data_, pair, pose_a, pose_b, margin)) return true;
     const Manifold manifold = look(data_, pair, pose_a, pose_b, margin);
     for (int k = 0; k < manifold.count; ++k) {
         const Contact& contact = manifold.contacts[k];
-        const Vec2 velocity_a = velocity_at(a.state, contact.point - pose_a.position);
-        const Vec2 velocity_b = velocity_at(b.state, contact.point - pose_b.position);
-        double u = (velocity_b - velocity_a).dot(contact.normal);
+        double u = opening_speed(contact, a.state, b.state);
         if (std::abs(u) <= rest_tolerance::k_rounding * top) u = 0.0;
         const double f = fall.dot(contact.normal);
         if (contact.separation < -touch) return false;
@@ -339,7 +331,7 @@ void RestEngine::go_on_from(const Memory& memory)
         pair.memory = {};
         pair.last_look = {};
     }
-    data_.pairs.remember(std::move(pairs), data_.bodies.list, awake_);
+    data_.pairs.remember(std::move(pairs), data_.bodies, awake_);
 }
 
 std::vector<std::optional<BodyState>> RestEngine::foresee(double length, double end, double since)

@@ -110,11 +110,11 @@ public:
     /// it would have had there.
     void go_on_from(const Memory& memory);
 
-    /// Contacts of the last step, in the order of (a, b); those of sleeping groups included.
+    /// Contacts of the last step, in the order of (a, b); those of sleeping islands included.
     [[nodiscard]] std::vector<RestContact> contacts() const;
-    /// For each body, the number of its group: bodies that touch, by whatever chain of moving bodies, share one, which
+    /// For each body, the number of its island: bodies that touch, by whatever chain of moving bodies, share one, which
     /// is its lowest body. -1 for static bodies and those not active.
-    [[nodiscard]] std::vector<int> groups() const;
+    [[nodiscard]] std::vector<int> islands() const;
     /// Steps leave it out, since one of them has changed nothing of its island.
     [[nodiscard]] bool is_asleep(int body) const { return sleepers_.is_asleep(data_.bodies.place[body]); }
     /// Those that are awake, as they lie in memory.
@@ -149,30 +149,22 @@ public:
 private:
     RestEngine(std::vector<RestBody> bodies, const RestOptions& options, double time, std::vector<int> order);
 
-    /// The step of an island, or a part of one, that ends early: what it takes to make it in parts.
-    struct Again
+    /// An island whose step, or part of one, ends early: what it takes to make that in parts.
+    struct CutIsland
     {
-        struct Part
-        {
-            int first_member = 0;
-            int member_count = 0;
-            int first_pair = 0;
-            int pair_count = 0;
-            double cut_at = 0.0; ///< after the step's beginning [s]
-        };
-        std::vector<Part> parts;
         std::vector<int> members;
         std::vector<int> pairs;
+        double cut_at = 0.0; ///< after the beginning of the step, or part [s]
     };
 
     /// Steps that are made in parts.
     struct Parts
     {
-        std::vector<Again> at;  ///< at each depth of parts within parts
-        int made = 0;           ///< of the step of an island
-        int looks = 0;          ///< in these, at pairs that both move
-        bool are_again = false; ///< of a whole step that is made again
-        std::vector<int> of;    ///< of each body, while pairs are sorted out; -1 for none
+        std::vector<std::vector<CutIsland>> at; ///< at each depth of parts within parts: what ended early there
+        int made = 0;                           ///< of the step of an island
+        int looks = 0;                          ///< in these, at pairs that both move
+        bool are_again = false;                 ///< of a whole step that is made again
+        std::vector<int> of; ///< of each body: the cut island that it is of, while pairs are sorted out; else -1
     };
 
     void list_awake();
@@ -187,7 +179,7 @@ private:
     void finish_islands(int depth, std::span<const int> pairs);
     [[nodiscard]] bool may_be_parted(const Island& island, int depth) const;
     [[nodiscard]] bool may_be_halved(const Island& island, int depth) const;
-    void find_pairs_of(Again& again, std::span<const int> pairs);
+    void find_pairs_of(std::span<CutIsland> islands, std::span<const int> pairs);
     void make_parts(int depth, std::span<const double> cuts);
     void begin_part(std::span<const int> bodies, int depth);
     [[nodiscard]] bool go_back(Meetings& met);

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "rest/rest_engine.hpp"
@@ -48,12 +47,11 @@ void RestEngine::move_island(const Island& island)
     bool same = true;
     for (const ContactPoint& c : island.points) {
         RestPair& pair = data_.pairs.pairs()[c.pair];
-        for (int i = 0; i < pair.count; ++i) {
-            if (pair.feature[i] != c.feature) continue;
-            same = same && pair.normal[i] == c.normal && pair.tangent[i] == c.tangent;
-            pair.normal[i] = c.normal;
-            pair.tangent[i] = c.tangent;
-        }
+        const int own = pair.find(c.feature);
+        if (own < 0) continue;
+        same = same && pair.normal[own] == c.normal && pair.tangent[own] == c.tangent;
+        pair.normal[own] = c.normal;
+        pair.tangent[own] = c.tangent;
     }
 
     expect(data_, island, marks_);
@@ -63,16 +61,14 @@ void RestEngine::move_island(const Island& island)
         data_.bodies.in_large_island[member] = is_heap(island) ? 1 : 0;
         BodyState& state = data_.bodies.list[member].state;
         const Mover& now = data_.motion.now[member];
-        const Vec2& way = data_.motion.shift[member];
         const BodyState old = state;
-        const double arc = std::abs(data_.motion.turn[member]) * data_.bodies.turning[member];
-        if (way.norm() + arc > data_.motion.reach[member]) {
+        if (farthest_way(data_, member) > data_.motion.reach[member]) {
             BodyBefore& before = before_[member];
             before.reach = 0.0;
             before.thrown_at =
                 std::min(before.thrown_at, data_.options.step - data_.motion.after - 0.5 * data_.motion.span);
         }
-        state.position += way;
+        state.position += data_.motion.shift[member];
         state.angle += data_.motion.turn[member];
         same = same && state.position == old.position && state.angle == old.angle && now.v_x == 0.0 && now.v_y == 0.0 &&
                now.spin == 0.0 && stood_alike(member);

@@ -30,7 +30,7 @@ struct RestCounts
     std::int64_t pairs = 0;      ///< of bodies near each other, one of which was awake: in all steps
     std::int64_t manifolds = 0;  ///< pairs whose points were sought
     std::int64_t points = 0;     ///< points solved for
-    std::int64_t groups = 0;     ///< islands solved for
+    std::int64_t islands = 0;    ///< solved for
     std::int64_t impacts = 0;    ///< points at which an approach was ended
     std::int64_t asleep = 0;     ///< bodies left out, over all steps
     std::int64_t parts = 0;      ///< steps, or parts of steps, of islands that ended early

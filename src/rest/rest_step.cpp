@@ -84,7 +84,7 @@ void RestEngine::list_awake()
     awake_.insert(woken);
     awake_.erase(gone);
     any_pairs = any_pairs || !woken.empty() || !gone.empty();
-    if (any_pairs) data_.pairs.separate(data_.bodies.list, awake_);
+    if (any_pairs) data_.pairs.separate(data_.bodies, awake_);
 }
 
 /// A step begins for those that are awake.
@@ -158,7 +158,7 @@ void RestEngine::measure_reach(std::span<const int> bodies)
 bool RestEngine::list_pairs()
 {
     const PairReach reach{farthest_, data_.motion.reach};
-    const int boxes = data_.pairs.update(data_.bodies.list, data_.bodies.shapes, data_.bodies.radius, reach, awake_);
+    const int boxes = data_.pairs.update(data_.bodies, reach, awake_);
     data_.counts.looks += boxes > 0 ? 1 : 0;
     data_.counts.boxes += boxes;
     return boxes > 0;
@@ -184,27 +184,21 @@ bool RestEngine::list_what_impacts_reach()
 
 void RestEngine::solve_islands(int depth)
 {
-    data_.counts.groups += static_cast<std::int64_t>(islands_.all().size());
+    data_.counts.islands += static_cast<std::int64_t>(islands_.all().size());
     data_.counts.points += static_cast<std::int64_t>(islands_.point_count());
     for (Island& island : islands_.all()) island_step_.find(data_, island, may_be_parted(island, depth));
 }
 
 void RestEngine::finish_islands(int depth, std::span<const int> pairs)
 {
-    parts_.at.resize(rest_tolerance::k_most_parts + 1);
-    Again& again = parts_.at[depth];
-    again.parts.clear();
-    again.members.clear();
-    again.pairs.clear();
+    std::vector<CutIsland>& cut = parts_.at[depth];
+    cut.clear();
     for (Island& island : islands_.all()) {
         if (island.cut_at == 0.0)
             island.cut_at = island_step_.end_early(data_, island, may_be_halved(island, depth), within_);
         if (island.cut_at > 0.0) {
-            const int part = static_cast<int>(again.parts.size());
-            const int first = static_cast<int>(again.members.size());
-            again.parts.push_back({first, island.member_count(), 0, 0, island.cut_at});
-            for (const int member : island.members) parts_.of[member] = part;
-            again.members.insert(again.members.end(), island.members.begin(), island.members.end());
+            for (const int member : island.members) parts_.of[member] = static_cast<int>(cut.size());
+            cut.push_back({{island.members.begin(), island.members.end()}, {}, island.cut_at});
             continue;
         }
         if (!island.points.empty()) {
@@ -213,7 +207,7 @@ void RestEngine::finish_islands(int depth, std::span<const int> pairs)
         }
         move_island(island);
     }
-    if (!again.parts.empty()) find_pairs_of(again, pairs);
+    if (!cut.empty()) find_pairs_of(cut, pairs);
 }
 
 /// There may be more parts of its step, at impacts that have moments of their own.
@@ -230,44 +224,32 @@ bool RestEngine::may_be_halved(const Island& island, int depth) const
     return depth < rest_tolerance::k_most_parts && data_.motion.span * most > data_.options.step;
 }
 
-void RestEngine::find_pairs_of(Again& again, std::span<const int> pairs)
+/// pairs  among which they are; empty for all
+void RestEngine::find_pairs_of(std::span<CutIsland> islands, std::span<const int> pairs)
 {
-    // A pair belongs to the part that both its bodies belong to, or the one that moves. The list may hold more than
+    // A pair belongs to the island that both its bodies belong to, or the one that moves. The list may hold more than
     // those that may meet, which depends on when it was made
     const bool is_first = pairs.empty();
-    const auto part_of = [&](const RestPair& pair) {
+    const auto island_of = [&](const RestPair& pair) {
         const int a = parts_.of[pair.a];
         const int b = parts_.of[pair.b];
         if (data_.bodies.list[pair.a].is_static) return b;
         if (data_.bodies.list[pair.b].is_static) return a;
         return a == b ? a : -1;
     };
-    const auto reacher = [&](int body) {
-        const RestBody& one = data_.bodies.list[body];
-        return Reacher{one.shape, data_.bodies.poses[body], one.is_static ? 0.0 : data_.bodies.radius[body],
-                       farthest_[body]};
-    };
     const auto is_listed = [&](const RestPair& pair) {
-        return may_touch(data_, pair, farthest_) && may_meet(reacher(pair.a), reacher(pair.b));
+        return may_touch(data_, pair, farthest_) && may_meet(data_.bodies, pair.a, pair.b, farthest_);
     };
-    const auto each = [&](auto&& act) {
-        const int count = static_cast<int>(is_first ? data_.pairs.pairs().size() : pairs.size());
-        for (int k = 0; k < count; ++k) {
-            const int pair = is_first ? k : pairs[k];
-            const int part = part_of(data_.pairs.pairs()[pair]);
-            if (part >= 0 && (!is_first || is_listed(data_.pairs.pairs()[pair]))) act(pair, again.parts[part]);
-        }
-    };
-    each([](int, Again::Part& part) { ++part.pair_count; });
-    int first = 0;
-    for (Again::Part& part : again.parts) {
-        part.first_pair = first;
-        first += part.pair_count;
-        part.pair_count = 0;
+    const int count = static_cast<int>(is_first ? data_.pairs.pairs().size() : pairs.size());
+    for (int k = 0; k < count; ++k) {
+        const int index = is_first ? k : pairs[k];
+        const RestPair& pair = data_.pairs.pairs()[index];
+        const int island = island_of(pair);
+        if (island >= 0 && (!is_first || is_listed(pair))) islands[island].pairs.push_back(index);
     }
-    again.pairs.resize(first);
-    each([&](int pair, Again::Part& part) { again.pairs[part.first_pair + part.pair_count++] = pair; });
-    for (const int member : again.members) parts_.of[member] = -1;
+    for (const CutIsland& island : islands) {
+        for (const int member : island.members) parts_.of[member] = -1;
+    }
 }
 
 /// The steps of islands that end early, at a moment each: the part up to there, and what is left.
@@ -281,17 +263,14 @@ void RestEngine::make_parts(int depth, std::span<const double> cuts)
         const RestPair& pair = data_.pairs.pairs()[index];
         return !data_.bodies.list[pair.a].is_static && !data_.bodies.list[pair.b].is_static;
     };
-    for (std::size_t k = 0; k < parts_.at[depth].parts.size(); ++k) {
-        const Again::Part part = parts_.at[depth].parts[k];
-        const std::span<const int> members =
-            std::span(parts_.at[depth].members).subspan(part.first_member, part.member_count);
-        const std::span<const int> pairs = std::span(parts_.at[depth].pairs).subspan(part.first_pair, part.pair_count);
+    for (const CutIsland& island : parts_.at[depth]) {
+        const std::span<const int> pairs = island.pairs;
         const auto looks = static_cast<int>(std::count_if(pairs.begin(), pairs.end(), both_move));
         if (depth == 0) parts_.made = parts_.looks = 0;
         double before = whole;
         double begun = 0.0;
         std::vector<double> ends(cuts.begin(), cuts.end());
-        if (ends.empty()) ends.push_back(part.cut_at);
+        if (ends.empty()) ends.push_back(island.cut_at);
         ends.push_back(whole);
         for (const double end : ends) {
             const double length = end - begun;
@@ -303,10 +282,10 @@ void RestEngine::make_parts(int depth, std::span<const double> cuts)
             data_.motion.after = after_whole + (whole - end);
             scale_loads(data_, pairs, length / before);
             before = length;
-            begin_part(members, depth);
+            begin_part(island.members, depth);
             found_.clear();
             for (const int pair : pairs) find_contacts(data_, pair, found_);
-            islands_.split(data_, members, found_);
+            islands_.split(data_, island.members, found_);
             solve_islands(depth + 1);
             finish_islands(depth + 1, pairs);
             make_parts(depth + 1, {});
@@ -316,11 +295,11 @@ void RestEngine::make_parts(int depth, std::span<const double> cuts)
         scale_loads(data_, pairs, whole / before);
         ++data_.counts.parts;
     }
-    parts_.at[depth].parts.clear();
+    parts_.at[depth].clear();
 }
 
-/// A part of the step begins. As parts of a whole step begin, all is looked at; who may get further in a part of a part
-/// has been thrown. In a whole step that is made again bodies are thought to get as far as it threw them.
+/// A part of the step begins. As parts of a whole step begin, all is looked at; what may get further in a part of a
+/// part has been thrown. In a whole step that is made again bodies are thought to get as far as it threw them.
 void RestEngine::begin_part(std::span<const int> bodies, int depth)
 {
     measure_reach(bodies);
@@ -352,13 +331,13 @@ bool RestEngine::go_back(Meetings& met)
         thrown.push_back({bounding_box(data_.bodies.list[k].shape, pose_of(data_.bodies.list[k].state)), k});
     }
     if (thrown.empty()) return false;
-    const std::vector<RestPair> pairs = data_.pairs.pairs_at(std::move(thrown), data_.bodies.list, data_.bodies.shapes);
+    const std::vector<RestPair> pairs = data_.pairs.pairs_at(std::move(thrown), data_.bodies);
     if (!find_meetings(data_, pairs, before_, awake_, met)) return false;
     wake_met(met);
     bool any_heap = false;
-    Again& again = parts_.at[0];
-    again.parts.assign(1, {});
-    again.members.clear();
+    std::vector<CutIsland>& cut = parts_.at[0];
+    cut.assign(1, {});
+    std::vector<int>& members = cut.front().members;
     for (const int k : moved_) {
         if (!std::binary_search(met.islands.begin(), met.islands.end(), before_[k].island)) continue;
         BodyBefore& old = before_[k];
@@ -370,13 +349,12 @@ bool RestEngine::go_back(Meetings& met)
         data_.bodies.in_large_island[k] = old.in_large_island;
         data_.motion.pull[k] = old.pull;
         data_.motion.expected_angular_acceleration[k] = old.expected_angular_acceleration;
-        again.members.push_back(k);
+        members.push_back(k);
         parts_.of[k] = 0;
     }
-    again.parts[0].member_count = static_cast<int>(again.members.size());
-    parts_.are_again = any_heap && !are_unequal(data_, again.members);
+    parts_.are_again = any_heap && !are_unequal(data_, members);
     (void)list_pairs(); // from where they are again
-    find_pairs_of(again, {});
+    find_pairs_of(cut, {});
     return true;
 }
 

@@ -5,8 +5,8 @@
 /// The pure numbers of the resting integrator, each with its unit and its reason.
 namespace flying::rest_tolerance {
 
-/// [speeds of a group, or those that its impulses bring] What rounding leaves of the content of a point: a velocity is
-/// a sum of a handful of impulses over a mass.
+/// [speeds of an island, or those that its impulses bring] What rounding leaves of the residual of a point: a velocity
+/// is a sum of a handful of impulses over a mass.
 inline constexpr double k_residual = 16.0 * tolerance::k_epsilon;
 
 /// [k_residual] A solve that no longer gets better is at rounding if it is no further than this: sums are longer where

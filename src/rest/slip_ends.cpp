@@ -54,22 +54,15 @@ void SlipEnds::part(RestData& data, Island& island)
         add_part(data, island, left);
         scale_impulses(island, dt / left);
     }
-    for (const int member : island.members) {
-        const Mover& old = data.motion.before[member];
-        const Mover& now = data.motion.now[member];
-        data.motion.shift[member] -= dt * Vec2(0.5 * (old.v_x + now.v_x), 0.5 * (old.v_y + now.v_y));
-        data.motion.turn[member] -= dt * (0.5 * (old.spin + now.spin));
-    }
+    for (const int member : island.members)
+        data.motion.add_mean_way(member, data.motion.before[member], data.motion.now[member], -dt);
 }
 
 void SlipEnds::add_part(RestData& data, const Island& island, double time)
 {
     for (const int member : island.members) {
-        const Mover& old = start_[member];
-        const Mover& now = data.motion.now[member];
-        data.motion.shift[member] += time * Vec2(0.5 * (old.v_x + now.v_x), 0.5 * (old.v_y + now.v_y));
-        data.motion.turn[member] += time * (0.5 * (old.spin + now.spin));
-        start_[member] = now;
+        data.motion.add_mean_way(member, start_[member], data.motion.now[member], time);
+        start_[member] = data.motion.now[member];
     }
 }
 

@@ -26,20 +26,17 @@ Vec2 mean_field(const RestData& data, int body, const Vec2& from, const Vec2& to
     return (-data.options.centre->mu / (r * s * (r + s))) * (x + y);
 }
 
-/// The field at a place.  [m/s^2]
 Vec2 field_at(const RestData& data, int body, const Vec2& place)
 {
     return mean_field(data, body, place, place);
 }
 
-/// What the field does on the way of a body's step, for each kilogram.  [J/kg]
 double work_of_field(const RestData& data, int body)
 {
     const Vec2& from = data.bodies.list[body].state.position;
     return mean_field(data, body, from, from + data.motion.shift[body]).dot(data.motion.shift[body]);
 }
 
-/// Set the acceleration for a step, or a part of one, by where the body is expected to get in it.
 void aim_field(RestData& data, int body)
 {
     if (!data.options.centre) return;
@@ -53,8 +50,6 @@ void aim_field(RestData& data, int body)
     data.motion.field_size[body] = data.motion.field[body].norm();
 }
 
-/// No less than the field anywhere that the body may get to within so long, unless it comes to half its distance.
-/// [m/s^2]
 double greatest_field(const RestData& data, int body, double within)
 {
     if (!data.options.centre || !data.motion.is_moved(body)) return data.motion.field_size[body];
@@ -90,7 +85,6 @@ void set_free(RestData& data, const Island& island, std::span<const Mover> start
     }
 }
 
-/// Bodies that no point holds fly: round a centre by the closed form, as everywhere.
 void fly(RestData& data, Island& island)
 {
     set_free(data, island, data.motion.before, data.motion.span);

@@ -50,6 +50,13 @@ struct StepMotion
         return c.n_x * more.x() + c.n_y * more.y();
     }
 
+    /// Adds the way of a body that goes for so long [s] by the mean of two velocities.
+    void add_mean_way(int body, const Mover& one, const Mover& two, double time)
+    {
+        shift[body] += time * Vec2(0.5 * (one.v_x + two.v_x), 0.5 * (one.v_y + two.v_y));
+        turn[body] += time * (0.5 * (one.spin + two.spin));
+    }
+
     /// Normal, arms and effective masses of a point.
     /// r_a, r_b  from the centres of the two bodies to it [m]
     void set_arms(ContactPoint& c, const Vec2& normal, const Vec2& r_a, const Vec2& r_b) const;
@@ -66,12 +73,9 @@ inline void StepMotion::set_arms(ContactPoint& c, const Vec2& n, const Vec2& r_a
     c.normal_arm_b = normal_arm(r_b, n);
     c.tangent_arm_a = r_a.dot(n);
     c.tangent_arm_b = r_b.dot(n);
-    const double mass = a.inv_mass + b.inv_mass;
-    c.normal_mass =
-        1.0 /
-        (mass + (a.inv_moment * (c.normal_arm_a * c.normal_arm_a) + b.inv_moment * (c.normal_arm_b * c.normal_arm_b)));
-    c.tangent_mass = 1.0 / (mass + (a.inv_moment * (c.tangent_arm_a * c.tangent_arm_a) +
-                                    b.inv_moment * (c.tangent_arm_b * c.tangent_arm_b)));
+    const double shifts = a.inv_mass + b.inv_mass;
+    c.normal_mass = effective_mass(shifts, a, b, c.normal_arm_a, c.normal_arm_b);
+    c.tangent_mass = effective_mass(shifts, a, b, c.tangent_arm_a, c.tangent_arm_b);
 }
 // [rest.contacts.arms]
 

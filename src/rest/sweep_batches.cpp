@@ -233,17 +233,18 @@ struct SweepBatches::Motion
 }
 
 // (Without loops, so that what is fetched need not be put down in between.)
-inline void SweepBatches::fetch(const int (&who)[4], Motion& motion) const
+inline void SweepBatches::fetch(const int (&places)[4], Motion& motion) const
 {
-    const Four rows[4] = {bodies_[who[0]].motion, bodies_[who[1]].motion, bodies_[who[2]].motion,
-                          bodies_[who[3]].motion};
+    const Four rows[4] = {bodies_[places[0]].motion, bodies_[places[1]].motion, bodies_[places[2]].motion,
+                          bodies_[places[3]].motion};
     transpose(rows, motion.v_x, motion.v_y, motion.spin, motion.inv_mass);
 }
 
-inline void SweepBatches::put_back(const int (&who)[4], const Motion& motion)
+inline void SweepBatches::put_back(const int (&places)[4], const Motion& motion)
 {
     const Four columns[4] = {motion.v_x, motion.v_y, motion.spin, motion.inv_mass};
-    transpose(columns, bodies_[who[0]].motion, bodies_[who[1]].motion, bodies_[who[2]].motion, bodies_[who[3]].motion);
+    transpose(columns, bodies_[places[0]].motion, bodies_[places[1]].motion, bodies_[places[2]].motion,
+              bodies_[places[3]].motion);
 }
 
 template <typename Content>

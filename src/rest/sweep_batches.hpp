@@ -9,7 +9,7 @@
 
 namespace flying {
 
-/// The points of a group that is swept, in batches of pairs that are swept side by side: two rows of four. Pairs that
+/// The points of an island that is swept, in batches of pairs that are swept side by side: two rows of four. Pairs that
 /// share a moving body have different colours; all of one colour are swept before any of the next, in any order, as
 /// none of them knows of another. (A long list is coloured in parts, and swept part by part.) The bits are those of the
 /// plain sweep over the points in that order.
@@ -106,8 +106,8 @@ private:
     static void solve_point(const Row& row, Points& points, Motion& a, Motion& b, Change& change);
     static void go_ahead(Points& points, Way& way, const Four& share);
     void go_ahead(const Four& share);
-    void fetch(const int (&who)[4], Motion& motion) const;
-    void put_back(const int (&who)[4], const Motion& motion);
+    void fetch(const int (&places)[4], Motion& motion) const;
+    void put_back(const int (&places)[4], const Motion& motion);
     template <typename Content>
     void sweep_batch(const Batch& batch, Content&& content);
 

@@ -110,14 +110,14 @@ std::vector<StageCost> stage_costs(const RestCounts& counts, const RestSeconds& 
 {
     return {{"find pairs", counts.looks, seconds.pairs},
             {"collide", counts.manifolds, seconds.collide},
-            {"solve", counts.groups, seconds.solve},
+            {"solve", counts.islands, seconds.solve},
             {"move", counts.steps, seconds.move}};
 }
 
 RestAccount rest_account(const RestCounts& counts, const SolveCounts& solves)
 {
     RestAccount account;
-    account.islands = counts.groups;
+    account.islands = counts.islands;
     account.solved = solves.accepted + solves.solved;
     account.swept = solves.swept;
     account.unsolved = solves.unsolved;

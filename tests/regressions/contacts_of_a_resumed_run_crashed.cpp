@@ -55,7 +55,7 @@ TEST_CASE("a resting engine that goes on from a memory has the contacts that it 
             CHECK(after[k].normal == before[k].normal);
             CHECK(after[k].normal_force == before[k].normal_force);
         }
-        CHECK(resumed.groups() == engine.groups());
+        CHECK(resumed.islands() == engine.islands());
 
         // Back to an earlier memory: its contacts, not those of the steps after
         if (step % 10 != 9) continue;

@@ -113,7 +113,7 @@ TEST_CASE("heaps that are swept fall asleep once they have settled: then steps a
         CHECK(engine.counts().looks == before.looks);
         CHECK(engine.counts().manifolds == before.manifolds);
         CHECK(engine.counts().points == before.points);
-        CHECK(engine.counts().groups == before.groups);
+        CHECK(engine.counts().islands == before.islands);
 
         // A ball that falls in wakes what it strikes, and lies on top in the end
         BodyState state = bodies[ball].state;

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "rest/body_order.hpp"
 #include "chapters/support/lying_bodies.hpp"
+#include "rest/body_order.hpp"
 
 using namespace flying;
 using namespace flying::test;
@@ -24,7 +24,8 @@ std::vector<RestBody> scattered_rows()
     for (int k = 0; k < k_discs; ++k) {
         const int place = (101 * k) % k_discs; // 101 shares no divisor with their number
         if (k == k_floor) bodies.push_back(wall(Vec2(0.0, 1.0), 0.0, {0.0, 0.5}));
-        bodies.push_back(disc(0.4, Vec2(1.0 + 3.0 * (place % k_columns), 0.4 + 3.0 * (place / k_columns)), 1.0, {0.0, 0.5}));
+        bodies.push_back(
+            disc(0.4, Vec2(1.0 + 3.0 * (place % k_columns), 0.4 + 3.0 * (place / k_columns)), 1.0, {0.0, 0.5}));
         if (place >= k_columns) bodies.back().state.velocity = Vec2(0.01 * k, 0.0);
     }
     return bodies;
@@ -89,8 +90,8 @@ TEST_CASE("whatever the order in memory, bodies keep their numbers")
         CHECK(contact.a >= last);
         last = contact.a;
     }
-    const std::vector<int> groups = engine.groups();
-    for (int k = 0; k < engine.body_count(); ++k) CHECK(groups[k] == (k == k_floor ? -1 : k));
+    const std::vector<int> islands = engine.islands();
+    for (int k = 0; k < engine.body_count(); ++k) CHECK(islands[k] == (k == k_floor ? -1 : k));
 
     // Who is put elsewhere, or taken out, is who was meant
     BodyState state = engine.state(7);

@@ -210,14 +210,14 @@ TEST_CASE("bodies come and go: what stood on one that leaves falls")
     RestEngine engine(bodies);
     engine.advance(1.0);
     CHECK(engine.is_asleep(3));
-    CHECK(engine.groups() == std::vector<int>{-1, 1, 1, 1});
+    CHECK(engine.islands() == std::vector<int>{-1, 1, 1, 1});
     engine.set_active(1, false);
     engine.step();
     CHECK(engine.state(2).velocity.y() < 0.0);
     CHECK(engine.state(1).position == bodies[1].state.position);
     engine.advance(3.0);
     CHECK(std::abs(engine.state(2).position.y() - 0.5) < 1e-9);
-    CHECK(engine.groups() == std::vector<int>{-1, -1, 2, 2});
+    CHECK(engine.islands() == std::vector<int>{-1, -1, 2, 2});
 }
 
 TEST_CASE("energy never rises as boxes fall on each other and come to rest")

@@ -50,8 +50,7 @@ inline RestData data_of(std::vector<RestBody> bodies, const RestOptions& options
     for (int k = 0; k < data.bodies.count(); ++k) {
         if (!data.bodies.list[k].is_static) awake.insert(k);
     }
-    data.pairs.update(data.bodies.list, data.bodies.shapes, data.bodies.radius, {data.motion.reach, data.motion.reach},
-                      awake);
+    data.pairs.update(data.bodies, {data.motion.reach, data.motion.reach}, awake);
     return data;
 }
 
