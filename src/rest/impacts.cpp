@@ -52,17 +52,18 @@ namespace {
     return std::max({by_load, by_fall, 0.0}) / (2.0 * c.restitution);
 }
 
-/// All points lie between the same two bodies; what can't be moved counts as one.
-[[nodiscard]] bool is_one_pair(const RestData& data, std::span<const ContactPoint> points)
+/// Both points lie between the same two bodies; what can't be moved counts as one.
+[[nodiscard]] bool are_of_one_pair(const RestData& data, const ContactPoint& c, const ContactPoint& d)
 {
     const auto mover_of = [&](int body) { return data.motion.is_moved(body) ? body : -1; };
-    const int a = mover_of(points.front().a);
-    const int b = mover_of(points.front().b);
-    return std::all_of(points.begin(), points.end(), [&](const ContactPoint& c) {
-        const int other_a = mover_of(c.a);
-        const int other_b = mover_of(c.b);
-        return (other_a == a && other_b == b) || (other_a == b && other_b == a);
-    });
+    return std::minmax({mover_of(c.a), mover_of(c.b)}) == std::minmax({mover_of(d.a), mover_of(d.b)});
+}
+
+/// The same of all points.
+[[nodiscard]] bool is_one_pair(const RestData& data, std::span<const ContactPoint> points)
+{
+    return std::all_of(points.begin(), points.end(),
+                       [&](const ContactPoint& c) { return are_of_one_pair(data, points.front(), c); });
 }
 
 /// What follows the impacts begins with the velocities that they leave.
@@ -139,13 +140,21 @@ bool Impacts::find_closed(const RestData& data, const Island& island, const Appr
         return approach > speeds.slowest_blow(rebound) && !is_open(c, approach, rebound);
     };
     if (std::none_of(island.points.begin(), island.points.end(), is_blow)) return false;
+    // Corners of two feet that come down at one moment are found open by some digits, each by others
+    const auto goes_with_blow = [&](const ContactPoint& c) {
+        const auto is_beside = [&](const ContactPoint& struck) {
+            return struck.normal == 0.0 && are_of_one_pair(data, c, struck) && is_blow(struck);
+        };
+        return island.in_turn && approach_of(c) > 0.0 && c.gap <= hardly_open(data, c) &&
+               std::any_of(island.points.begin(), island.points.end(), is_beside);
+    };
     struck_.clear();
     open_.clear();
     rebounds_.clear();
     blows_.clear();
     for (const ContactPoint& c : island.points) {
         const double rebound = slowest_rebound(data, c);
-        if (is_open(c, approach_of(c), rebound)) {
+        if (is_open(c, approach_of(c), rebound) && !goes_with_blow(c)) {
             if (!island.in_turn) open_.push_back(c);
             continue;
         }

@@ -23,7 +23,9 @@ class Impacts
 public:
     /// First what is thrown back, then the rest of the approaches, all at once and without rebound;
     /// `data.motion.before` is what they leave. Where impacts have no moments of their own, all that closes within the
-    /// step counts as closed. True where there were any, and nothing approaches any more.
+    /// step counts as closed; where they have, what closes and hardly is open beside a point of the same two bodies
+    /// that bore nothing and is struck, and all that can't be moved is one. True where there were any, and nothing
+    /// approaches any more.
     bool strike(RestData& data, Island& island, HeapSweeps& sweeps);
 
 private:

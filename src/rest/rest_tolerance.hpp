@@ -36,8 +36,9 @@ inline constexpr double k_same_normal = 0x1p-10;
 /// [sizes] Gaps below this, of either sign, are contact.
 inline constexpr double k_touch = 0x1p-40;
 
-/// [sizes] A gap this small at the moment that was foreseen for its closing is closed. The kink between two facets of a
-/// bowl opens less than a hundred times that over the length of a facet, where there are some thousands of them.
+/// [sizes] A gap this small at the moment that was foreseen for its closing is closed, and beside a blow to the same
+/// two bodies. The kink between two facets of a bowl opens less than a hundred times that over the length of a facet,
+/// where there are some thousands of them.
 inline constexpr double k_closed = 0x1p-20;
 
 /// [sizes] What is this near, and won't be thrown back, has landed: otherwise each blow to a heap would be followed by
