@@ -268,6 +268,11 @@ CurvedWays::Bend CurvedWays::bend_lines(RestData& data, const Island& island, bo
     // is none
     const double motion = top_motion(data, island);
     const double rounding = rest_tolerance::k_residual * top_speed(data, island);
+    // What touches may come to bear where its line bends, though nothing presses on it: a way that was followed leaves
+    // half as much again as counts as touching. What hops without any loss hops on
+    const auto may_bear = [&](const ContactPoint& c) {
+        return c.normal > 0.0 || (!is_lossless(c) && c.gap <= 2.0 * data.bodies.touch_gap(c.a, c.b));
+    };
     bool any = false;
     for (std::size_t k = 0; k < points.size(); ++k) {
         const ContactPoint& c = points[k];
@@ -281,7 +286,7 @@ CurvedWays::Bend CurvedWays::bend_lines(RestData& data, const Island& island, bo
         set_mean_lines(bent, c, half_[k], end_[k], data.motion.now[c.a], data.motion.now[c.b]);
         const double size = data.bodies.size_of(c.a, c.b);
         const double bend = bend_of(c, end_[k], data.motion.now[c.a], data.motion.now[c.b], size);
-        any = any || (c.normal > 0.0 && bend > rest_tolerance::k_straight && bend * motion > rounding);
+        any = any || (may_bear(c) && bend > rest_tolerance::k_straight && bend * motion > rounding);
 
         // Ways that lead to a gap or an overlap are to end without it
         const double touch = data.bodies.touch_gap(c.a, c.b);

@@ -30,7 +30,7 @@ public:
     void take_lines_halfway(RestData& data, Island& island);
 
 private:
-    /// Of the lines of the points that bear, while bodies go their ways.
+    /// Of the lines of the points that bear, or may come to, while bodies go their ways.
     enum class Bend : char
     {
         none,

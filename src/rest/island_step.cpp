@@ -100,15 +100,14 @@ void IslandStep::find(RestData& data, Island& island, bool may_be_parted)
             return;
         }
     }
-    if (std::none_of(island.points.begin(), island.points.end(), bears)) {
-        fly(data, island);
-        return;
-    }
     if (curves_.follow(data, island)) {
         if (island.in_turn) island.cut_at = curves_.end_of_slip(data, island);
     } else if (island.in_turn && curves_.lets_go()) {
         // A straight way would bear it on, and throw it
         island.cut_at = 0.5 * data.motion.span;
+    } else if (std::none_of(island.points.begin(), island.points.end(), bears)) {
+        fly(data, island);
+        return;
     } else if (island.point_count() <= rest_tolerance::k_most_in_detail) slip_ends_.part(data, island);
     calm(data, island);
 }
