@@ -115,11 +115,22 @@ TEST_CASE("planks overhang by half the harmonic series, and no further")
     }
 }
 
-TEST_CASE("sleep changes no bit, and a sleeper wakes in the step in which it is touched")
+namespace {
+
+/// A stack that falls asleep, and a disc that is thrown at it.
+[[nodiscard]] std::vector<RestBody> stack_and_disc()
 {
     std::vector<RestBody> bodies = stack(8, {0.3, 0.5});
     bodies.push_back(disc(0.5, Vec2(-8.0, 7.2), 1.0, {0.3, 0.5}));
     bodies.back().state.velocity = Vec2(8.0, 6.0);
+    return bodies;
+}
+
+} // namespace
+
+TEST_CASE("sleep changes no bit, and a sleeper wakes in the step in which it is touched")
+{
+    const std::vector<RestBody> bodies = stack_and_disc();
     RestOptions awake;
     awake.sleeps = false;
     RestEngine one(bodies);
@@ -141,9 +152,7 @@ TEST_CASE("sleep changes no bit, and a sleeper wakes in the step in which it is 
 
 TEST_CASE("sleep changes no bit where steps are halved now and then")
 {
-    std::vector<RestBody> bodies = stack(8, {0.3, 0.5});
-    bodies.push_back(disc(0.5, Vec2(-8.0, 7.2), 1.0, {0.3, 0.5}));
-    bodies.back().state.velocity = Vec2(8.0, 6.0);
+    const std::vector<RestBody> bodies = stack_and_disc();
     RestOptions awake;
     awake.sleeps = false;
     const double whole = awake.step;
