@@ -175,7 +175,7 @@ double Projection::measure_overlap_of_heap(RestData& data, const Island& island)
     };
     // Where all was solved for lines of push halfway, they say less about where bodies end
     const auto is_known = [&](std::span<const ContactPoint> points) {
-        if (points.empty() || (island.is_exact && comes_nearer(data, points[0].a, points[0].b))) return false;
+        if (points.empty() || comes_nearer(data, points[0].a, points[0].b)) return false;
         return !may_be_unfair(data, points);
     };
     bool is_fair = true;
