@@ -39,8 +39,9 @@ struct Closing
 {
     std::uint32_t open[2];
     int count;
-    double closed; // [m]
-    double speed;  ///< with which the first one closes [m/s]
+    bool any_closed; ///< as it began; where none was, all were open, by whatever names they close
+    double closed;   // [m]
+    double speed;    ///< with which the first one closes [m/s]
 };
 
 /// Where a body's centre will be at a moment of the step, if it goes on as it did.
@@ -91,8 +92,9 @@ double next_closing(const RestData& data, const RestPair& pair, const Manifold& 
     double wait = std::numeric_limits<double>::infinity();
     for (int k = 0; k < manifold.count; ++k) {
         const Contact& contact = manifold.contacts[k];
-        const bool was_open =
-            std::find(closing.open, closing.open + closing.count, contact.feature) != closing.open + closing.count;
+        // Where corners meet, what was the corner nearest to a corner becomes one that lies on an edge
+        std::uint32_t* const end = closing.open + closing.count;
+        const bool was_open = !closing.any_closed || std::find(closing.open, end, contact.feature) != end;
         if (contact.separation <= closing.closed && !was_open) continue;
         const double field =
             data.motion.span * std::max(data.motion.field_size[pair.a], data.motion.field_size[pair.b]);
@@ -251,13 +253,15 @@ void find_contacts(RestData& data, int index, std::vector<ContactPoint>& found)
     // A gap that would close within the step is looked at when it does; bodies turn, so that one look may not do
     const Pose& pose_a = data.bodies.poses[pair.a];
     const Pose& pose_b = data.bodies.poses[pair.b];
-    Closing closing{{0, 0}, 0, data.bodies.touch_gap(pair.a, pose_a.position, pair.b, pose_b.position), 0.0};
+    Closing closing{{0, 0}, 0, false, data.bodies.touch_gap(pair.a, pose_a.position, pair.b, pose_b.position), 0.0};
     Manifold ahead = manifold;
     double moment = 0.0;
     double closes_at = std::numeric_limits<double>::infinity();
     bool overlaps = false;
-    for (int k = 0; k < manifold.count; ++k)
+    for (int k = 0; k < manifold.count; ++k) {
+        closing.any_closed = closing.any_closed || manifold.contacts[k].separation <= closing.closed;
         overlaps = overlaps || manifold.contacts[k].separation < -rest_tolerance::k_fair_overlap * size;
+    }
     for (int k = 0; k <= rest_tolerance::k_quick_rounds && !overlaps; ++k) {
         const double wait = next_closing(data, pair, ahead, moment, closing);
         if (wait == 0.0) closes_at = moment;

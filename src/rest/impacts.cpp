@@ -59,11 +59,15 @@ namespace {
     return std::minmax({mover_of(c.a), mover_of(c.b)}) == std::minmax({mover_of(d.a), mover_of(d.b)});
 }
 
-/// The same of all points.
-[[nodiscard]] bool is_one_pair(const RestData& data, std::span<const ContactPoint> points)
+/// Its bodies touch nobody else: what can be moved of them is in no point of another pair.
+[[nodiscard]] bool is_of_lone_pair(const RestData& data, std::span<const ContactPoint> points, const ContactPoint& c)
 {
-    return std::all_of(points.begin(), points.end(),
-                       [&](const ContactPoint& c) { return are_of_one_pair(data, points.front(), c); });
+    const auto is_of = [&](int body, const ContactPoint& d) {
+        return data.motion.is_moved(body) && (body == d.a || body == d.b);
+    };
+    return std::all_of(points.begin(), points.end(), [&](const ContactPoint& d) {
+        return are_of_one_pair(data, c, d) || !(is_of(c.a, d) || is_of(c.b, d));
+    });
 }
 
 /// What follows the impacts begins with the velocities that they leave.
@@ -214,14 +218,33 @@ void Impacts::end_approaches(RestData& data, Island& island, HeapSweeps& sweeps)
     const std::span<const int> members = island.members;
     StepMotion& motion = data.motion;
     for (const int member : members) motion.now[member] = motion.before[member];
-    if (island.in_turn && is_one_pair(data, struck_)) {
-        for (ContactPoint& c : struck_) c.restitution = 0.0;
-        throw_back(motion.before, struck_, blows_, ApproachSpeeds(data, island).rounding);
-    } else if (is_heap(island)) sweeps.sweep_velocities(data, island, motion.before, struck_);
-    else data.solver.solve(motion.before, members, struck_, rest_tolerance::k_residual * top_speed(data, island));
+    if (island.in_turn) strike_lone_pairs(data, island);
+    if (is_heap(island)) sweeps.sweep_velocities(data, island, motion.before, struck_);
+    else if (!struck_.empty())
+        data.solver.solve(motion.before, members, struck_, rest_tolerance::k_residual * top_speed(data, island));
     const double share = neutral_share(data, island, motion.now, motion.before, Way::none);
     if (share < 1.0) take_share(data, island, motion.now, motion.before, Way::none, share);
     island.ended = kinetic_energy(island, motion.now) - kinetic_energy(island, motion.before);
+}
+
+/// By the law of two bodies, and without rebound; what is left is struck at once.
+void Impacts::strike_lone_pairs(RestData& data, const Island& island)
+{
+    std::vector<ContactPoint> lone;
+    std::vector<ContactPoint> tied;
+    std::vector<double> blows;
+    for (std::size_t k = 0; k < struck_.size(); ++k) {
+        const ContactPoint& c = struck_[k];
+        if (!is_of_lone_pair(data, struck_, c)) {
+            tied.push_back(c);
+            continue;
+        }
+        lone.push_back(c);
+        lone.back().restitution = 0.0;
+        blows.push_back(blows_[k]);
+    }
+    throw_back(data.motion.before, lone, blows, ApproachSpeeds(data, island).rounding);
+    struck_ = std::move(tied);
 }
 
 } // namespace flying

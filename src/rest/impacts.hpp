@@ -33,6 +33,7 @@ private:
                                    double within);
     [[nodiscard]] bool any_approaches(std::span<const Mover> velocities) const;
     void end_approaches(RestData& data, Island& island, HeapSweeps& sweeps);
+    void strike_lone_pairs(RestData& data, const Island& island);
 
     std::vector<ContactPoint> struck_; // what is closed, or closes
     std::vector<ContactPoint> open_;   // what isn't, but may come to close
