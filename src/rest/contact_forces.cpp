@@ -12,14 +12,16 @@
 namespace flying {
 
 /// What bears goes on to bear. What is apart may come as near as to touch when the step ends; where impacts have
-/// moments of their own only what is all but closed is held like that, since the step ends where anything else closes.
+/// moments of their own only what is all but closed, and comes slowly, is held like that, since the step ends where
+/// anything else closes.
 void set_velocity_bias(const RestData& data, const Island& island)
 {
     for (ContactPoint& c : island.points) {
         const double u = normal_speed(c, data.motion.before[c.a], data.motion.before[c.b]);
         const double gap = c.gap > data.bodies.touch_gap(c.a, c.b) ? c.gap : 0.0;
         c.bound = std::min(0.0, -2.0 * gap / data.motion.span - u);
-        if (island.in_turn && gap > hardly_open(data, c)) c.bound = -std::numeric_limits<double>::infinity();
+        if (island.in_turn && gap > 0.0 && (gap > hardly_open(data, c) || comes_as_blow(data, island, c)))
+            c.bound = -std::numeric_limits<double>::infinity();
     }
 }
 

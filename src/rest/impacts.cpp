@@ -90,6 +90,12 @@ double hardly_open(const RestData& data, const ContactPoint& c)
     return rest_tolerance::k_closed * data.bodies.size_of(c.a, c.b);
 }
 
+bool comes_as_blow(const RestData& data, const Island& island, const ContactPoint& c)
+{
+    const double u = normal_speed(c, data.motion.before[c.a], data.motion.before[c.b]);
+    return u < 0.0 && -u > ApproachSpeeds(data, island).slowest_blow(slowest_rebound(data, c));
+}
+
 /// The moment of the first impact after the beginning; 0 where there is none.  [s]
 double first_impact(const RestData& data, const Island& island)
 {

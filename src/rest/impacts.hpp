@@ -11,6 +11,8 @@ struct ApproachSpeeds;
 
 /// A gap this small isn't worth a moment of its own, unless it closes fast.  [m]
 [[nodiscard]] double hardly_open(const RestData& data, const ContactPoint& c);
+/// It approaches so fast that it will be struck where it closes.
+[[nodiscard]] bool comes_as_blow(const RestData& data, const Island& island, const ContactPoint& c);
 /// The moment of an island's first impact after the beginning, as its contacts foresee it; 0 where there is none.  [s]
 [[nodiscard]] double first_impact(const RestData& data, const Island& island);
 /// When an impact comes that was not foreseen, since bodies sped up otherwise than they did before: the first moment at
