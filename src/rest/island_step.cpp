@@ -193,7 +193,9 @@ double IslandStep::end_early(RestData& data, Island& island, bool may_be_halved,
     const double overlap = projection_.measure_overlap(data, island);
     if (may_be_halved && !is_even && !is_fair(data, island, overlap)) return 0.5 * data.motion.span;
     const double left = projection_.put_apart(data, island, overlap, sweeps_);
-    return may_be_halved && is_even && left > rest_tolerance::k_most_overlap ? 0.5 * data.motion.span : 0.0;
+    // With all that it may leave, the next step would begin where its pushes are no longer paid for
+    const double room = 0.5 * rest_tolerance::k_most_overlap;
+    return may_be_halved && is_even && left > room ? 0.5 * data.motion.span : 0.0;
 }
 
 } // namespace flying

@@ -11,12 +11,6 @@
 namespace flying {
 namespace {
 
-/// The step leads it nowhere.
-[[nodiscard]] bool stays(const RestData& data, int body)
-{
-    return data.motion.shift[body].isZero(0.0) && data.motion.turn[body] == 0.0;
-}
-
 [[nodiscard]] bool may_overlap(const RestData& data, const ContactPoint& c)
 {
     // A gap along a fixed normal is never more than the distance; turning may bring anything along it by its whole arc
@@ -41,44 +35,15 @@ namespace {
     return c.gap + (c.n_x * shift.x() + c.n_y * shift.y()) + turns;
 }
 
-/// Turns may take so much more from it, to second order: the normal turns with the body whose face it is, while the
-/// other turns against it and slides along; and a disc is touched elsewhere. Whose face it is isn't known.  [m]
-[[nodiscard]] double bent_by_turns(const RestData& data, const ContactPoint& c)
-{
-    const double slide = (data.motion.shift[c.b] - data.motion.shift[c.a]).norm();
-    const auto turn_of = [&](int body) { return data.bodies.turning[body] > 0.0 ? data.motion.turn[body] : 0.0; };
-    const auto bend = [&](int owner, int other) {
-        const double turn = turn_of(owner);
-        const double other_turn = turn_of(other);
-        const double radius = data.bodies.radius[other];
-        const bool is_disc = data.bodies.turning[other] == 0.0 && std::isfinite(radius);
-        const double arm = data.bodies.turning[owner] + (is_disc ? radius : 0.0);
-        return 0.5 * (turn * turn) * arm + std::abs(turn) * slide +
-               0.5 * std::abs(other_turn * (other_turn - 2.0 * turn)) * data.bodies.turning[other];
-    };
-    return std::max(bend(c.a, c.b), bend(c.b, c.a));
-}
-
-/// A pair that stays fair, however its two turn, need not be looked at. Of bodies that are cut this isn't known: a
-/// corner that is no point may be lower than all points, along another normal.
+/// It is known well enough where a pair ends: the two hardly come nearer, and no point is deeper than is fair.
 ///
 /// points  all of the pair
-[[nodiscard]] bool may_be_unfair(const RestData& data, std::span<const ContactPoint> points)
+[[nodiscard]] bool stays_fair(const RestData& data, std::span<const ContactPoint> points)
 {
-    const ContactPoint& c = points.front();
-    const double fair = rest_tolerance::k_fair_overlap * data.bodies.size_of(c.a, c.b);
-    if (stays(data, c.a) && stays(data, c.b))
-        return std::any_of(points.begin(), points.end(), [&](const ContactPoint& point) { return point.gap < -fair; });
-    if (data.bodies.has_cuts(c.a, c.b) && comes_nearer(data, c.a, c.b)) return true;
-    // Corners that are no points were further away; how far isn't known, since what sticks out beyond the end of an
-    // edge was clipped
-    double next = 0.0;
-    for (const ContactPoint& point : points) {
-        if (gap_at_end(data, point) - bent_by_turns(data, point) < -fair) return true;
-        next = std::max(next, point.gap);
-    }
-    const Vec2 shift = data.motion.shift[c.b] - data.motion.shift[c.a];
-    return next + (c.n_x * shift.x() + c.n_y * shift.y()) - (arc_of(data, c.a) + arc_of(data, c.b)) < -fair;
+    if (points.empty() || comes_nearer(data, points[0].a, points[0].b)) return false;
+    const double fair = rest_tolerance::k_fair_overlap * data.bodies.size_of(points[0].a, points[0].b);
+    return std::all_of(points.begin(), points.end(),
+                       [&](const ContactPoint& c) { return gap_at_end(data, c) >= -fair; });
 }
 
 /// How two polygons part by the shortest way where they overlap as the step ends; separation 0 where they don't.
@@ -173,19 +138,14 @@ double Projection::measure_overlap_of_heap(RestData& data, const Island& island)
             first = end;
         }
     };
-    // Where all was solved for lines of push halfway, they say less about where bodies end
-    const auto is_known = [&](std::span<const ContactPoint> points) {
-        if (points.empty() || comes_nearer(data, points[0].a, points[0].b)) return false;
-        return !may_be_unfair(data, points);
-    };
     bool is_fair = true;
-    for_each([&](int, std::span<const ContactPoint> points) { is_fair = is_fair && is_known(points); });
+    for_each([&](int, std::span<const ContactPoint> points) { is_fair = is_fair && stays_fair(data, points); });
     if (is_fair) return 0.0;
 
     set_end_poses(data, island, 1.0);
     double worst = 0.0;
     for_each([&](int pair, std::span<const ContactPoint> points) {
-        if (!is_known(points)) {
+        if (!stays_fair(data, points)) {
             worst = std::max(worst, find_overlap_of_pair(data, pair));
             return;
         }
