@@ -186,7 +186,10 @@ bool Impacts::strike(RestData& data, Island& island, HeapSweeps& sweeps)
     const double within = island.in_turn ? rest_tolerance::k_at_once * data.motion.span : data.motion.span;
     if (!find_closed(data, island, speeds, within)) return false;
 
-    data.counts.impacts += throw_back(velocities, struck_, rebounds_, speeds.rounding);
+    // In a wall that a ball hits, blows go to and fro for long after all that matters of them is lost
+    const bool wanes = is_heap(island) && !is_lossless(island);
+    const int rounds = wanes ? rest_tolerance::k_few_sweeps : rest_tolerance::k_patience;
+    data.counts.impacts += throw_back(velocities, struck_, rebounds_, speeds.rounding, rounds);
     // What was thrown may close other gaps, and all of them within a step whose impacts have no moments
     for (const ContactPoint& c : open_) {
         struck_.push_back(c);
@@ -216,7 +219,8 @@ void Impacts::end_approaches(RestData& data, Island& island, HeapSweeps& sweeps)
     for (const int member : members) motion.now[member] = motion.before[member];
     if (island.in_turn && is_one_pair(data, struck_)) {
         for (ContactPoint& c : struck_) c.restitution = 0.0;
-        throw_back(motion.before, struck_, blows_, ApproachSpeeds(data, island).rounding);
+        const double rests = ApproachSpeeds(data, island).rounding;
+        throw_back(motion.before, struck_, blows_, rests, rest_tolerance::k_patience);
     } else if (is_heap(island)) sweeps.sweep_velocities(data, island, motion.before, struck_);
     else data.solver.solve(motion.before, members, struck_, rest_tolerance::k_residual * top_speed(data, island));
     const double share = neutral_share(data, island, motion.now, motion.before, Way::none);
