@@ -55,8 +55,8 @@ bool close_missed(const RestData& data, const Island& island)
 namespace {
 
 /// Of what tumbles or settles in a heap, where loads have many ways, sweeps find forces that are as good for a fraction
-/// of a long search. Not so of a chain; nor where a body gets further in the step than it is large, and is met elsewhere
-/// than where its points are. In a large island any long search would take too long.
+/// of a long search. Not so of a chain; nor where masses differ widely; nor where a body gets further in the step than
+/// it is large, and is met elsewhere than where its points are. In a large island any long search would take too long.
 [[nodiscard]] bool is_better_swept(const RestData& data, const Island& island)
 {
     if (!is_heap(island) || hardly_any_moves(data, island)) return false;
@@ -64,8 +64,8 @@ namespace {
         const double way = data.motion.span * greatest_speed(data.motion.before, data.bodies.radius, {&member, 1});
         return way > data.bodies.radius[member];
     };
-    return is_large(island) ||
-           (!is_chain(data, island) && std::none_of(island.members.begin(), island.members.end(), flies));
+    return is_large(island) || (!is_chain(data, island) && !are_unequal(data, island.members) &&
+                                std::none_of(island.members.begin(), island.members.end(), flies));
 }
 
 } // namespace
