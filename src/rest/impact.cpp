@@ -20,7 +20,7 @@ namespace {
 } // namespace
 
 int throw_back(std::span<Mover> velocities, std::span<const ContactPoint> points, std::span<const double> slowest,
-               double rests)
+               double rests, int rounds)
 {
     const auto arrives = [&](const ContactPoint& c) {
         return normal_speed(c, velocities[c.a], velocities[c.b]) < -slowest[&c - points.data()];
@@ -44,7 +44,7 @@ int throw_back(std::span<Mover> velocities, std::span<const ContactPoint> points
         bodies.push_back({Vec2(m.v_x, m.v_y), m.spin, {m.inv_mass, m.inv_moment}});
     }
 
-    const int most = rest_tolerance::k_patience * static_cast<int>(pairs.size());
+    const int most = rounds * static_cast<int>(pairs.size());
     const int impacts = resolve_impacts(bodies, pairs, places, slowest, most);
     for (std::size_t k = 0; k < members.size(); ++k) {
         Mover& mover = velocities[members[k]];

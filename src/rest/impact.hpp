@@ -14,9 +14,10 @@ namespace flying {
 /// points      closed ones, those of two bodies in a row
 /// slowest     of each point: an approach that is slower is left as it is [m/s]
 /// rests       a point that parts no faster rests, and bears what others strike [m/s]
+/// rounds      impacts at most, for each pair
 ///
 /// Returns how many impacts there were. What approaches after the last one is left to a solve without rebound.
 int throw_back(std::span<Mover> velocities, std::span<const ContactPoint> points, std::span<const double> slowest,
-               double rests);
+               double rests, int rounds);
 
 } // namespace flying

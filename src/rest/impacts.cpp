@@ -196,7 +196,10 @@ bool Impacts::strike(RestData& data, Island& island, HeapSweeps& sweeps)
     const double within = island.in_turn ? rest_tolerance::k_at_once * data.motion.span : data.motion.span;
     if (!find_closed(data, island, speeds, within)) return false;
 
-    data.counts.impacts += throw_back(velocities, struck_, rebounds_, speeds.rounding);
+    // In a wall that a ball hits, blows go to and fro for long after all that matters of them is lost
+    const bool wanes = is_heap(island) && !is_lossless(island);
+    const int rounds = wanes ? rest_tolerance::k_few_sweeps : rest_tolerance::k_patience;
+    data.counts.impacts += throw_back(velocities, struck_, rebounds_, speeds.rounding, rounds);
     // What was thrown may close other gaps, and all of them within a step whose impacts have no moments
     for (const ContactPoint& c : open_) {
         struck_.push_back(c);
@@ -249,7 +252,8 @@ void Impacts::strike_lone_pairs(RestData& data, const Island& island)
         lone.back().restitution = 0.0;
         blows.push_back(blows_[k]);
     }
-    throw_back(data.motion.before, lone, blows, ApproachSpeeds(data, island).rounding);
+    const double rests = ApproachSpeeds(data, island).rounding;
+    throw_back(data.motion.before, lone, blows, rests, rest_tolerance::k_patience);
     struck_ = std::move(tied);
 }
 

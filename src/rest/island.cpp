@@ -7,6 +7,21 @@
 #include "rest/rest_tolerance.hpp"
 
 namespace flying {
+namespace {
+
+/// How many pairs have points, of those that count.
+template <typename Counts> [[nodiscard]] int count_pairs(const Island& island, const Counts& counts)
+{
+    int pairs = 0;
+    int last = -1;
+    for (const ContactPoint& c : island.points) {
+        if (c.pair != last && counts(c)) ++pairs;
+        last = c.pair;
+    }
+    return pairs;
+}
+
+} // namespace
 
 bool is_lossless(const Island& island)
 {
@@ -46,19 +61,19 @@ bool hardly_any_moves(const RestData& data, const Island& island)
     return std::count_if(island.members.begin(), island.members.end(), moves) <= rest_tolerance::k_most_in_detail;
 }
 
+bool is_chain(const RestData& data, const Island& island)
+{
+    const auto both_move = [&](const ContactPoint& c) { return data.motion.is_moved(c.a) && data.motion.is_moved(c.b); };
+    return 2 * count_pairs(island, both_move) < 3 * island.member_count();
+}
+
 bool is_solved_whole(const RestData& data, const Island& island)
 {
     if (island.member_count() <= std::min(rest_tolerance::k_most_whole, data.options.most_solved)) return true;
     const bool stands = top_speed(data, island) <= rest_tolerance::k_standing * field_speed(data, island);
     if (!stands && !hardly_any_moves(data, island)) return false;
     if (island.member_count() <= data.options.most_solved) return true;
-    int pairs = 0;
-    int last = -1;
-    for (const ContactPoint& c : island.points) {
-        if (c.pair != last) ++pairs;
-        last = c.pair;
-    }
-    return pairs <= island.member_count();
+    return count_pairs(island, [](const ContactPoint&) { return true; }) <= island.member_count();
 }
 
 double greatest_speed(std::span<const Mover> movers, std::span<const double> radius, std::span<const int> members)

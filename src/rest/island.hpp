@@ -31,6 +31,9 @@ struct Island
 [[nodiscard]] bool are_unequal(const RestData& data, std::span<const int> members);
 /// A few bodies move, as one that slides over a wall, and all others rest.
 [[nodiscard]] bool hardly_any_moves(const RestData& data, const Island& island);
+/// Each of its bodies leans on fewer than three others that move, on average, as in a row or a tower: a load has hardly
+/// more than one way through it. Sweeps take long to lead it along; a search that knows the ways finds it soon.
+[[nodiscard]] bool is_chain(const RestData& data, const Island& island);
 /// All its impulses are looked for at once, to rounding: in islands that are not too large, in larger ones that stand
 /// or begin to fall, or of which but a few bodies move, and in tall ones of any height, in which each body leans on
 /// hardly more than one other: their equations stay sparse.

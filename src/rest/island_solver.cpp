@@ -53,6 +53,7 @@ bool IslandSolver::solve(std::span<Mover> movers, std::span<const int> members, 
     bool content = improve(task, From::here);
     for (const From from : {From::turns, From::more_turns, From::nothing}) {
         if (content || effort == Effort::brief) break;
+        if (from == From::more_turns && members.size() > rest_tolerance::k_most_whole) break;
         if (from == From::nothing && points.size() > rest_tolerance::k_most_whole) break;
         go_back_to_best(task);
         content = improve(task, from);
