@@ -258,9 +258,10 @@ void find_contacts(RestData& data, int index, std::vector<ContactPoint>& found)
     double moment = 0.0;
     double closes_at = std::numeric_limits<double>::infinity();
     bool overlaps = false;
+    const double fair = rest_tolerance::k_fair_overlap * data.bodies.breadth_of(pair.a, pair.b);
     for (int k = 0; k < manifold.count; ++k) {
         closing.any_closed = closing.any_closed || manifold.contacts[k].separation <= closing.closed;
-        overlaps = overlaps || manifold.contacts[k].separation < -rest_tolerance::k_fair_overlap * size;
+        overlaps = overlaps || manifold.contacts[k].separation < -fair;
     }
     for (int k = 0; k <= rest_tolerance::k_quick_rounds && !overlaps; ++k) {
         const double wait = next_closing(data, pair, ahead, moment, closing);

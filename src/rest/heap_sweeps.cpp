@@ -12,7 +12,7 @@
 namespace flying {
 namespace {
 
-/// [sizes] What sweeps may add to an overlap in one step. What lands loses enough energy to pay for lifting bodies
+/// [breadths] What sweeps may add to an overlap in one step. What lands loses enough energy to pay for lifting bodies
 /// apart again. What stands has none to spend, and if it had to lift itself in every step it would never come to rest.
 [[nodiscard]] double most_added(bool is_landing)
 {
@@ -45,8 +45,8 @@ namespace {
     const std::vector<Mover>& now = data.motion.now;
     const auto keeps_apart = [&](const ContactPoint& c) {
         const double mean = 0.5 * (normal_speed(c, before[c.a], before[c.b]) + normal_speed(c, now[c.a], now[c.b]));
-        const double size = data.bodies.size_of(c.a, c.b);
-        return std::max(c.gap, 0.0) + data.motion.span * mean >= -most_added(false) * size;
+        const double most = most_added(false) * data.bodies.breadth_of(c.a, c.b);
+        return std::max(c.gap, 0.0) + data.motion.span * mean >= -most;
     };
     return std::all_of(points.begin(), points.end(), keeps_apart);
 }
@@ -156,11 +156,11 @@ void HeapSweeps::sweep_on(RestData& data, const Island& island, std::span<Mover>
 
 /// By how much each point may miss its least normal velocity.
 ///
-/// most  [sizes/s], or [sizes] where places are swept
+/// most  [breadths/s], or [breadths] where places are swept
 void HeapSweeps::allow(const RestData& data, std::span<const ContactPoint> points, double most)
 {
     allowed_.clear();
-    for (const ContactPoint& c : points) allowed_.push_back(most * data.bodies.size_of(c.a, c.b));
+    for (const ContactPoint& c : points) allowed_.push_back(most * data.bodies.breadth_of(c.a, c.b));
 }
 
 void HeapSweeps::set_velocity_bias_swept(const RestData& data, const Island& island, bool is_calm) const

@@ -15,12 +15,12 @@ namespace {
     return c.normal > 0.0;
 }
 
-/// Deepest overlap that the step has begun with.  [sizes]
+/// Deepest overlap that the step has begun with.  [breadths]
 double overlap_at_start(const RestData& data, const Island& island)
 {
     double worst = 0.0;
     for (const ContactPoint& c : island.points) {
-        worst = std::max(worst, -c.gap / data.bodies.size_of(c.a, c.b));
+        worst = std::max(worst, -c.gap / data.bodies.breadth_of(c.a, c.b));
     }
     return worst;
 }

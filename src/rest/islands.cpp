@@ -106,7 +106,7 @@ void Islands::part_slow(const RestData& data, std::span<const int> bodies, std::
     if (parts_.empty()) return;
     const auto goes_far = [&](int k) {
         const double way = motion.span * greatest_speed(motion.before, data.bodies.radius, std::span(&k, 1));
-        return way > rest_tolerance::k_fair_overlap * data.bodies.radius[k];
+        return way > rest_tolerance::k_fair_overlap * data.bodies.breadth[k];
     };
     if (std::any_of(parts_.begin(), parts_.end(), goes_far)) return;
 

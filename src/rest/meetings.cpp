@@ -54,7 +54,7 @@ bool find_meetings(const RestData& data, std::span<const RestPair> pairs, std::s
         const BodyState& b = data.bodies.list[pair.b].state;
         const Contact deepest = lowest_point(data, pair, a, b, 0.0);
         const double depth = -deepest.separation;
-        if (!(depth > rest_tolerance::k_most_overlap * size)) continue;
+        if (!(depth > rest_tolerance::k_most_overlap * data.bodies.breadth_of(pair.a, pair.b))) continue;
 
         // What met nothing that it knew of came in as fast as it now goes. If it goes out again, the gap closed evenly
         const double ago = depth / -opening_speed(deepest, a, b);

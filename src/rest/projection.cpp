@@ -23,7 +23,7 @@ namespace {
 [[nodiscard]] bool comes_nearer(const RestData& data, int a, int b)
 {
     const double nearer = (data.motion.shift[b] - data.motion.shift[a]).norm() + arc_of(data, a) + arc_of(data, b);
-    return nearer > rest_tolerance::k_fair_overlap * data.bodies.size_of(a, b);
+    return nearer > rest_tolerance::k_fair_overlap * data.bodies.breadth_of(a, b);
 }
 
 /// A point's gap as the step ends, if its two went straight on.  [m]
@@ -41,7 +41,7 @@ namespace {
 [[nodiscard]] bool stays_fair(const RestData& data, std::span<const ContactPoint> points)
 {
     if (points.empty() || comes_nearer(data, points[0].a, points[0].b)) return false;
-    const double fair = rest_tolerance::k_fair_overlap * data.bodies.size_of(points[0].a, points[0].b);
+    const double fair = rest_tolerance::k_fair_overlap * data.bodies.breadth_of(points[0].a, points[0].b);
     return std::all_of(points.begin(), points.end(),
                        [&](const ContactPoint& c) { return gap_at_end(data, c) >= -fair; });
 }
@@ -183,12 +183,12 @@ const RestPair& Projection::pair_at(const RestData& data, int index) const
     return index < std::ssize(pairs) ? pairs[index] : unforeseen_[index - pairs.size()];
 }
 
-/// The points of a pair as the step ends, and how much it overlaps.  [sizes]
+/// The points of a pair as the step ends, and how much it overlaps.  [breadths]
 double Projection::find_overlap_of_pair(RestData& data, int index)
 {
     const RestPair& pair = pair_at(data, index);
-    const double size = data.bodies.size_of(pair.a, pair.b);
-    const double margin = rest_tolerance::k_watch * size;
+    const double breadth = data.bodies.breadth_of(pair.a, pair.b);
+    const double margin = rest_tolerance::k_watch * data.bodies.size_of(pair.a, pair.b);
     const Pose& pose_a = data.motion.end_poses[pair.a];
     const Pose& pose_b = data.motion.end_poses[pair.b];
     if (!are_near(data, pair, pose_a, pose_b, margin)) return 0.0;
@@ -204,7 +204,7 @@ double Projection::find_overlap_of_pair(RestData& data, int index)
         data.motion.set_arms(c, contact.normal, contact.point - pose_a.position, contact.point - pose_b.position);
         c.bound = -contact.separation;
         const double depth = -contact.separation - data.bodies.touch_gap(pair.a, pair.b);
-        worst = std::max(worst, depth / size);
+        worst = std::max(worst, depth / breadth);
     };
     for (int k = 0; k < manifold.count; ++k) add(manifold.contacts[k]);
     if (worst > 0.0 || !comes_nearer(data, pair.a, pair.b)) return worst;

@@ -13,10 +13,10 @@ class Projection
 {
 public:
     /// How deep any two of an island overlap where the step ends; looked at only where they may. Of swept islands what
-    /// is fair counts for nothing.  [sizes]
+    /// is fair counts for nothing.  [breadths]
     [[nodiscard]] double measure_overlap(RestData& data, const Island& island);
     /// Moves bodies out of what they overlap there: the same conditions for places as for velocities, least by the
-    /// masses, without friction. It adds no velocity. What is left then.  [sizes]
+    /// masses, without friction. It adds no velocity. What is left then.  [breadths]
     /// overlap  as `measure_overlap` has just found it
     double put_apart(RestData& data, const Island& island, double overlap, HeapSweeps& sweeps);
 

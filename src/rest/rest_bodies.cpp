@@ -1,8 +1,10 @@
 #include "rest/rest_bodies.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "geometry/stoutness.hpp"
 #include "geometry/straight_vertices.hpp"
 #include "rest/rest_tolerance.hpp"
 
@@ -40,6 +42,7 @@ RestBodies::RestBodies(std::vector<RestBody> bodies, std::vector<int> numbers, d
         outlines.emplace_back(body.shape, shapes.back());
         real_edges.push_back(real_edges_of(body.shape, shapes.back()));
         radius.push_back(bounding_radius(body.shape));
+        breadth.push_back(std::min(radius.back(), stoutness(body.shape)));
         turning.push_back(body.is_static || std::holds_alternative<Disc>(body.shape) ? 0.0 : radius.back());
         poses.push_back(pose_of(body.state));
         angles.push_back(body.state.angle);

@@ -24,6 +24,9 @@ struct RestBodies
     [[nodiscard]] bool has_cuts(int a, int b) const { return shapes[a].parts.size() + shapes[b].parts.size() > 2; }
     /// What lengths between two bodies are compared with: the bounding radius of the smaller one.  [m]
     [[nodiscard]] double size_of(int a, int b) const { return std::min(radius[a], radius[b]); }
+    /// What overlaps of two bodies are compared with: a hundredth of a needle's bounding radius may be half its width.
+    /// [m]
+    [[nodiscard]] double breadth_of(int a, int b) const { return std::min(breadth[a], breadth[b]); }
     /// Velocity of a body's point.  [m/s]
     [[nodiscard]] Vec2 velocity_of(int body, const Vec2& point) const;
     /// A gap below which two bodies touch, for all that rounding tells.  [m]
@@ -39,6 +42,7 @@ struct RestBodies
     /// Of each body and part: for each edge, whether it is a side of the body and no cut; empty where all are.
     std::vector<std::vector<std::vector<char>>> real_edges;
     std::vector<double> radius;      ///< bounding radii [m]
+    std::vector<double> breadth;     ///< the same, or, of slim bodies and such with arms, how stout they are [m]
     std::vector<double> turning;     ///< how far a turn may bring any point of each: the radius, 0 for discs [m]
     std::vector<Pose> poses;         ///< as the step, or a part of one, begins
     std::vector<double> angles;      ///< of the poses [rad]

@@ -50,14 +50,14 @@ inline constexpr double k_landed = 0x1p-28;
 /// other are one, whatever the names of their features.
 inline constexpr double k_watch = 0x1p-6;
 
-/// [sizes] Overlap that matters: where a step ends with more, it is made in halves; a pair that begins with more is put
-/// right first, without a look ahead; parts that had no point are looked at where two come nearer by more; and sweeps
-/// may add half as much in one step of a heap that stands. A fifth of the hundredth that a user is promised.
+/// [breadths] Overlap that matters: where a step ends with more, it is made in halves; a pair that begins with more is
+/// put right first, without a look ahead; parts that had no point are looked at where two come nearer by more; and
+/// sweeps may add half as much in one step of a heap that stands. A fifth of the hundredth that a user is promised.
 inline constexpr double k_fair_overlap = 0x1p-9;
 
-/// [sizes] Overlap that the step of a heap may leave, and a meeting that nothing foresaw; where it is more, the step is
-/// made in halves, or again. Sweeps may add as much where a heap moves, and pushes that take off more need not be paid
-/// for. Three quarters of what a user is promised.
+/// [breadths] Overlap that the step of a heap may leave, and a meeting that nothing foresaw; where it is more, the step
+/// is made in halves, or again. Sweeps may add as much where a heap moves, and pushes that take off more need not be
+/// paid for. Three quarters of what a user is promised.
 inline constexpr double k_most_overlap = 0x1p-7;
 
 /// [energies, distances, speeds] Rise that rounding explains; and by how much separations, or approaches, that are
