@@ -76,9 +76,9 @@ void find_impulses(RestData& data, Island& island, std::span<const Mover> start,
 {
     set_free(data, island, start, time);
     const std::span<ContactPoint> points = island.points;
-    island.is_solved = data.solver.solve(data.motion.now, island.members, points,
-                                         rest_tolerance::k_residual * top_speed(data, island),
-                                         is_better_swept(data, island) ? Effort::brief : Effort::full);
+    island.is_solved =
+        data.solver.solve(data.motion.now, island.members, points, rest_tolerance::k_residual * top_speed(data, island),
+                          is_better_swept(data, island) ? Effort::brief : Effort::full);
 }
 
 namespace {

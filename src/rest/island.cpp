@@ -10,7 +10,8 @@ namespace flying {
 namespace {
 
 /// How many pairs have points, of those that count.
-template <typename Counts> [[nodiscard]] int count_pairs(const Island& island, const Counts& counts)
+template <typename Counts>
+[[nodiscard]] int count_pairs(const Island& island, const Counts& counts)
 {
     int pairs = 0;
     int last = -1;
@@ -63,7 +64,9 @@ bool hardly_any_moves(const RestData& data, const Island& island)
 
 bool is_chain(const RestData& data, const Island& island)
 {
-    const auto both_move = [&](const ContactPoint& c) { return data.motion.is_moved(c.a) && data.motion.is_moved(c.b); };
+    const auto both_move = [&](const ContactPoint& c) {
+        return data.motion.is_moved(c.a) && data.motion.is_moved(c.b);
+    };
     return 2 * count_pairs(island, both_move) < 3 * island.member_count();
 }
 

@@ -1,9 +1,9 @@
 // Two rods, each the mirror image of the other, that fell beside each other and ran together went different ways in one
 // of thirteen scenes, and in one of seven by steps alone. Where both landed at one moment, the one was stopped by the
-// law of two bodies, and the other with the contacts of both in one solve, which tells otherwise how a slip turns round.
-// Where their corners met, no impact was foreseen, since the point between two corners has another name before they
-// touch: no rebound, and one rod took the blow on its edge. And where both stood face to face as they landed, one corner
-// of a foot was stopped before the others.
+// law of two bodies, and the other with the contacts of both in one solve, which tells otherwise how a slip turns
+// round. Where their corners met, no impact was foreseen, since the point between two corners has another name before
+// they touch: no rebound, and one rod took the blow on its edge. And where both stood face to face as they landed, one
+// corner of a foot was stopped before the others.
 
 #include <algorithm>
 #include <array>
@@ -78,8 +78,7 @@ TEST_CASE("two mirrored rods that run together and land stay each other's image"
             CAPTURE(steps);
             CHECK(lopsided(scene, EngineChoice::rest, 1.0 / steps) < 1e-4);
             // What is thrown back meets as events come, which tell apart moments that differ by a rounding
-            if (scene.world.restitution == 0.0)
-                CHECK(lopsided(scene, EngineChoice::automatic, 1.0 / steps) < 1e-4);
+            if (scene.world.restitution == 0.0) CHECK(lopsided(scene, EngineChoice::automatic, 1.0 / steps) < 1e-4);
         }
     }
 }
