@@ -98,8 +98,12 @@ void find_meeting(const BodyRows& bodies, const StaticSurfaces& surfaces, int a,
     constexpr double k_gather = 16.0; // the depth that a prediction accepts, and rounding on either side of it
     constexpr double k_widen = 16.0;
     constexpr int k_most_tries = 8;
+    constexpr double k_flat = 0x1p-20; // [radii] corners that are open by less close with others, as in steps
     meeting.touch = touch_tolerance(bodies, a, b, time);
     double slack = k_gather * meeting.touch;
+    // What comes down flat, but for a rounding, and doesn't rebound is stopped at all its corners
+    const bool rebounds = combine(bodies.sheet(a).material, bodies.sheet(b).material).restitution > 0.0;
+    if (!rebounds) slack = std::max(slack, k_flat * std::min(bodies[a].radius, bodies[b].radius));
     for (int k = 0; k < k_most_tries; ++k, slack *= k_widen) {
         find_touches(shape_a, pose_a, shape_b, pose_b, slack, meeting.touches);
         if (!meeting.touches.empty()) break;

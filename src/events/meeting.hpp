@@ -24,7 +24,8 @@ struct MeetingPoints
 [[nodiscard]] double touch_tolerance(const BodyRows& bodies, int a, int b, double time);
 
 /// All points at which a pair touches; where rounding hides even the one that was foreseen, the search is widened until
-/// it shows. Where a static body's surface goes on over others, those at which they are touched are among them.
+/// it shows. Where nothing rebounds, those that are open by less than a millionth of the smaller one's radius are among
+/// them; and where a static body's surface goes on over others, those at which they are touched.
 ///
 /// a, b  rows, of the lower and the higher id, both at their places at `time` [s]
 void find_meeting(const BodyRows& bodies, const StaticSurfaces& surfaces, int a, int b, double time,
