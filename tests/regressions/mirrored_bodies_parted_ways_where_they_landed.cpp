@@ -35,7 +35,9 @@ Scene mirrored_rods(std::uint64_t seed)
     const Rotation turned = Rotation::of(angle);
     const double reach = 0.5 * (length * turned.cosine + width * turned.sine);
     const double height = 0.5 * (length * turned.sine + width * turned.cosine);
-    const Vec2 place(reach + random.uniform(0.02, 0.2), height + random.uniform(0.1, 0.6));
+    const double fall = random.uniform(0.1, 0.6);
+    const double gap = random.uniform(0.04, 0.4);
+    const Vec2 place(reach + 0.5 * gap, height + fall);
     const double speed = random.uniform(0.5, 4.0);
     const double spin = random.below(2) == 0 ? 0.0 : random.uniform(-2.0, 2.0);
     for (const double side : {-1.0, 1.0}) {
