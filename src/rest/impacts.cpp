@@ -59,7 +59,7 @@ namespace {
     return std::minmax({mover_of(c.a), mover_of(c.b)}) == std::minmax({mover_of(d.a), mover_of(d.b)});
 }
 
-/// Its bodies touch nobody else: what can be moved of them is in no point of another pair.
+/// Its two bodies touch no others: what can be moved of them is in no point of another pair.
 [[nodiscard]] bool is_of_lone_pair(const RestData& data, std::span<const ContactPoint> points, const ContactPoint& c)
 {
     const auto is_of = [&](int body, const ContactPoint& d) {

@@ -55,9 +55,9 @@ inline constexpr double k_watch = 0x1p-6;
 /// sweeps may add half as much in one step of a heap that stands. A fifth of the hundredth that a user is promised.
 inline constexpr double k_fair_overlap = 0x1p-9;
 
-/// [breadths] Overlap that the step of a heap may leave, and a meeting that nothing foresaw; where it is more, the step
-/// is made in halves, or again. Sweeps may add as much where a heap moves, and pushes that take off more need not be
-/// paid for. Three quarters of what a user is promised.
+/// [breadths] Overlap that the step of a heap may leave, and a meeting that nothing foresaw; where it is more, or
+/// pushes leave half of it, the step is made in halves, or again. Sweeps may add as much where a heap moves, and pushes
+/// that take off more need not be paid for. Three quarters of what a user is promised.
 inline constexpr double k_most_overlap = 0x1p-7;
 
 /// [energies, distances, speeds] Rise that rounding explains; and by how much separations, or approaches, that are

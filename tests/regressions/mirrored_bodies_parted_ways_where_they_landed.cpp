@@ -1,5 +1,5 @@
 // Two rods, each the mirror image of the other, that fell beside each other and ran together went different ways in one
-// of thirteen scenes, and in one of seven by steps alone. Where both landed at one moment, the one was stopped by the
+// of thirteen scenes, and in one of five by steps alone. Where both landed at one moment, the one was stopped by the
 // law of two bodies, and the other with the contacts of both in one solve, which tells otherwise how a slip turns
 // round. Where their corners met, no impact was foreseen, since the point between two corners has another name before
 // they touch: no rebound, and one rod took the blow on its edge. And where both stood face to face as they landed, one
