@@ -65,6 +65,13 @@ struct MarchBounds
     return bounds.bend > 0.0 ? std::sqrt(0.5 * bounds.tolerance.touch / bounds.bend) : k_never;
 }
 
+/// A step over which turning and falling change the approach by no more than its tolerance: the gap by far less than
+/// its own.  [s]
+[[nodiscard]] inline double approach_step(const MarchBounds& bounds)
+{
+    return bounds.bend > 0.0 ? bounds.tolerance.approach / bounds.bend : 0.0;
+}
+
 /// A step over which the vertex can't come to touch the edge. Each thing that keeps them apart
 /// (height, or standing past one of the ends) holds for a while of its own, and the longest
 /// counts. At least a small step is made where they touch without approach: one over which the
@@ -159,10 +166,11 @@ template <typename Read, typename Counts>
         double next = time + step;
 
         // [toi.march.deep]
-        // What lies deeper and hardly rises is passed like a graze, but only where that doesn't sink it further
+        // What lies deeper and hardly rises is passed like a graze, but only where that doesn't sink it further. Where
+        // it would, it's about to turn round: wait until it may approach by more than rounding
         if (now.gap < 0.0 && now.gap_rate >= 0.0 && touches(now, bounds)) {
             const double graze = std::min(time + graze_step(bounds), until);
-            if (next < graze && read(graze).gap >= now.gap) next = graze;
+            if (next < graze) next = read(graze).gap >= now.gap ? graze : std::max(next, time + approach_step(bounds));
         }
         // [toi.march.deep]
 
