@@ -182,9 +182,14 @@ void PairList::make_box(const RestBodies& bodies, int k, double room)
     const BodyState& state = bodies.list[k].state;
     const Pose pose = pose_of(state);
     homes_[k] = {state.position, state.angle, room};
-    int circle = first_circle_[k];
-    for (const ConvexPart& part : bodies.shapes[k].parts) circles_[circle++] = {pose * part.centre, part.radius};
+    put_circles(bodies, k, pose, circles_);
     boxes_[k] = roomy_box(bodies, k, pose, room);
+}
+
+void PairList::put_circles(const RestBodies& bodies, int k, const Pose& pose, std::vector<PartCircle>& circles) const
+{
+    int circle = first_circle_[k];
+    for (const ConvexPart& part : bodies.shapes[k].parts) circles[circle++] = {pose * part.centre, part.radius};
 }
 
 void PairList::sort_others(const RestBodies& bodies, const BodySet& movers)
@@ -230,10 +235,15 @@ void PairList::find_partners_among(const BoxCells& others, const BoxCells::Entry
     }
 }
 
-std::vector<RestPair> PairList::pairs_at(std::vector<BoxCells::Entry> boxes, const RestBodies& bodies) const
+std::vector<RestPair> PairList::pairs_at(std::span<const BodyPose> placed, const RestBodies& bodies) const
 {
+    // Find the bodies whose boxes overlap theirs
+    std::vector<BoxCells::Entry> boxes;
     std::vector<int> movers;
-    for (const BoxCells::Entry& entry : boxes) movers.push_back(entry.body);
+    for (const auto& [body, pose] : placed) {
+        boxes.push_back({bounding_box(bodies.list[body].shape, pose), body});
+        movers.push_back(body);
+    }
     BodySet moved(bodies.count());
     moved.insert(movers);
     BoxCells cells;
@@ -247,15 +257,22 @@ std::vector<RestPair> PairList::pairs_at(std::vector<BoxCells::Entry> boxes, con
         find_partners_among(others_, entry, bodies, moved, found);
     }
     sort_once(found);
+
+    // List the parts of the two whose circles come near
+    std::vector<PartCircle> circles = circles_;
+    for (const auto& [body, pose] : placed) put_circles(bodies, body, pose, circles);
     std::vector<RestPair> pairs;
     for (const auto& [a, b] : found) {
-        for (int one = 0; one < static_cast<int>(bodies.shapes[a].parts.size()); ++one) {
-            for (int two = 0; two < static_cast<int>(bodies.shapes[b].parts.size()); ++two) {
+        const double room = (moved.has(a) ? 0.0 : homes_[a].room) + (moved.has(b) ? 0.0 : homes_[b].room) +
+                            rest_tolerance::k_watch * bodies.size_of(a, b);
+        for (int one = first_circle_[a]; one < first_circle_[a + 1]; ++one) {
+            for (int two = first_circle_[b]; two < first_circle_[b + 1]; ++two) {
+                if (!are_near(circles[one], circles[two], room)) continue;
                 RestPair& pair = pairs.emplace_back();
                 pair.a = a;
                 pair.b = b;
-                pair.part_a = one;
-                pair.part_b = two;
+                pair.part_a = one - first_circle_[a];
+                pair.part_b = two - first_circle_[b];
             }
         }
     }
@@ -298,9 +315,7 @@ void PairList::add_pairs(const RestBodies& bodies)
         find_parts_near(bodies, a, b, room, near_b_);
         for (const int one : near_a_) {
             for (const int two : near_b_) {
-                const double clear = circles_[one].radius + circles_[two].radius + room;
-                const bool is_far = (circles_[two].centre - circles_[one].centre).squaredNorm() > clear * clear;
-                if (is_far) continue;
+                if (!are_near(circles_[one], circles_[two], room)) continue;
                 pair.part_a = one - first_circle_[a];
                 pair.part_b = two - first_circle_[b];
                 // [rest.pairs.known]

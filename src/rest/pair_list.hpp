@@ -65,6 +65,13 @@ struct RestPair : PairLoads
     LastLook last_look;
 };
 
+/// A body, and where it is or will be.
+struct BodyPose
+{
+    int body = -1;
+    Pose pose;
+};
+
 /// How far bodies get.
 struct PairReach
 {
@@ -90,9 +97,9 @@ public:
     /// the pairs of those that are awake. How many boxes it sorted for that; 0 where it didn't search.
     int update(const RestBodies& bodies, const PairReach& reach, const BodySet& awake);
 
-    /// Pairs of all parts of some bodies, wherever they are by now, with those of what their boxes overlap: on the list
-    /// or not. All others are within the boxes that they had when it was made.
-    [[nodiscard]] std::vector<RestPair> pairs_at(std::vector<BoxCells::Entry> boxes, const RestBodies& bodies) const;
+    /// Pairs of the parts of some bodies, wherever they are by now, that may touch each other, or those of another
+    /// body: on the list or not. All others are within the boxes that they had when it was made.
+    [[nodiscard]] std::vector<RestPair> pairs_at(std::span<const BodyPose> placed, const RestBodies& bodies) const;
 
     /// Some body that is awake, or no longer takes part, was put elsewhere.
     void invalidate() { is_valid_ = false; }
@@ -158,11 +165,24 @@ private:
         double room = 0.0; ///< that the body has in its box [m]
     };
 
+    /// The circle of a part.
+    struct PartCircle
+    {
+        Vec2 centre = Vec2::Zero();
+        double radius = 0.0; ///< [m]
+    };
+
+    [[nodiscard]] static bool are_near(const PartCircle& a, const PartCircle& b, double room)
+    {
+        const double clear = a.radius + b.radius + room;
+        return (b.centre - a.centre).squaredNorm() <= clear * clear;
+    }
     [[nodiscard]] bool all_inside(const RestBodies& bodies, std::span<const double> farthest,
                                   const BodySet& awake) const;
     void search_all(const RestBodies& bodies, const PairReach& reach);
     void search(const RestBodies& bodies, const PairReach& reach, const BodySet& movers);
     void make_box(const RestBodies& bodies, int k, double room);
+    void put_circles(const RestBodies& bodies, int k, const Pose& pose, std::vector<PartCircle>& circles) const;
     void sort_others(const RestBodies& bodies, const BodySet& movers);
     void find_partners(const RestBodies& bodies, const BodySet& movers);
     void find_partners_among(const BoxCells& others, const BoxCells::Entry& entry, const RestBodies& bodies,
@@ -170,16 +190,10 @@ private:
     void find_parts_near(const RestBodies& bodies, int other, int body, double room, std::vector<int>& parts) const;
     void add_pairs(const RestBodies& bodies);
 
-    /// The circle of a part.
-    struct PartCircle
-    {
-        Vec2 centre = Vec2::Zero(); ///< where it was when its body's box was made
-        double radius = 0.0;        ///< [m]
-    };
     bool is_valid_ = false;
     bool is_new_ = true; // nothing was searched for yet, or what was is forgotten
     std::vector<Home> homes_;
-    std::vector<PartCircle> circles_; // of all parts, body after body
+    std::vector<PartCircle> circles_; // of all parts, body after body, where they were when its box was made
     std::vector<int> first_circle_;   // of each body, and the number of all at the end
     std::vector<Aabb> boxes_;
     BoxCells cells_;            // of those that the last search was for

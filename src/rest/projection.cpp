@@ -100,10 +100,10 @@ double Projection::measure_overlap(RestData& data, const Island& island)
 void Projection::find_unforeseen(RestData& data, const Island& island)
 {
     unforeseen_.clear();
-    std::vector<BoxCells::Entry> thrown;
+    std::vector<BodyPose> thrown;
     for (const int member : island.members) {
         if (farthest_way(data, member) > data.motion.reach[member])
-            thrown.push_back({bounding_box(data.bodies.list[member].shape, pose_along(data, member, 1.0)), member});
+            thrown.push_back({member, pose_along(data, member, 1.0)});
     }
     if (thrown.empty()) return;
     BodySet members(data.bodies.count());
@@ -116,7 +116,7 @@ void Projection::find_unforeseen(RestData& data, const Island& island)
         const auto found = std::lower_bound(island.points.begin(), island.points.end(), pair, comes_before);
         return found != island.points.end() && found->a == pair.a && found->b == pair.b;
     };
-    unforeseen_ = data.pairs.pairs_at(std::move(thrown), data.bodies);
+    unforeseen_ = data.pairs.pairs_at(thrown, data.bodies);
     std::erase_if(unforeseen_,
                   [&](const RestPair& pair) { return !is_ours(pair.a) || !is_ours(pair.b) || has_points(pair); });
 }

@@ -322,16 +322,16 @@ void RestEngine::begin_part(std::span<const int> bodies, int depth)
 /// met  of the step so far: those that went back before do it again, or they would be met where they no longer are
 bool RestEngine::go_back(Meetings& met)
 {
-    std::vector<BoxCells::Entry> thrown;
+    std::vector<BodyPose> thrown;
     for (const int k : moved_) {
         const double way = way_since(data_, before_[k], k);
         const bool is_thrown = way > before_[k].reach;
         if (!is_thrown && !before_[k].is_parted) continue;
         if (is_thrown) farthest_[k] = std::max(farthest_[k], 2.0 * way);
-        thrown.push_back({bounding_box(data_.bodies.list[k].shape, pose_of(data_.bodies.list[k].state)), k});
+        thrown.push_back({k, pose_of(data_.bodies.list[k].state)});
     }
     if (thrown.empty()) return false;
-    const std::vector<RestPair> pairs = data_.pairs.pairs_at(std::move(thrown), data_.bodies);
+    const std::vector<RestPair> pairs = data_.pairs.pairs_at(thrown, data_.bodies);
     if (!find_meetings(data_, pairs, before_, awake_, met)) return false;
     wake_met(met);
     bool any_heap = false;
