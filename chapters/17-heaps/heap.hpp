@@ -9,7 +9,7 @@
 #include "../11-coming-to-rest/column.hpp"
 #include "../support/lying_bodies.hpp"
 #include "math/random.hpp"
-#include "rest/block_system.hpp"
+#include "math/block_system.hpp"
 #include "rest/sweep_batches.hpp"
 
 /// Heaps, and what it takes to find their forces.

@@ -1,6 +1,7 @@
 #include "events/encounter.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <variant>
 
 #include "math/tolerance.hpp"
@@ -17,6 +18,14 @@ namespace {
 [[nodiscard]] Material material_of(const BodyRows& bodies, const Encounter& one)
 {
     return combine(bodies.sheet(one.a).material, bodies.sheet(one.b).material);
+}
+
+/// A body after an impact; it stands where it would be slower than any search could follow.
+[[nodiscard]] Push::Motion motion_after(int row, const Vec2& velocity, double spin)
+{
+    const double top = std::max({std::abs(velocity.x()), std::abs(velocity.y()), std::abs(spin)});
+    if (top < tolerance::k_least_speed) return {row, Vec2::Zero(), 0.0};
+    return {row, velocity, spin};
 }
 
 /// They touch corner on corner, and nowhere else.
@@ -45,7 +54,8 @@ void push_together(const BodyRows& bodies, std::span<const Encounter> all, Push&
     push.impacts = resolve_impacts(struck, pairs, points, slowest, 1);
     push.ended = true;
     push.motions.clear();
-    for (std::size_t k = 0; k < rows.size(); ++k) push.motions.push_back({rows[k], struck[k].velocity, struck[k].spin});
+    for (std::size_t k = 0; k < rows.size(); ++k)
+        push.motions.push_back(motion_after(rows[k], struck[k].velocity, struck[k].spin));
 }
 
 } // namespace
@@ -121,7 +131,8 @@ void push_apart(const BodyRows& bodies, std::span<const Encounter> encounters, P
     // [events.impact.push]
     push.impacts = result.any_push ? 1 : 0;
     push.ended = result.ended;
-    push.motions.assign({{one.a, result.velocity_a, result.spin_a}, {one.b, result.velocity_b, result.spin_b}});
+    push.motions.assign(
+        {motion_after(one.a, result.velocity_a, result.spin_a), motion_after(one.b, result.velocity_b, result.spin_b)});
 }
 
 } // namespace flying

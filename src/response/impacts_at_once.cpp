@@ -2,228 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <vector>
 
-#include "response/push_line.hpp"
+#include "response/push_together.hpp"
 #include "response/tied_pairs.hpp"
 
 namespace flying {
 namespace {
-
-/// Sweeps of compression, after which what was found is given back, if it isn't all.
-constexpr int k_sweeps = 1000;
-
-[[nodiscard]] bool moves(const ImpactBody& body)
-{
-    return body.inertia.inv_mass > 0.0 || body.inertia.inv_moment_of_inertia > 0.0;
-}
-
-[[nodiscard]] PairMotion pair_motion(std::span<const ImpactBody> bodies, int a, int b)
-{
-    return {bodies[a].velocity, bodies[b].velocity, bodies[a].spin, bodies[b].spin};
-}
-
-/// What pushes do to one body of a group.
-struct Share
-{
-    ImpactBody before;
-    Vec2 impulse = Vec2::Zero(); ///< not given yet [N s]
-    double moment = 0.0;         ///< likewise [N m s]
-    int lines = 0;               ///< along which it is pushed; 0 of a body that isn't in the group
-};
-
-/// A point of a group, with its impulses of compression.
-struct GroupPoint
-{
-    int a = 0;
-    int b = 0;
-    PointFrame frame;
-    Material material;
-    double response_n = 0.0; ///< of the shares of both bodies that the push along the normal meets [1/kg]
-    double response_t = 0.0; ///< likewise along the tangent
-    double normal = 0.0;     ///< >= 0 [N s]
-    double tangent = 0.0;    ///< at most mu times as much
-};
-
-/// Pairs that push together.
-class Group
-{
-public:
-    /// shares  of all bodies, with no lines; so they are again when the group is gone
-    Group(std::span<ImpactBody> bodies, std::vector<Share>& shares) : bodies_(bodies), shares_(shares) {}
-    ~Group()
-    {
-        for (const int body : movers_) shares_[body] = {};
-    }
-    Group(const Group&) = delete;
-    Group& operator=(const Group&) = delete;
-
-    /// Add the points of a pair.
-    void add(const ImpactPair& pair, std::span<const ImpactPoint> points)
-    {
-        for (std::size_t k = pair.first; k < pair.end; ++k) {
-            points_.push_back({pair.a, pair.b, frame_at(points[k]), pair.material});
-            const GroupPoint& point = points_.back();
-            const double v_n = speed_along(point.frame.normal, motion_of(point));
-            const double v_t = speed_along(point.frame.tangent, motion_of(point));
-            top_speed_ = std::max({top_speed_, std::abs(v_n), std::abs(v_t), bodies_[pair.a].velocity.norm(),
-                                   bodies_[pair.b].velocity.norm()});
-        }
-        rests_ = std::max(rests_, pair.rests);
-    }
-
-    // [response.at_once.compress]
-    /// Find the impulses that end the approach of all points at once, as far as the sweeps come.
-    void compress()
-    {
-        const auto parts = [&](const GroupPoint& p) {
-            return speed_along(p.frame.normal, motion_of(p)) > std::max(tolerance::k_approach * top_speed_, rests_);
-        };
-        std::erase_if(points_, parts);
-        split_masses();
-        const double enough = 4.0 * tolerance::k_epsilon * top_speed_;
-        for (int sweep = 0; sweep < k_sweeps; ++sweep) {
-            double change = 0.0;
-            for (GroupPoint& p : points_) {
-                const PairMotion motion = motion_of(p);
-                const double mu = p.material.friction;
-                const double j = std::max(0.0, p.normal - speed_along(p.frame.normal, motion) / p.response_n);
-                change = std::max(change, std::abs(j - p.normal) * p.response_n);
-                push(p, p.frame.normal, j - p.normal);
-                p.normal = j;
-                if (mu == 0.0) continue;
-                const double wanted = p.tangent - speed_along(p.frame.tangent, motion) / p.response_t;
-                const double q = std::clamp(wanted, -mu * j, mu * j);
-                change = std::max(change, std::abs(q - p.tangent) * p.response_t);
-                push(p, p.frame.tangent, q - p.tangent);
-                p.tangent = q;
-            }
-            give(1.0);
-            if (change <= enough) break; // both are zero where all is too slow for numbers
-        }
-        end_together();
-        take_back();
-    }
-    // [response.at_once.compress]
-
-    // [response.at_once.give_back]
-    /// Push with (1 + e) times what was found, and of the friction with the part at which most energy is lost; with all
-    /// of it scaled down where it would add energy.
-    void give_back()
-    {
-        const auto along_normal = [](const GroupPoint& p) { return (1.0 + p.material.restitution) * p.normal; };
-        const auto along_tangent = [](const GroupPoint& p) { return (1.0 + p.material.restitution) * p.tangent; };
-        static_cast<void>(push_all(&PointFrame::normal, along_normal));
-        give(1.0);
-        const double slip = push_all(&PointFrame::tangent, along_tangent);
-        const double part = slip < 0.0 ? std::min(1.0, -slip / taken_up()) : 0.0;
-        take_back();
-
-        double work = push_all(&PointFrame::normal, along_normal);
-        work += push_all(&PointFrame::tangent, [&](const GroupPoint& p) { return part * along_tangent(p); });
-        give(work < 0.0 ? std::min(1.0, -2.0 * work / taken_up()) : 0.0);
-    }
-    // [response.at_once.give_back]
-
-private:
-    [[nodiscard]] PairMotion motion_of(const GroupPoint& p) const { return pair_motion(bodies_, p.a, p.b); }
-
-    /// Each line along which a body is pushed meets as much of its mass as any other.
-    void split_masses()
-    {
-        for (const GroupPoint& p : points_) {
-            for (const int body : {p.a, p.b}) {
-                if (!moves(bodies_[body])) continue;
-                Share& share = shares_[body];
-                if (share.lines == 0) movers_.push_back(body);
-                share.before = bodies_[body];
-                share.lines += p.material.friction > 0.0 ? 2 : 1;
-            }
-        }
-        const auto inertia_of = [&](int body) -> Inertia {
-            const Inertia& whole = bodies_[body].inertia;
-            return {shares_[body].lines * whole.inv_mass, shares_[body].lines * whole.inv_moment_of_inertia};
-        };
-        for (GroupPoint& p : points_) {
-            const PairInertia inertia{inertia_of(p.a), inertia_of(p.b)};
-            p.response_n = inverse_mass(p.frame.normal, inertia);
-            p.response_t = inverse_mass(p.frame.tangent, inertia);
-        }
-    }
-
-    void push(const GroupPoint& p, const PushLine& line, double j)
-    {
-        shares_[p.a].impulse -= j * line.direction;
-        shares_[p.a].moment -= j * line.arm_a;
-        shares_[p.b].impulse += j * line.direction;
-        shares_[p.b].moment += j * line.arm_b;
-    }
-
-    /// Where the sweeps were not enough: as much of all that was found as ends the approach on the whole.
-    void end_together()
-    {
-        const double left = push_all(&PointFrame::normal, [](const GroupPoint& p) { return p.normal; });
-        const double taken = taken_up();
-        const double part = taken > 0.0 ? 1.0 - left / taken : 1.0; // both may be too small for their squares
-        for (GroupPoint& p : points_) p.normal *= part;
-    }
-
-    /// Twice the energy that bodies at rest would take up from what they were pushed with since the last time.  [J]
-    [[nodiscard]] double taken_up() const
-    {
-        double sum = 0.0;
-        for (const int body : movers_) {
-            const Share& share = shares_[body];
-            const Inertia& inertia = bodies_[body].inertia;
-            sum += inertia.inv_mass * share.impulse.squaredNorm() +
-                   inertia.inv_moment_of_inertia * (share.moment * share.moment);
-        }
-        return sum;
-    }
-
-    /// Give all bodies a part of what they were pushed with since the last time.
-    void give(double part)
-    {
-        for (const int body : movers_) {
-            ImpactBody& one = bodies_[body];
-            Share& share = shares_[body];
-            one.velocity += part * (one.inertia.inv_mass * share.impulse);
-            one.spin += part * (one.inertia.inv_moment_of_inertia * share.moment);
-            share.impulse = Vec2::Zero();
-            share.moment = 0.0;
-        }
-    }
-
-    /// Push at all points.
-    /// Returns the work of it at the speeds that they have.  [J]
-    template <typename Impulse>
-    [[nodiscard]] double push_all(PushLine PointFrame::*line, const Impulse& impulse_of)
-    {
-        double work = 0.0;
-        for (const GroupPoint& p : points_) {
-            work += impulse_of(p) * speed_along(p.frame.*line, motion_of(p));
-            push(p, p.frame.*line, impulse_of(p));
-        }
-        return work;
-    }
-
-    /// All bodies move as before, and nothing pushes them yet.
-    void take_back()
-    {
-        give(0.0);
-        for (const int body : movers_) bodies_[body] = shares_[body].before;
-    }
-
-    std::span<ImpactBody> bodies_;
-    std::vector<Share>& shares_;
-    std::vector<GroupPoint> points_;
-    std::vector<int> movers_;
-    double top_speed_ = 0.0; // [m/s]
-    double rests_ = 0.0;     // what parts no faster rests [m/s]
-};
 
 /// Lets two bodies strike each other. Whether any point was pushed.
 bool strike(std::span<ImpactBody> bodies, const ImpactPair& pair, std::span<const ImpactPoint> points)
@@ -399,7 +186,8 @@ int resolve_impacts(std::span<ImpactBody> bodies, std::span<const ImpactPair> al
         return false;
     };
     const auto tie = [&](int body) { return moves(bodies[body]) ? body : -1; };
-    std::vector<Share> shares(bodies.size());
+    std::vector<PushTogether::Share> shares(bodies.size());
+    BlockSystem system;
     std::vector<int> candidates(pairs.size()); // all at first; then those of the bodies that were struck
     std::iota(candidates.begin(), candidates.end(), 0);
     const PairsOfBodies pairs_of(bodies, pairs);
@@ -424,7 +212,7 @@ int resolve_impacts(std::span<ImpactBody> bodies, std::span<const ImpactPair> al
             if (group.size() == 1) {
                 if (!strike(bodies, pairs[group[0]], points)) continue;
             } else {
-                Group together(bodies, shares);
+                PushTogether together(bodies, shares, system);
                 for (const int k : group) together.add(pairs[k], points);
                 together.compress();
                 together.give_back();

@@ -34,9 +34,8 @@ struct ImpactPair
 /// their tops level: a floor that is drawn of several pieces is a floor. How bodies and pairs are numbered alters
 /// nothing but rounding, and mirrored bodies get mirrored answers.
 ///
-/// Compression is found by projected sweeps with split masses: of all pushes against a body each meets an equal share
-/// of its mass (Tonge, Benevolenski and Voroshilov, "Mass splitting for jitter-free parallel rigid body simulation",
-/// 2012). However far they have come, a push together never adds energy: it is scaled down to none where it would.
+/// However far compression has come (`PushTogether`), a push together never adds energy: it is scaled down to none
+/// where it would.
 ///
 /// bodies   their velocities are those before; on return those after
 /// points   of all pairs; normals point from A to B

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "rest/block_system.hpp"
+#include "math/block_system.hpp"
 #include "rest/contact_problem.hpp"
 #include "rest/rest_tolerance.hpp"
 

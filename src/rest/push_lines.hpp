@@ -1,6 +1,6 @@
 #pragma once
 
-#include "rest/block_system.hpp"
+#include "math/block_system.hpp"
 #include "rest/contact_point.hpp"
 
 namespace flying {
@@ -25,15 +25,6 @@ struct Line
 inline void add(double* target, double factor, const double* line)
 {
     for (int i = 0; i < 3; ++i) target[i] += factor * line[i];
-}
-
-/// block += factor p q^T for the change of a body's motion by a push along each of two lines
-inline void add_product(Block& block, double factor, const double* p, const double* q)
-{
-    for (int i = 0; i < 3; ++i) {
-        const double row = factor * p[i];
-        for (int j = 0; j < 3; ++j) block.at[i][j] += row * q[j];
-    }
 }
 
 } // namespace flying

@@ -41,3 +41,28 @@ TEST_CASE("boxes without play between four walls come to rest at once when one o
         }
     }
 }
+
+// Nor did they where some echo left a box so slow that the square of its speed has no digits: the search for its next
+// impact never ended.
+TEST_CASE("boxes without play between four walls come to rest whichever way one of them is pushed")
+{
+    for (const double restitution : {0.1, 0.15}) {
+        for (const double friction : {0.7, 1.0}) {
+            for (const Vec2& push : {Vec2(1.0, 0.4), Vec2(1.0, 0.3), Vec2(0.7, 0.5), Vec2(1.0, -0.6)}) {
+                Scene scene;
+                scene.world.restitution = restitution;
+                scene.world.friction = friction;
+                for (const double x : {-0.5, 0.5}) scene.bodies.push_back(rectangle(1.0, 1.0, {x, 0.0}));
+                scene.bodies.front().velocity = push;
+                for (const double side : {-1.0, 1.0}) {
+                    scene.bodies.push_back(still(rectangle(1.0, 3.0, {side * 1.5, 0.0})));
+                    scene.bodies.push_back(still(rectangle(2.0, 1.0, {0.0, side})));
+                }
+                World world = world_of(scene);
+                run(world, 0.3);
+                CHECK(world.state(0).velocity.norm() < 1e-12);
+                CHECK(world.state(1).velocity.norm() < 1e-12);
+            }
+        }
+    }
+}

@@ -9,7 +9,7 @@
 
 #include "chapters/support/lying_bodies.hpp"
 #include "math/random.hpp"
-#include "rest/block_system.hpp"
+#include "math/block_system.hpp"
 #include "rest/local_sweeps.hpp"
 #include "rest/sweep_batches.hpp"
 #include "rest/sweeps.hpp"

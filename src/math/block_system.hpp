@@ -11,11 +11,20 @@ struct Block
     double at[3][4] = {};
 };
 
-/// Square systems of equations whose unknowns come in threes, one three for each body of an island, and whose blocks
+/// block += factor p q^T
+inline void add_product(Block& block, double factor, const double* p, const double* q)
+{
+    for (int i = 0; i < 3; ++i) {
+        const double row = factor * p[i];
+        for (int j = 0; j < 3; ++j) block.at[i][j] += row * q[j];
+    }
+}
+
+/// Square systems of equations whose unknowns come in threes, one three for each of some bodies, and whose blocks
 /// couple only those bodies that touch. Factorised without pivoting between blocks (the blocks on the diagonal hold the
 /// masses and dominate), in an order that keeps the factors sparse.
 ///
-/// Call `set_pattern` once for an island, then fill `diagonal` and `lower`/`upper`, `factorise`, `solve`.
+/// Call `set_pattern` once for the bodies, then fill `diagonal` and `lower`/`upper`, `factorise`, `solve`.
 class BlockSystem
 {
 public:

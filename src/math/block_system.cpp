@@ -1,4 +1,4 @@
-#include "rest/block_system.hpp"
+#include "math/block_system.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,10 +6,11 @@
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCore>
 
-#include "rest/rest_tolerance.hpp"
-
 namespace flying {
 namespace {
+
+/// So many bodies are eliminated as they come.
+constexpr int k_few = 12;
 
 /// target -= a b, a row at a time: four numbers that the processor handles as one
 void subtract_product(Block& target, const Block& a, const Block& b)
@@ -96,8 +97,8 @@ void BlockSystem::order(int count, std::span<const Edge> edges)
     rank_.resize(count);
     body_.resize(count);
 
-    // An island of a few bodies needs no search
-    if (count <= rest_tolerance::k_most_in_detail) {
+    // A few bodies need no search
+    if (count <= k_few) {
         for (int k = 0; k < count; ++k) rank_[k] = body_[k] = k;
         return;
     }
