@@ -60,15 +60,25 @@ void set_mean_lines(ContactPoint& mean, const ContactPoint& start, const Contact
                     greatest_speed(data.motion.now, radius, island.members));
 }
 
+/// Points between bodies of which one moves, with some velocities: the lines of others stay as they are.
+[[nodiscard]] int points_that_move(const RestData& data, const Island& island, std::span<const Mover> movers)
+{
+    const double still = rest_tolerance::k_still * field_speed(data, island);
+    const auto moves = [&](int body) { return greatest_speed(movers, data.bodies.radius, {&body, 1}) > still; };
+    return static_cast<int>(std::count_if(island.points.begin(), island.points.end(),
+                                          [&](const ContactPoint& c) { return moves(c.a) || moves(c.b); }));
+}
+
 [[nodiscard]] bool may_bend(const RestData& data, const Island& island)
 {
-    if (!CurvedWays::may_follow(island) || !island.is_solved) return false;
+    if (!island.is_solved) return false;
     const std::span<const ContactPoint> points = island.points;
 
     // Where nothing may be lost, a contact that hops leaves as it came, and not along the surfaces
     const auto hops = [](const ContactPoint& c) { return c.normal > 0.0 && c.bound != 0.0; };
     if (is_lossless(island) && std::any_of(points.begin(), points.end(), hops)) return false;
-    return top_motion(data, island) > still_speed(data, island);
+    if (top_motion(data, island) <= still_speed(data, island)) return false;
+    return points_that_move(data, island, data.motion.now) <= rest_tolerance::k_most_in_detail;
 }
 
 void forget_ways(RestData& data, const Island& island)
@@ -136,9 +146,10 @@ void take_first_ways(RestData& data, const Island& island)
 
 } // namespace
 
-bool CurvedWays::may_follow(const Island& island)
+bool CurvedWays::may_follow(const RestData& data, const Island& island)
 {
-    return !is_heap(island) && island.point_count() <= rest_tolerance::k_most_in_detail;
+    return stood(data, island) ||
+           points_that_move(data, island, data.motion.before) <= rest_tolerance::k_most_in_detail;
 }
 
 bool CurvedWays::follow(RestData& data, Island& island)
@@ -209,7 +220,6 @@ double CurvedWays::end_of_slip(const RestData& data, const Island& island) const
 
 void CurvedWays::take_lines_halfway(RestData& data, Island& island)
 {
-    if (greatest_speed(data.motion.before, data.bodies.radius, island.members) <= still_speed(data, island)) return;
     for (const int member : island.members) {
         const Mover& old = data.motion.before[member];
         data.motion.shift[member] = data.motion.span * Vec2(old.v_x, old.v_y);
@@ -236,8 +246,10 @@ void CurvedWays::look_along(RestData& data, const Island& island, double part, s
     double margin = 0.0;
     for (std::size_t k = 0; k < points.size(); ++k) {
         const ContactPoint& c = points[k];
+        const double size = data.bodies.size_of(c.a, c.b);
+        // The line between two that stay where they are stays, too
+        if (farthest_way(data, c.a) + farthest_way(data, c.b) <= rest_tolerance::k_straight * size) continue;
         if (k == 0 || c.pair != points[k - 1].pair) {
-            const double size = data.bodies.size_of(c.a, c.b);
             margin = data.motion.reach[c.a] + data.motion.reach[c.b] + rest_tolerance::k_watch * size;
             manifold =
                 look(data, data.pairs.pairs()[c.pair], data.motion.end_poses[c.a], data.motion.end_poses[c.b], margin);
@@ -385,7 +397,8 @@ bool CurvedWays::end_velocities(RestData& data, Island& island)
     const bool content =
         data.solver.solve(data.motion.now, members, at_end_, rest_tolerance::k_residual * top_speed(data, island));
     lets_go_ = !std::all_of(at_end_.begin(), at_end_.end(), lasts);
-    if (lets_go_) return false; // that isn't followed
+    // Such a step is made in halves. Where it can't be, as in a heap, the point ends the step open
+    if (lets_go_ && island.in_turn) return false;
     auto end = at_end_.begin();
     for (std::size_t k = 0; k < bent_.size(); ++k) {
         ContactPoint& c = bent_[k];

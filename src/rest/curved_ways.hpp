@@ -6,7 +6,7 @@
 
 namespace flying {
 
-/// Small islands whose lines of push turn within a step are solved along the ways that they go: to the second order of
+/// Islands of which few lines of push turn within a step are solved along the ways that they go: to the second order of
 /// the step, with no gap or overlap at its end. In others the lines of halfway stand for all of the way.
 class CurvedWays
 {
@@ -19,11 +19,11 @@ public:
     /// turned it round, at one point by itself, tells; what is left of it ends in the part that comes next.  [s]
     [[nodiscard]] double end_of_slip(const RestData& data, const Island& island) const;
 
-    /// Where none were found since a point that bears lets go on the way.
+    /// Where none were found since a point that bears lets go on the way, and there may be more parts of the step.
     [[nodiscard]] bool lets_go() const { return lets_go_; }
 
-    /// It is small enough for that.
-    [[nodiscard]] static bool may_follow(const Island& island);
+    /// Few enough of its points move for that, whatever rests around them.
+    [[nodiscard]] static bool may_follow(const RestData& data, const Island& island);
 
     /// Elsewhere, what bears pushes along the line that it will have halfway, by the velocities at the start: Moreau's
     /// midpoint rule. Along the line of the start, what rolls or rocks would swing ever further.

@@ -55,7 +55,7 @@ bool are_unequal(const RestData& data, std::span<const int> members)
 
 bool hardly_any_moves(const RestData& data, const Island& island)
 {
-    const double still = rest_tolerance::k_still * field_speed(data, island);
+    const double still = rest_tolerance::k_rest_speed * field_speed(data, island);
     const auto moves = [&](int member) {
         return greatest_speed(data.motion.before, data.bodies.radius, {&member, 1}) > still;
     };

@@ -84,13 +84,14 @@ void IslandStep::find(RestData& data, Island& island, bool may_be_parted)
 
     // Find the forces of the contacts
     const bool sweeps = !is_solved_whole(data, island);
+    const bool is_followed = !sweeps && CurvedWays::may_follow(data, island);
     if (is_lossless(island)) {
         find_lossless(data, island, sweeps);
     } else if (sweeps) {
         sweeps_.sweep_large(data, island);
         return;
     } else {
-        if (!CurvedWays::may_follow(island)) curves_.take_lines_halfway(data, island);
+        if (!is_followed) curves_.take_lines_halfway(data, island);
         set_velocity_bias(data, island);
         find_impulses(data, island, data.motion.before, data.motion.span);
         if (is_heap(island) && !island.is_solved) {
@@ -100,9 +101,9 @@ void IslandStep::find(RestData& data, Island& island, bool may_be_parted)
             return;
         }
     }
-    if (curves_.follow(data, island)) {
+    if (is_followed && curves_.follow(data, island)) {
         if (island.in_turn) island.cut_at = curves_.end_of_slip(data, island);
-    } else if (island.in_turn && curves_.lets_go()) {
+    } else if (is_followed && island.in_turn && curves_.lets_go()) {
         // A straight way would bear it on, and throw it
         island.cut_at = 0.5 * data.motion.span;
     } else if (std::none_of(island.points.begin(), island.points.end(), bears)) {
