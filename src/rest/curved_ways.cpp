@@ -45,6 +45,16 @@ void set_mean_lines(ContactPoint& mean, const ContactPoint& start, const Contact
     return normal + std::max(of_a, of_b) / size;
 }
 
+/// By how much it changes velocities at a point, at most, that its line is another.  [m/s]
+[[nodiscard]] double change_by(const ContactPoint& one, const ContactPoint& two, const Mover& a, const Mover& b)
+{
+    const double normal = std::abs(one.n_x - two.n_x) + std::abs(one.n_y - two.n_y);
+    const double of_a = std::abs(one.normal_arm_a - two.normal_arm_a) + std::abs(one.tangent_arm_a - two.tangent_arm_a);
+    const double of_b = std::abs(one.normal_arm_b - two.normal_arm_b) + std::abs(one.tangent_arm_b - two.tangent_arm_b);
+    const double speed = std::abs(b.v_x - a.v_x) + std::abs(b.v_y - a.v_y);
+    return normal * speed + of_a * std::abs(a.spin) + of_b * std::abs(b.spin);
+}
+
 /// The gap with which a point that bears is to end the step: none, where it is near to not counting as touching; else
 /// that with which it began, since to lift a body by a rounding costs all of a small motion.  [m]
 [[nodiscard]] double least_gap(const ContactPoint& c, double touch)
@@ -280,6 +290,13 @@ CurvedWays::Bend CurvedWays::bend_lines(RestData& data, const Island& island, bo
     // is none
     const double motion = top_motion(data, island);
     const double rounding = rest_tolerance::k_residual * top_speed(data, island);
+    // What slides over a heap without turning goes straight, though it is pushed elsewhere as it goes
+    const double still = still_speed(data, island);
+    const auto turns = [&](const ContactPoint& c, const ContactPoint& end) {
+        const StepMotion& ways = data.motion;
+        return !is_heap(island) || change_by(c, end, ways.before[c.a], ways.before[c.b]) > still ||
+               change_by(c, end, ways.now[c.a], ways.now[c.b]) > still;
+    };
     // What touches may come to bear where its line bends, though nothing presses on it: a way that was followed leaves
     // half as much again as counts as touching. What hops without any loss hops on
     const auto may_bear = [&](const ContactPoint& c) {
@@ -298,7 +315,8 @@ CurvedWays::Bend CurvedWays::bend_lines(RestData& data, const Island& island, bo
         set_mean_lines(bent, c, half_[k], end_[k], data.motion.now[c.a], data.motion.now[c.b]);
         const double size = data.bodies.size_of(c.a, c.b);
         const double bend = bend_of(c, end_[k], data.motion.now[c.a], data.motion.now[c.b], size);
-        any = any || (may_bear(c) && bend > rest_tolerance::k_straight && bend * motion > rounding);
+        any =
+            any || (may_bear(c) && bend > rest_tolerance::k_straight && bend * motion > rounding && turns(c, end_[k]));
 
         // Ways that lead to a gap or an overlap are to end without it
         const double touch = data.bodies.touch_gap(c.a, c.b);

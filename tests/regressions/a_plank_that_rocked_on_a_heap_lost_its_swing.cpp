@@ -79,9 +79,9 @@ Scene knife(int slabs, double spin)
     const double top = 0.6 * slabs;
     scene.bodies.push_back(polygon_at({{-0.5, -0.8}, {0.5, -0.8}, {0.0, 1.6}}, {0.0, top + 0.8}));
     const double below = 0.4 + 0.174 / 6.12; // its centroid, from the notch: a rectangle without a triangle [m]
-    scene.bodies.push_back(polygon_at(
-        {{-1.8, 0.9}, {-1.8, -1.2}, {-0.9, -1.2}, {0.0, 0.4}, {0.9, -1.2}, {1.8, -1.2}, {1.8, 0.9}},
-        {0.0, top + 2.4 - below}));
+    scene.bodies.push_back(
+        polygon_at({{-1.8, 0.9}, {-1.8, -1.2}, {-0.9, -1.2}, {0.0, 0.4}, {0.9, -1.2}, {1.8, -1.2}, {1.8, 0.9}},
+                   {0.0, top + 2.4 - below}));
     scene.bodies.back().density = 0.3;
     scene.bodies.back().spin = spin;
     scene.bodies.back().velocity = {spin * below, 0.0};
