@@ -8,8 +8,8 @@
 
 #include "../11-coming-to-rest/column.hpp"
 #include "../support/lying_bodies.hpp"
-#include "math/random.hpp"
 #include "math/block_system.hpp"
+#include "math/random.hpp"
 #include "rest/sweep_batches.hpp"
 
 /// Heaps, and what it takes to find their forces.

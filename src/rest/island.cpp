@@ -53,9 +53,9 @@ bool are_unequal(const RestData& data, std::span<const int> members)
     return greatest > rest_tolerance::k_unequal_masses * least;
 }
 
-bool hardly_any_moves(const RestData& data, const Island& island)
+bool hardly_any_moves(const RestData& data, const Island& island, double share)
 {
-    const double still = rest_tolerance::k_rest_speed * field_speed(data, island);
+    const double still = share * field_speed(data, island);
     const auto moves = [&](int member) {
         return greatest_speed(data.motion.before, data.bodies.radius, {&member, 1}) > still;
     };
@@ -74,7 +74,7 @@ bool is_solved_whole(const RestData& data, const Island& island)
 {
     if (island.member_count() <= std::min(rest_tolerance::k_most_whole, data.options.most_solved)) return true;
     const bool stands = top_speed(data, island) <= rest_tolerance::k_standing * field_speed(data, island);
-    if (!stands && !hardly_any_moves(data, island)) return false;
+    if (!stands && !hardly_any_moves(data, island, rest_tolerance::k_rest_speed)) return false;
     if (island.member_count() <= data.options.most_solved) return true;
     return count_pairs(island, [](const ContactPoint&) { return true; }) <= island.member_count();
 }

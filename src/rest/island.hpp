@@ -29,9 +29,9 @@ struct Island
 [[nodiscard]] bool is_large(const Island& island);
 /// The heaviest of them weighs so many times as much as the lightest that sweeps hardly get on.
 [[nodiscard]] bool are_unequal(const RestData& data, std::span<const int> members);
-/// A few bodies move, as one that slides over a wall or rocks on it, and all others rest, or are no faster than what is
-/// put to rest where it is swept.
-[[nodiscard]] bool hardly_any_moves(const RestData& data, const Island& island);
+/// A few bodies move, as one that slides over a wall or rocks on it, and all others rest, or nearly.
+/// share  of the speed that the field gives in a step: what is no faster rests
+[[nodiscard]] bool hardly_any_moves(const RestData& data, const Island& island, double share);
 /// Each of its bodies leans on fewer than three others that move, on average, as in a row or a tower: a load has hardly
 /// more than one way through it. Sweeps take long to lead it along; a search that knows the ways finds it soon.
 [[nodiscard]] bool is_chain(const RestData& data, const Island& island);

@@ -30,14 +30,15 @@ void write(const fs::path& file, const std::string& text, Problems& problems)
         problems.add({file.string(), 0}, "a file that can't be written", "a folder to write to");
 }
 
-/// A page needs no line that is nothing but a comment.
-std::string without_comments(const std::string& script)
+/// A page needs no line that is nothing but a comment, and no indents. (No script of ours has a string that goes on in
+/// the next line.)
+std::string without_indents(const std::string& script)
 {
     std::string out;
     std::istringstream lines(script);
     for (std::string line; std::getline(lines, line);) {
         const std::size_t first = line.find_first_not_of(' ');
-        if (first != std::string::npos && line.compare(first, 2, "//") != 0) out += line + "\n";
+        if (first != std::string::npos && line.compare(first, 2, "//") != 0) out += line.substr(first) + "\n";
     }
     return out;
 }
@@ -48,7 +49,7 @@ void write_scripts(const Woven& woven, const Folders& folders, const fs::path& h
     std::string common;
     for (const char* name : k_common) {
         const std::optional<std::string> script = read_file(theme / name);
-        if (script) common += without_comments(*script);
+        if (script) common += without_indents(*script);
         else problems.add({std::string("theme/") + name, 0}, "no such script", "the theme's scripts");
     }
     write(html / "live.js", common, problems);
@@ -56,7 +57,7 @@ void write_scripts(const Woven& woven, const Folders& folders, const fs::path& h
         write(html / "live" / name, read_file(theme / "live" / name).value_or(""), problems);
     for (const Chapter& chapter : woven.material.chapters) {
         const std::optional<std::string> script = read_file(folders.project / chapter.entry.folder() / "live.js");
-        if (script) write(html / "live" / (chapter.entry.name + ".js"), without_comments(*script), problems);
+        if (script) write(html / "live" / (chapter.entry.name + ".js"), without_indents(*script), problems);
     }
 }
 

@@ -8,8 +8,8 @@
 #include <numeric>
 
 #include "chapters/support/lying_bodies.hpp"
-#include "math/random.hpp"
 #include "math/block_system.hpp"
+#include "math/random.hpp"
 #include "rest/local_sweeps.hpp"
 #include "rest/sweep_batches.hpp"
 #include "rest/sweeps.hpp"
