@@ -11,25 +11,23 @@ struct Block
     double at[3][4] = {};
 };
 
-/// block += factor p q^T
-inline void add_product(Block& block, double factor, const double* p, const double* q)
+/// Six numbers, three for each body of a pair: what the two feel of a push, or what it sees of their motion.
+struct PairRow
 {
-    for (int i = 0; i < 3; ++i) {
-        const double row = factor * p[i];
-        for (int j = 0; j < 3; ++j) block.at[i][j] += row * q[j];
-    }
-}
+    double a[3];
+    double b[3];
+};
 
 /// Square systems of equations whose unknowns come in threes, one three for each of some bodies, and whose blocks
 /// couple only those bodies that touch. Factorised without pivoting between blocks (the blocks on the diagonal hold the
 /// masses and dominate), in an order that keeps the factors sparse.
 ///
-/// Call `set_pattern` once for the bodies, then fill `diagonal` and `lower`/`upper`, `factorise`, `solve`.
+/// Call `set_pattern` once for the bodies, then `clear`, fill `diagonal`, `add`, `factorise`, `solve`.
 class BlockSystem
 {
 public:
     /// count  bodies
-    /// edges  pairs of bodies that touch, first below second; repeated ones allowed
+    /// edges  pairs of bodies that touch; repeated ones allowed
     struct Edge
     {
         int first = 0;
@@ -50,6 +48,10 @@ public:
     void clear();
     [[nodiscard]] Block& diagonal(int body) { return diagonal_[rank_[body]]; }
     [[nodiscard]] Block& block(int index) { return (index % 2 == 0 ? lower_ : upper_)[index / 2]; }
+    /// Adds factor times what a pair feels by what it sees to its four blocks, or to the one that there is.
+    /// pair  a body that is no unknown, as one that doesn't move, is below 0
+    /// edge  the pair's number among those of `set_pattern`; below 0 where one of the two is no unknown
+    void add(const Edge& pair, int edge, double factor, const PairRow& felt, const PairRow& seen);
 
     /// False where a block on the diagonal is singular.
     [[nodiscard]] bool factorise();

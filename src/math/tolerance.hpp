@@ -61,8 +61,8 @@ inline constexpr double k_least_coordinate = 1e-140;
 /// [units of length] The fourth power of this length, with twice the digits, is a double still.
 inline constexpr double k_least_size = 1e-72;
 
-/// [units of speed] The square of what is slower has fewer digits than a double has: such an approach may never end, and
-/// a search for the next one neither.
+/// [units of speed] The square of what is slower, with twice the digits, is no double any more: such an approach may never
+/// end, nor a search for the next one.
 inline constexpr double k_least_speed = 0x1p-459;
 
 } // namespace flying::tolerance

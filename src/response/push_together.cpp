@@ -195,14 +195,12 @@ PairMotion PushTogether::change_of(const GroupPoint& p) const
     return change;
 }
 
-PushTogether::Felt PushTogether::felt(const GroupPoint& p, const PushLine& line) const
+PairRow PushTogether::row_of(const GroupPoint& p, const PushLine& line) const
 {
-    const auto by = [&](int body, double arm) -> std::array<double, 3> {
-        const Share& share = shares_[body];
-        return {share.root_mass * line.direction.x(), share.root_mass * line.direction.y(), share.root_moment * arm};
-    };
-    const std::array<double, 3> a = by(p.a, line.arm_a);
-    return {{-a[0], -a[1], -a[2]}, by(p.b, line.arm_b)};
+    const Share& a = shares_[p.a];
+    const Share& b = shares_[p.b];
+    return {{-a.root_mass * line.direction.x(), -a.root_mass * line.direction.y(), -a.root_moment * line.arm_a},
+            {b.root_mass * line.direction.x(), b.root_mass * line.direction.y(), b.root_moment * line.arm_b}};
 }
 
 /// Fill in the system. Its unknowns are changes of speed, by the roots of inverse inertias.
@@ -213,24 +211,15 @@ void PushTogether::assemble(double stiffness)
         Block& own = system_.diagonal(static_cast<int>(k));
         own.at[0][0] = own.at[1][1] = own.at[2][2] = 1.0;
     }
-    const auto add = [&](const GroupPoint& p, double factor, const Felt& pushed, const Felt& seen) {
-        const int a = shares_[p.a].number;
-        const int b = shares_[p.b].number;
-        if (a >= 0) add_product(system_.diagonal(a), factor, pushed.a.data(), seen.a.data());
-        if (b >= 0) add_product(system_.diagonal(b), factor, pushed.b.data(), seen.b.data());
-        if (p.edge < 0) return;
-        const BlockSystem::Place& place = system_.place(p.edge);
-        add_product(system_.block(place.first_second), factor, pushed.a.data(), seen.b.data());
-        add_product(system_.block(place.second_first), factor, pushed.b.data(), seen.a.data());
-    };
     for (const GroupPoint& p : points_) {
         if (!p.is_closed) continue;
         const PushLine& n = p.frame.normal;
         const PushLine& t = p.frame.tangent;
         const double lean = p.grips ? 0.0 : p.lean;
         const PushLine cone{n.direction + lean * t.direction, n.arm_a + lean * t.arm_a, n.arm_b + lean * t.arm_b};
-        add(p, stiffness / p.response_n, felt(p, cone), felt(p, n));
-        if (p.grips) add(p, stiffness / p.response_t, felt(p, t), felt(p, t));
+        const BlockSystem::Edge pair{shares_[p.a].number, shares_[p.b].number};
+        system_.add(pair, p.edge, stiffness / p.response_n, row_of(p, cone), row_of(p, n));
+        if (p.grips) system_.add(pair, p.edge, stiffness / p.response_t, row_of(p, t), row_of(p, t));
     }
 }
 

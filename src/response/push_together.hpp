@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <span>
 #include <vector>
 
@@ -85,13 +84,6 @@ private:
         PointImpulse best{0.0, 0.0};  ///< the nearest so far
     };
 
-    /// How both bodies of a point feel a push along a line, in the units of their unknowns.
-    struct Felt
-    {
-        std::array<double, 3> a;
-        std::array<double, 3> b;
-    };
-
     [[nodiscard]] PairMotion motion_of(const GroupPoint& p) const { return pair_motion(bodies_, p.a, p.b); }
     [[nodiscard]] static PointImpulse within_cone(const GroupPoint& p, const PointImpulse& wanted);
     void set_up();
@@ -99,7 +91,7 @@ private:
     [[nodiscard]] static PointImpulse damped(const GroupPoint& p, double stiffness, const PairMotion& motion);
     void push_at_once(double stiffness);
     [[nodiscard]] PairMotion change_of(const GroupPoint& p) const;
-    [[nodiscard]] Felt felt(const GroupPoint& p, const PushLine& line) const;
+    [[nodiscard]] PairRow row_of(const GroupPoint& p, const PushLine& line) const;
     void assemble(double stiffness);
     void push(const GroupPoint& p, const PushLine& line, double j);
     void end_together();

@@ -81,27 +81,17 @@ void PieceSystem::assemble(const ContactProblem& problem)
         const ContactPoint& c = problem.points[k];
         const auto [a, b, edge] = problem.seats[k];
         const bool grips = modes_[k] == Mode::stuck;
-        const Line n = normal_line(c);
-        const Line t = tangent_line(c);
-        Line left = n;
+        const PairRow n = normal_line(c);
+        const PairRow t = tangent_line(c);
+        PairRow left = n;
         if (!grips) {
             const double share = modes_[k] == Mode::slips_backwards ? c.friction : -c.friction;
             add(left.a, share, t.a);
             add(left.b, share, t.b);
         }
-        const double stiffness_n = spring(c.normal_mass);
-        const double stiffness_t = grips ? spring(c.tangent_mass) : 0.0;
-        if (a < ground) add_product(blocks_.diagonal(a), stiffness_n, left.a, n.a);
-        if (a < ground && grips) add_product(blocks_.diagonal(a), stiffness_t, t.a, t.a);
-        if (b < ground) add_product(blocks_.diagonal(b), stiffness_n, left.b, n.b);
-        if (b < ground && grips) add_product(blocks_.diagonal(b), stiffness_t, t.b, t.b);
-        if (edge < 0) continue;
-        const BlockSystem::Place& place = blocks_.place(edge);
-        add_product(blocks_.block(place.first_second), stiffness_n, left.a, n.b);
-        add_product(blocks_.block(place.second_first), stiffness_n, left.b, n.a);
-        if (!grips) continue;
-        add_product(blocks_.block(place.first_second), stiffness_t, t.a, t.b);
-        add_product(blocks_.block(place.second_first), stiffness_t, t.b, t.a);
+        const BlockSystem::Edge pair{a < ground ? a : -1, b < ground ? b : -1};
+        blocks_.add(pair, edge, spring(c.normal_mass), left, n);
+        if (grips) blocks_.add(pair, edge, spring(c.tangent_mass), t, t);
     }
 }
 

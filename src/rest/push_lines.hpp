@@ -5,19 +5,14 @@
 
 namespace flying {
 
-/// A push on both bodies as six numbers: force and moment on A, the same on B.
-struct Line
-{
-    double a[3];
-    double b[3];
-};
+// A push on both bodies as six numbers: force and moment on A, the same on B.
 
-[[nodiscard]] inline Line normal_line(const ContactPoint& c)
+[[nodiscard]] inline PairRow normal_line(const ContactPoint& c)
 {
     return {{-c.n_x, -c.n_y, -c.normal_arm_a}, {c.n_x, c.n_y, c.normal_arm_b}};
 }
 
-[[nodiscard]] inline Line tangent_line(const ContactPoint& c)
+[[nodiscard]] inline PairRow tangent_line(const ContactPoint& c)
 {
     return {{c.n_y, -c.n_x, -c.tangent_arm_a}, {-c.n_y, c.n_x, c.tangent_arm_b}};
 }

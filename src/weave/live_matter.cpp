@@ -30,15 +30,17 @@ void write(const fs::path& file, const std::string& text, Problems& problems)
         problems.add({file.string(), 0}, "a file that can't be written", "a folder to write to");
 }
 
-/// A page needs no line that is nothing but a comment, and no indents. (No script of ours has a string that goes on in
-/// the next line.)
+/// A page needs no line that is nothing but a comment, and no indents. A text between backticks stays as it is.
 std::string without_indents(const std::string& script)
 {
     std::string out;
+    bool is_in_text = false;
     std::istringstream lines(script);
     for (std::string line; std::getline(lines, line);) {
-        const std::size_t first = line.find_first_not_of(' ');
-        if (first != std::string::npos && line.compare(first, 2, "//") != 0) out += line.substr(first) + "\n";
+        const std::size_t first = is_in_text ? 0 : line.find_first_not_of(' ');
+        if (!is_in_text && (first == std::string::npos || line.compare(first, 2, "//") == 0)) continue;
+        out += line.substr(first) + "\n";
+        if (std::count(line.begin(), line.end(), '`') % 2 != 0) is_in_text = !is_in_text;
     }
     return out;
 }

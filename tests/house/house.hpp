@@ -62,6 +62,9 @@ using Book = std::map<std::string, std::vector<int>>;
 [[nodiscard]] std::vector<std::string> class_faults(const std::vector<Source>& sources, int most_functions,
                                                     int most_members);
 
+/// Types of one name in one namespace that two headers define: a program with both would have either, and which is chance.
+[[nodiscard]] std::vector<std::string> name_faults(const std::vector<Source>& sources);
+
 /// Region markers `// [name]` that don't come as a pair within their file.
 [[nodiscard]] std::vector<std::string> marker_faults(const std::vector<Source>& sources);
 

@@ -191,6 +191,26 @@ TEST_CASE("a class with a private function or a member too many is found, whatev
                                                               "src/math/a.hpp:8: Busy has 2 private functions, at most 1"});
 }
 
+// ---- Names
+// ------------------------------------------------------------------------------------------------------------
+
+TEST_CASE("no two headers define a type of one name in one namespace")
+{
+    check_none(house::name_faults(engine_and_outer()));
+}
+
+TEST_CASE("a type that two headers define is found, those that are declared, or in other namespaces, are not")
+{
+    const Tree tree(Files{{"src/math/a.hpp", "namespace flying {\nstruct One\n{\n};\nclass Two;\nenum class Three { a };\n}\n"},
+                          {"src/mass/b.hpp", "namespace flying {\nstruct One;\nclass Two : public One\n{\n    struct Three\n    {\n    };\n};\n}\n"},
+                          {"src/play/c.hpp", "namespace flying::play {\nstruct One\n{\n};\n}\n"},
+                          {"src/rest/d.hpp", "namespace flying {\nstruct One {};\nenum class Three\n{\n    b\n};\n}\n"},
+                          {"src/rest/f.hpp", "namespace flying {\nstruct One::Inner\n{\n};\n}\n"},
+                          {"src/rest/e.cpp", "namespace flying {\nstruct One\n{\n};\n}\n"}});
+    CHECK(house::name_faults(tree.sources()) == Faults{"src/rest/d.hpp:2: flying::One is defined in src/math/a.hpp, too",
+                                                       "src/rest/d.hpp:3: flying::Three is defined in src/math/a.hpp, too"});
+}
+
 // ---- Regions
 // ----------------------------------------------------------------------------------------------------------
 

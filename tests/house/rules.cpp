@@ -245,6 +245,31 @@ std::vector<std::string> later_faults(const std::vector<Source>& sources, const 
     return faults;
 }
 
+std::vector<std::string> name_faults(const std::vector<Source>& sources)
+{
+    static const std::regex k_namespace(R"(^namespace (\w+(?:::\w+)*) \{.*)");
+    static const std::regex k_type(R"(^(?:enum )?(?:class|struct|union) (\w+(?:::\w+)*)(?: final)?(?: ?:.*)?(?: ?\{.*)?\s*)");
+    std::vector<std::string> faults;
+    std::map<std::string, std::string> defined; // by the name with its namespace, the first file
+    for (const Source& source : sources) {
+        if (!source.path.ends_with(".hpp")) continue;
+        std::string scope;
+        for (std::size_t k = 0; k < source.code.size(); ++k) {
+            const std::string& line = source.code[k];
+            std::smatch match;
+            if (std::regex_match(line, match, k_namespace)) scope = match[1].str();
+            if (!std::regex_match(line, match, k_type) || (line.find('{') == std::string::npos && line.ends_with(";")))
+                continue;
+            const std::string name = scope + "::" + match[1].str();
+            const auto [first, is_new] = defined.emplace(name, source.path);
+            if (!is_new && first->second != source.path)
+                faults.push_back(at(source, static_cast<int>(k) + 1) + name + " is defined in " + first->second +
+                                 ", too");
+        }
+    }
+    return faults;
+}
+
 std::vector<std::string> top_level_faults(const std::filesystem::path& root)
 {
     static const std::set<std::string> k_entries = {

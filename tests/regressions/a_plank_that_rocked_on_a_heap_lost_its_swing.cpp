@@ -14,16 +14,6 @@ using namespace flying::testing;
 
 namespace {
 
-Scene scene_of(double friction)
-{
-    Scene scene;
-    scene.world.field = UniformField{{0.0, -9.81}};
-    scene.world.restitution = 0.0;
-    scene.world.friction = friction;
-    scene.bodies.push_back(still(rectangle(100.0, 1.0, {0.0, -0.5})));
-    return scene;
-}
-
 struct Rocker
 {
     int rows;           // of three boxes each, below
@@ -40,7 +30,7 @@ struct Rocker
 /// The plank is the last body.
 Scene scene_of(const Rocker& r)
 {
-    Scene scene = scene_of(0.9);
+    Scene scene = on_a_floor(0.0, 0.9);
     const auto add = [&](const BodyDef& body, double density) {
         scene.bodies.push_back(body);
         scene.bodies.back().density = density;
@@ -75,7 +65,7 @@ BodyDef polygon_at(std::vector<Vec2> vertices, const Vec2& position)
 /// A plate whose notch hangs on the edge of a wedge, on a stack of slabs. The plate is the last body.
 Scene knife(int slabs, double spin)
 {
-    Scene scene = scene_of(0.5);
+    Scene scene = on_a_floor(0.0, 0.5);
     for (int k = 0; k < slabs; ++k) scene.bodies.push_back(rectangle(2.6, 0.6, {0.0, 0.6 * (k + 0.5)}));
     const double top = 0.6 * slabs;
     scene.bodies.push_back(polygon_at({{-0.5, -0.8}, {0.5, -0.8}, {0.0, 1.6}}, {0.0, top + 0.8}));

@@ -17,11 +17,8 @@ namespace {
 /// What a floor bears that is tilted.
 Scene floor(double tilt, double friction)
 {
-    Scene scene;
+    Scene scene = on_a_floor(0.0, friction);
     scene.world.field = UniformField{9.81 * Vec2(std::sin(tilt), -std::cos(tilt))};
-    scene.world.restitution = 0.0;
-    scene.world.friction = friction;
-    scene.bodies.push_back(still(rectangle(400.0, 1.0, {0.0, -0.5})));
     return scene;
 }
 

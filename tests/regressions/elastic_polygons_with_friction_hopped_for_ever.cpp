@@ -16,27 +16,13 @@
 using namespace flying;
 using namespace flying::testing;
 
-namespace {
-
-Scene over_a_floor(double friction)
-{
-    Scene scene;
-    scene.world.field = UniformField{{0.0, -9.81}};
-    scene.world.restitution = 1.0;
-    scene.world.friction = friction;
-    scene.bodies.push_back(still(rectangle(400.0, 1.0, {0.0, -0.5})));
-    return scene;
-}
-
-} // namespace
-
 TEST_CASE("elastic polygons with friction come to rest without millions of impacts, and gain no energy")
 {
     const int scenes = tried(64);
     for (int seed = 1; seed <= scenes; ++seed) {
         CAPTURE(seed);
         Random random(static_cast<std::uint64_t>(seed));
-        Scene scene = over_a_floor(random.uniform(0.02, 1.2));
+        Scene scene = on_a_floor(1.0, random.uniform(0.02, 1.2));
         BodyDef body;
         body.shape = RegularDef{3 + static_cast<int>(random.below(6)), random.uniform(0.1, 1.0)};
         body.position = {0.0, random.uniform(1.1, 3.0)};
@@ -95,7 +81,7 @@ TEST_CASE("heaps of elastic boxes with friction take a hundred impacts for each 
 TEST_CASE("an elastic box that falls flat bounces for ever, with friction and without")
 {
     for (const double friction : {0.0, 0.4}) {
-        Scene scene = over_a_floor(friction);
+        Scene scene = on_a_floor(1.0, friction);
         scene.bodies.push_back(rectangle(1.0, 0.5, {0.0, 2.0}));
         World world = world_of(scene);
         run(world, 60.0);

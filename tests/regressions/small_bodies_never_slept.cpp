@@ -12,17 +12,6 @@ using namespace flying::testing;
 
 namespace {
 
-Scene floor_scene(double friction)
-{
-    Scene scene;
-    scene.world.field = UniformField{{0.0, -9.81}};
-    scene.world.restitution = 0.0;
-    scene.world.friction = friction;
-    scene.bodies.push_back(rectangle(400.0, 1.0, Vec2(0.0, -0.5)));
-    scene.bodies.back().is_static = true;
-    return scene;
-}
-
 [[nodiscard]] int awake_in(const World& world)
 {
     int awake = 0;
@@ -38,7 +27,7 @@ TEST_CASE("what lies still sleeps, however small it is")
         for (const int count : {1, 5}) {
             CAPTURE(side);
             CAPTURE(count);
-            Scene scene = floor_scene(0.3);
+            Scene scene = on_a_floor(0.0, 0.3);
             for (int k = 0; k < count; ++k) scene.bodies.push_back(rectangle(side, side, Vec2(3.0, (k + 0.5) * side)));
             World world = world_of(scene);
             run(world, 0.2);
@@ -49,7 +38,7 @@ TEST_CASE("what lies still sleeps, however small it is")
 
 TEST_CASE("small bodies sleep beside one that rolls, and so do large ones")
 {
-    Scene scene = floor_scene(0.3);
+    Scene scene = on_a_floor(0.0, 0.3);
     for (int k = 0; k < 50; ++k) {
         const double side = k % 5 == 0 ? 1.0 : 0.1;
         scene.bodies.push_back(rectangle(side, side, Vec2(3.0 + 1.2 * k, 0.5 * side)));

@@ -29,4 +29,15 @@ inline BodyDef still(BodyDef body)
     return body;
 }
 
+/// A world with nothing in it but a field of 9.81 m/s^2 downwards, and a floor of 400 m whose top is at height 0.
+inline Scene on_a_floor(double restitution, double friction)
+{
+    Scene scene;
+    scene.world.field = UniformField{{0.0, -9.81}};
+    scene.world.restitution = restitution;
+    scene.world.friction = friction;
+    scene.bodies.push_back(still(rectangle(400.0, 1.0, {0.0, -0.5})));
+    return scene;
+}
+
 } // namespace flying::testing
