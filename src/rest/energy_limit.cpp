@@ -7,6 +7,24 @@
 #include "rest/step_field.hpp"
 
 namespace flying {
+namespace {
+
+/// All but discs that no impulse has turned, as smooth ones: such a spin has no part in what the island gains. If it
+/// counted, gains would hide in the rounding of its energy, and it would pay for them.
+[[nodiscard]] bool is_turned(const RestData& data, int member)
+{
+    return data.bodies.turning[member] > 0.0 || data.motion.now[member].spin != data.motion.before[member].spin;
+}
+
+/// Kinetic energy, of what is not turned without its spin's.  [J]
+[[nodiscard]] double energy_in_play(const RestData& data, int member, const Mover& mover)
+{
+    Mover without_spin = mover;
+    if (!is_turned(data, member)) without_spin.spin = 0.0;
+    return kinetic_energy(without_spin);
+}
+
+} // namespace
 
 EnergyGain gain_of(const RestData& data, const Island& island)
 {
@@ -14,8 +32,8 @@ EnergyGain gain_of(const RestData& data, const Island& island)
     for (const int member : island.members) {
         const Mover& old = data.motion.before[member];
         const Mover& now = data.motion.now[member];
-        const double before = kinetic_energy(old);
-        const double after = kinetic_energy(now);
+        const double before = energy_in_play(data, member, old);
+        const double after = energy_in_play(data, member, now);
         const double work = work_of_field(data, member) / now.inv_mass;
         gain.gained += (after - before) - work;
         const Vec2& field = data.motion.field[member];
@@ -133,10 +151,13 @@ struct RigidMotion
     for (const int member : island.members) {
         const Mover& now = velocities[member];
         const Vec2 r = data.bodies.list[member].state.position - rigid.centre;
-        turning += cross(r, Vec2(Vec2(now.v_x, now.v_y) - rigid.velocity)) / now.inv_mass + now.spin / now.inv_moment;
-        moment += r.squaredNorm() / now.inv_mass + 1.0 / now.inv_moment;
+        turning += cross(r, Vec2(Vec2(now.v_x, now.v_y) - rigid.velocity)) / now.inv_mass;
+        moment += r.squaredNorm() / now.inv_mass;
+        if (!is_turned(data, member)) continue;
+        turning += now.spin / now.inv_moment;
+        moment += 1.0 / now.inv_moment;
     }
-    rigid.spin = turning / moment;
+    if (moment > 0.0) rigid.spin = turning / moment;
     return rigid;
 }
 
@@ -164,7 +185,7 @@ struct RelativeEnergy
         const Mover& now = velocities[member];
         const Vec2 common = rigid.at(data.bodies.list[member].state.position);
         const Vec2 own = Vec2(now.v_x, now.v_y) - common;
-        const double spin = now.spin - rigid.spin;
+        const double spin = is_turned(data, member) ? now.spin - rigid.spin : 0.0;
         energy.own += 0.5 * (own.squaredNorm() / now.inv_mass + spin * spin / now.inv_moment);
         energy.mixed += common.dot(own) / now.inv_mass + rigid.spin * spin / now.inv_moment;
     }
@@ -187,7 +208,7 @@ struct RelativeEnergy
         const Vec2 common = rigid.at(data.bodies.list[member].state.position);
         now.v_x = common.x() + share * (now.v_x - common.x());
         now.v_y = common.y() + share * (now.v_y - common.y());
-        now.spin = rigid.spin + share * (now.spin - rigid.spin);
+        if (is_turned(data, member)) now.spin = rigid.spin + share * (now.spin - rigid.spin);
     }
     return by - ((energy + mixed) - (energy * share + mixed) * share);
 }
