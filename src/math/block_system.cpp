@@ -43,15 +43,6 @@ void subtract_transposed(double (&x)[4], const Block& a, const double* y)
     for (int j = 0; j < 4; ++j) x[j] -= (a.at[0][j] * first + a.at[1][j] * second) + a.at[2][j] * third;
 }
 
-/// block += factor p q^T
-void add_product(Block& block, double factor, const double* p, const double* q)
-{
-    for (int i = 0; i < 3; ++i) {
-        const double row = factor * p[i];
-        for (int j = 0; j < 3; ++j) block.at[i][j] += row * q[j];
-    }
-}
-
 /// Replaces a block by its factors: below the diagonal those of the elimination, on and above it what is left, and
 /// beside each row one over its pivot. An explicit inverse would lose what rounding leaves of blocks that hold both
 /// masses and stiff points.
@@ -191,15 +182,6 @@ void BlockSystem::clear()
     std::fill(diagonal_.begin(), diagonal_.end(), Block{});
     std::fill(lower_.begin(), lower_.end(), Block{});
     std::fill(upper_.begin(), upper_.end(), Block{});
-}
-
-void BlockSystem::add(const Edge& pair, int edge, double factor, const PairRow& felt, const PairRow& seen)
-{
-    if (pair.first >= 0) add_product(diagonal(pair.first), factor, felt.a, seen.a);
-    if (pair.second >= 0) add_product(diagonal(pair.second), factor, felt.b, seen.b);
-    if (edge < 0) return;
-    add_product(block(places_[edge].first_second), factor, felt.a, seen.b);
-    add_product(block(places_[edge].second_first), factor, felt.b, seen.a);
 }
 
 bool BlockSystem::factorise()

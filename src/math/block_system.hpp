@@ -11,6 +11,15 @@ struct Block
     double at[3][4] = {};
 };
 
+/// block += factor p q^T
+inline void add_product(Block& block, double factor, const double* p, const double* q)
+{
+    for (int i = 0; i < 3; ++i) {
+        const double row = factor * p[i];
+        for (int j = 0; j < 3; ++j) block.at[i][j] += row * q[j];
+    }
+}
+
 /// Six numbers, three for each body of a pair: what the two feel of a push, or what it sees of their motion.
 struct PairRow
 {
@@ -89,5 +98,14 @@ private:
     std::vector<double> work_;
     std::vector<std::vector<int>> columns_; // workspace of the symbolic part
 };
+
+inline void BlockSystem::add(const Edge& pair, int edge, double factor, const PairRow& felt, const PairRow& seen)
+{
+    if (pair.first >= 0) add_product(diagonal(pair.first), factor, felt.a, seen.a);
+    if (pair.second >= 0) add_product(diagonal(pair.second), factor, felt.b, seen.b);
+    if (edge < 0) return;
+    add_product(block(places_[edge].first_second), factor, felt.a, seen.b);
+    add_product(block(places_[edge].second_first), factor, felt.b, seen.a);
+}
 
 } // namespace flying
