@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <variant>
 
 #include "world/reach_in_step.hpp"
@@ -44,13 +45,16 @@ double length_of_step(double step, double from, double end)
     return end - from;
 }
 
-double pace_of(const BodyState& state, double radius, const Field& field)
+double pace_of(const BodyState& state, const Shape& shape, double radius, const Field& field)
 {
     const auto* central = std::get_if<CentralField>(&field);
     double size = radius;
     if (central) size = std::min(size, (state.position - central->centre).norm()); // the field changes as fast
     const double after_fall = std::sqrt(2.0 * greatest_pull(field, state.position) * (k_fall * radius));
-    return std::max(state.velocity.norm(), after_fall) / size + std::abs(state.spin);
+    const double pace = std::max(state.velocity.norm(), after_fall) / size;
+    // A turn leaves a disc where it is
+    const double most = std::holds_alternative<Disc>(shape) ? pace : std::numeric_limits<double>::infinity();
+    return pace + std::min(std::abs(state.spin), most);
 }
 
 int halvings_for(double step, double pace)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "geometry/shape.hpp"
 #include "motion/body.hpp"
 #include "motion/field.hpp"
 
@@ -18,9 +19,9 @@ namespace flying {
 [[nodiscard]] double length_of_step(double step, double from, double end);
 
 /// How fast a body changes places, by its size, or would after a fall of a few sizes: what small bodies bear in a step
-/// is in proportion to that.  [1/s]
+/// is in proportion to that. A disc that spins on the spot is as fast as one that rolls, at most.  [1/s]
 /// radius  of its bounding circle [m]
-[[nodiscard]] double pace_of(const BodyState& state, double radius, const Field& field);
+[[nodiscard]] double pace_of(const BodyState& state, const Shape& shape, double radius, const Field& field);
 
 /// How often the step must be halved for bodies to stay within a small part of their size.
 /// pace  of the fastest [1/s]

@@ -84,7 +84,9 @@ std::vector<Leaning> leaning_among(std::span<const int> bodies, const StepStart&
 StepPlan plan_step(const StepStart& start, HandOver& hand_over)
 {
     const double now = start.resting.time();
-    const auto pace = [&](int k, const BodyState& state) { return pace_of(state, start.radius[k], start.field); };
+    const auto pace = [&](int k, const BodyState& state) {
+        return pace_of(state, start.flying.shape(k), start.radius[k], start.field);
+    };
     double fastest = 0.0;
     for (const int k : start.movers.list(BodyMover::rest)) fastest = std::max(fastest, pace(k, start.resting.state(k)));
     int halvings = halvings_for(start.step, fastest);

@@ -16,7 +16,8 @@ namespace {
 bool is_fast(const World& world, double step)
 {
     for (int k = 0; k < world.body_count(); ++k) {
-        if (!world.is_static(k) && step * pace_of(world.state(k), bounding_radius(world.shape(k)), {}) > 0.25)
+        if (!world.is_static(k) &&
+            step * pace_of(world.state(k), world.shape(k), bounding_radius(world.shape(k)), {}) > 0.25)
             return true;
     }
     return false;

@@ -67,12 +67,16 @@ TEST_CASE("a body at rest is as fast, by its size, as it would be after a fall o
 {
     const Field gravity = UniformField{{0.0, -9.81}};
     for (const double radius : {1e-3, 0.02, 1.0, 300.0}) {
+        const Shape disc = Disc{radius};
+        const Shape square = Polygon({{{-radius, 0.0}, {0.0, -radius}, {radius, 0.0}, {0.0, radius}}});
         BodyState state;
         const double fallen = std::sqrt(8.0 * 9.81 / radius);
-        CHECK(pace_of(state, radius, gravity) == doctest::Approx(fallen).epsilon(1e-14));
-        CHECK(pace_of(state, radius, {}) == 0.0);
+        CHECK(pace_of(state, square, radius, gravity) == doctest::Approx(fallen).epsilon(1e-14));
+        CHECK(pace_of(state, square, radius, {}) == 0.0);
         state.spin = -3.0;
         state.velocity = Vec2(0.0, 2.0 * fallen * radius);
-        CHECK(pace_of(state, radius, gravity) == doctest::Approx(2.0 * fallen + 3.0).epsilon(1e-14));
+        CHECK(pace_of(state, square, radius, gravity) == doctest::Approx(2.0 * fallen + 3.0).epsilon(1e-14));
+        CHECK(pace_of(state, disc, radius, gravity) ==
+              doctest::Approx(2.0 * fallen + std::min(3.0, 2.0 * fallen)).epsilon(1e-14));
     }
 }
