@@ -329,7 +329,8 @@ void EventEngine::handle_cell(const Event& event)
     Predictor predictor = this->predictor();
     const Grid& cells = neighbours_.cells();
     const auto look = [&](int other) {
-        if (other != body) predictor.predict_pair(body, other);
+        if (other == body || foreseen_.will_look(bodies_[body], bodies_[other], event.time)) return;
+        predictor.predict_pair(body, other);
     };
     for (const Cell& cell : cells_ahead(from, step)) cells.for_each_in(cell, look);
     const std::span<const int> known = cells.statics_near(from);

@@ -11,8 +11,8 @@ struct EventEngineOptions
     PairFinder pair_finder = PairFinder::grid;
     bool skips_static_pairs = true; ///< static bodies are not compared with each other
     bool skips_far_features = true; ///< turning features wait until bounding circles meet
-    bool skips_search = true; ///< movers are predicted and struck from their rows, later events of each wait, and no
-                              ///< pair is searched for longer than both will fly
+    bool skips_search = true; ///< movers are predicted and struck from their rows, later events of each wait, no pair
+                              ///< is searched for longer than both will fly, and none twice at a time
     bool skips_absent_field = true; ///< where nothing falls, paths are straight
     bool skips_apart_rings = true;  ///< round a centre, rings apart never meet
     bool skips_far_vertices = true; ///< vertices out of reach aren't followed

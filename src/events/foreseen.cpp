@@ -46,6 +46,26 @@ std::int64_t ForeseenEvents::await(const BodyRows& bodies, int row)
     return stale;
 }
 
+bool ForeseenEvents::will_look(const BodyRows::Row& p, const BodyRows::Row& q, double time) const
+{
+    if (!lets_wait_) return false;
+    const std::vector<NextLook>& looks = looks_[std::min(p.id, q.id)];
+    const int with = std::max(p.id, q.id);
+    return std::any_of(looks.begin(), looks.end(), [&](const NextLook& look) {
+        return look.with == with && look.stamp == p.stamp + q.stamp && look.time >= time;
+    });
+}
+
+void ForeseenEvents::remember_look(const Event& look)
+{
+    std::vector<NextLook>& looks = looks_[look.a];
+    const auto is_theirs = [&](const NextLook& one) { return one.with == look.b; };
+    const auto found = std::find_if(looks.begin(), looks.end(), is_theirs);
+    const NextLook next{look.b, look.stamp, look.time};
+    if (found != looks.end()) *found = next;
+    else looks.push_back(next);
+}
+
 void ForeseenEvents::call_all()
 {
     for (const Event& event : noted_) queue_.push(event);
@@ -56,6 +76,12 @@ void ForeseenEvents::sweep(const BodyRows& bodies)
 {
     queue_.keep_if([&](const Event& event) { return bodies.is_current(event) || is_called(bodies, event); });
     sweep_at_ = std::max<std::size_t>(2 * queue_.size(), 1024);
+    for (std::size_t id = 0; id < looks_.size(); ++id) {
+        if (looks_[id].empty()) continue;
+        const std::uint32_t own = bodies[bodies.row_of(static_cast<int>(id))].stamp;
+        std::erase_if(looks_[id],
+                      [&](const NextLook& look) { return look.stamp != own + bodies[bodies.row_of(look.with)].stamp; });
+    }
 }
 
 void ForeseenEvents::clear()
@@ -63,6 +89,7 @@ void ForeseenEvents::clear()
     queue_.clear();
     for (Waiting& waiting : waiting_) waiting = {};
     for (Event& impact : struck_) impact = {};
+    for (std::vector<NextLook>& looks : looks_) looks.clear();
 }
 
 void ForeseenEvents::line_up(std::span<const int> old_rows)

@@ -17,9 +17,13 @@ class ForeseenEvents
 {
 public:
     /// bodies       how many there are
-    /// lets_wait    only the first event of a body goes into the queue; else all do
+    /// lets_wait    only the first event of a body goes into the queue, and it is known which pairs will be looked at; else
+    ///              all do, and it isn't
     explicit ForeseenEvents(int bodies, bool lets_wait)
-        : waiting_(static_cast<std::size_t>(bodies)), struck_(static_cast<std::size_t>(bodies)), lets_wait_(lets_wait)
+        : waiting_(static_cast<std::size_t>(bodies)),
+          struck_(static_cast<std::size_t>(bodies)),
+          looks_(static_cast<std::size_t>(bodies)),
+          lets_wait_(lets_wait)
     {
     }
 
@@ -28,7 +32,10 @@ public:
     void note_pair(double time, const BodyRows::Row& p, const BodyRows::Row& q, Event::Kind kind)
     {
         noted_.push_back({time, p.id < q.id ? p.id : q.id, p.id < q.id ? q.id : p.id, p.stamp + q.stamp, kind});
+        if (kind != Event::Kind::impact) remember_look(noted_.back());
     }
+    /// The two will be looked at again, at this moment or later, whether they are near by then or not.  [s]
+    [[nodiscard]] bool will_look(const BodyRows::Row& p, const BodyRows::Row& q, double time) const;
     /// Note an impact, and that both bodies fly no longer than until then.
     void note_impact(const BodyRows& bodies, double time, int p, int q)
     {
@@ -92,10 +99,20 @@ public:
     void line_up(std::span<const int> old_rows);
 
 private:
+    /// When two bodies will be looked at again.
+    struct NextLook
+    {
+        int with = -1; ///< the higher id
+        std::uint32_t stamp = 0;
+        double time = 0.0; ///< [s]
+    };
+    void remember_look(const Event& look);
+
     EventQueue queue_;
-    std::vector<Waiting> waiting_; // by row
-    std::vector<Event> struck_;    // by id: an impact that was foreseen of the body
-    std::vector<Event> noted_;     // since the last that found their places
+    std::vector<Waiting> waiting_;             // by row
+    std::vector<Event> struck_;                // by id: an impact that was foreseen of the body
+    std::vector<std::vector<NextLook>> looks_; // by the lower id
+    std::vector<Event> noted_;                 // since the last that found their places
     bool lets_wait_;
     std::size_t sweep_at_ = 0;
 };
