@@ -142,15 +142,22 @@ void HeapSweeps::settle(RestData& data, const Island& island, std::span<ContactP
 }
 
 /// Sweeps go on where more is left: a blow to a heap is felt all through it, but few points still miss their bounds by
-/// too much after the first sweeps. Where even the most of them leave too much, the direct solve finds the rest, if it
-/// can.
+/// too much after the first sweeps. Where more of them do, as in smooth discs that lie in layers, each sweep leads on by
+/// one layer, and alternating directions by all. In what isn't large the direct solve finds the rest, if it can.
 void HeapSweeps::sweep_on(RestData& data, const Island& island, std::span<Mover> movers, std::span<ContactPoint> points,
                           const Aim& aim)
 {
     allow(data, points, most_added(aim.is_landing) / aim.span);
-    const int most = rest_tolerance::k_more_sweeps * static_cast<int>(points.size());
-    if (local_.sweep(movers, points, allowed_, most) || is_large(island)) return;
+    const int sweeps = is_large(island) ? rest_tolerance::k_few_sweeps : rest_tolerance::k_more_sweeps;
+    const int most = sweeps * static_cast<int>(points.size());
+    if (local_.sweep(movers, points, allowed_, most)) return;
     take_back(movers, points);
+    if (is_large(island)) {
+        const double least = *std::min_element(allowed_.begin(), allowed_.end());
+        data.solver.solve_by_turns(movers, island.members, points, 0.5 * least, rest_tolerance::k_few_sweeps);
+        (void)local_.sweep(movers, points, allowed_, most);
+        return;
+    }
     (void)data.solver.solve(movers, island.members, points, rest_tolerance::k_residual * top_speed(data, island));
 }
 

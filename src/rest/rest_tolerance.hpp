@@ -143,7 +143,8 @@ inline constexpr double k_over_relaxation = 1.6;
 /// pieces of a path that begins near its end.
 inline constexpr int k_more_sweeps = 128;
 
-/// Rounds of impacts in a heap, for each pair; sweeps that end what is left of them, and that take off its overlap.
+/// Rounds of impacts in a heap, for each pair; sweeps that end what is left of them, and that take off its overlap;
+/// those that go on in large heaps, and the rounds of alternating directions where they don't end.
 /// What stood gets as many times the rounds of what moves: 2048 are enough for bricks of which some weigh a thousand
 /// times as much as others; like ones take some fifty.
 inline constexpr int k_few_sweeps = 16;
