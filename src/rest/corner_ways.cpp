@@ -8,14 +8,15 @@ namespace flying {
 
 std::optional<Vec2> middle_way(const WaysOut& a, const WaysOut& b, const Vec2& way, double near)
 {
-    const std::optional<WaysOut> both = ways_apart(a, b);
-    if (!both) return std::nullopt;
+    const WaysOut into_b{-b.first, -b.last};
+    const WaysOut both{into_b.has(a.first) ? a.first : into_b.first, into_b.has(a.last) ? a.last : into_b.last};
+    if (!a.has(both.first) || !a.has(both.last)) return std::nullopt;
     // A side that is turned by so little leaves no more than a closed gap at its far end
     const double turned = rest_tolerance::k_closed;
-    const bool is_wide = !(both->first.dot(both->last) > turned);
-    const bool is_side = !(cross(both->first, both->last) > turned);
-    if (is_wide || is_side || std::abs((both->first - both->last).dot(way)) > near) return std::nullopt;
-    return (both->first + both->last).normalized();
+    const bool is_wide = !(both.first.dot(both.last) > turned);
+    const bool is_side = !(cross(both.first, both.last) > turned);
+    if (is_wide || is_side || std::abs((both.first - both.last).dot(way)) > near) return std::nullopt;
+    return (both.first + both.last).normalized();
 }
 
 } // namespace flying
