@@ -8,7 +8,6 @@ constexpr double k_along = 0x1p-26;
 
 } // namespace
 
-// [ways-out.slide]
 std::optional<Vec2> side_slid_along(const WaysOut& a, const WaysOut& b, const Vec2& way, const Vec2& velocity,
                                     double touch)
 {
@@ -19,6 +18,5 @@ std::optional<Vec2> side_slid_along(const WaysOut& a, const WaysOut& b, const Ve
     }
     return std::nullopt;
 }
-// [ways-out.slide]
 
 } // namespace flying

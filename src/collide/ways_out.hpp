@@ -20,7 +20,6 @@ struct WaysOut
     }
 };
 
-// [ways-out.slide]
 /// Where two corners lie on each other, and slide past each other along one of their sides, they don't strike: the
 /// normal of that side. The far edge of a gap in a floor is no step to a box that slides on the level of both.
 ///
@@ -32,6 +31,5 @@ struct WaysOut
 /// Returns a unit vector from A to B; nothing where the corners come at each other, or one is behind the side.
 [[nodiscard]] std::optional<Vec2> side_slid_along(const WaysOut& a, const WaysOut& b, const Vec2& way,
                                                   const Vec2& velocity, double touch);
-// [ways-out.slide]
 
 } // namespace flying
