@@ -6,11 +6,6 @@
 
 namespace flying {
 
-bool WaysOut::has(const Vec2& way) const
-{
-    return cross(first, way) >= 0.0 && cross(way, last) >= 0.0;
-}
-
 std::optional<Vec2> middle_way(const WaysOut& a, const WaysOut& b, const Vec2& way, double near)
 {
     const WaysOut into_b{-b.first, -b.last};

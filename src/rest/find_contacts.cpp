@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
+#include "rest/corner_pass.hpp"
 #include "rest/rest_tolerance.hpp"
 
 namespace flying {
@@ -154,6 +156,35 @@ Manifold find_from_memory(RestData& data, RestPair& pair, double margin)
     return data.looks.find_cached(data.bodies, data.pairs, pair, margin);
 }
 
+/// Corners that slide past each other bear along the side that they slide on.
+void slide_past(const RestData& data, const RestPair& pair, Manifold& manifold)
+{
+    const std::optional<Vec2> side =
+        side_at_passing(data, pair, manifold, data.bodies.poses[pair.a], data.bodies.poses[pair.b]);
+    if (!side) return;
+    manifold.count = 1;
+    manifold.contacts[0].normal = *side;
+    manifold.contacts[0].separation = 0.0;
+}
+
+/// What comes at a corner, and will slide past it, is in nobody's way: seen along the side that it will slide on.
+///
+/// ahead    the pair at the moment at which the gap closes
+/// closing  [out] with the speed at which it comes there
+void see_past(const RestData& data, const RestPair& pair, const Manifold& ahead, double moment, Manifold& manifold,
+              Closing& closing)
+{
+    const double approach =
+        -opening_speed(manifold.contacts[0], data.bodies.list[pair.a].state, data.bodies.list[pair.b].state);
+    if (!comes_near(data, pair, approach)) return;
+    std::optional<Vec2> side;
+    if (!comes_near(data, pair, closing.speed)) side = ahead.contacts[0].normal;
+    else side = side_at_passing(data, pair, ahead, pose_at(data, pair.a, moment), pose_at(data, pair.b, moment));
+    if (!side) return;
+    for (Contact& contact : manifold.contacts) contact.normal = *side;
+    closing.speed = std::max(closing.speed, approach);
+}
+
 /// The points of a pair bear what those bore that they continue.
 void recall_loads(const RestData& data, RestPair& pair, const Manifold& manifold)
 {
@@ -189,6 +220,7 @@ const Manifold& look_at_start(RestData& data, RestPair& pair, double margin, Man
     Manifold& found = stand ? last.manifold : room;
     found.count = 0;
     if (may_touch(data, pair, data.motion.reach)) found = find_from_memory(data, pair, margin);
+    if (!stand) slide_past(data, pair, found);
     if (found.count > 0) recall_loads(data, pair, found);
     else pair.count = 0;
     return found;
@@ -272,7 +304,13 @@ void find_contacts(RestData& data, int index, std::vector<ContactPoint>& found)
         ahead = look(data, pair, pose_at(data, pair.a, moment), pose_at(data, pair.b, moment), margin);
         closing.closed = rest_tolerance::k_closed * size;
     }
-    add_points(data, index, manifold, closes_at, closing.speed, found);
+    if (!(closes_at > 0.0 && std::isfinite(closes_at))) {
+        add_points(data, index, manifold, closes_at, closing.speed, found);
+        return;
+    }
+    Manifold seen = manifold;
+    see_past(data, pair, ahead, closes_at, seen, closing);
+    add_points(data, index, seen, closes_at, closing.speed, found);
 }
 
 } // namespace flying

@@ -41,6 +41,8 @@ Outline::Outline(const Shape& shape, const CollisionShape& parts)
                                              [&](const Side& side) { return side.finish == after.start; });
             if (before == sides_.end()) continue;
             const double turn = cross(before->tangent, after.tangent);
+            before->after = after.normal;
+            after.before = before->normal;
             if (turn < 0.0) after.rises_before = before->rises_after = true;
             else if (turn > rest_tolerance::k_straight)
                 corners_.push_back({after.edge, after.start, 0.0, before->normal, after.normal});

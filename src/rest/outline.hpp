@@ -24,6 +24,8 @@ public:
         double length = 0.0;         ///< [m]
         bool rises_before = false;   ///< the boundary turns towards the outside where the side starts
         bool rises_after = false;    ///< the same where it ends
+        Vec2 before = Vec2::Zero();  ///< outward normal of the side that ends where this one starts
+        Vec2 after = Vec2::Zero();   ///< and of the one that starts where it ends
 
         [[nodiscard]] double distance_to(const Vec2& point) const; ///< [m]
     };

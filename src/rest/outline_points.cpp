@@ -166,6 +166,11 @@ void add_corners_over_sides(const OutlineSide& with_sides, const OutlineSide& wi
             if (along < -(side.rises_before ? beyond : touch)) continue;
             if (along > side.length + (side.rises_after ? beyond : touch)) continue;
             if (is_sunk && !leaves_over(with_sides.outline, side, corner, touch)) continue;
+            // What is behind the other flank, and not in the body, is beyond the arm whose flank that is
+            const Vec2 from_finish = corner.place - side.finish;
+            const bool is_behind = (along < -touch && side.before.dot(from_start) < -touch) ||
+                                   (along > side.length + touch && side.after.dot(from_finish) < -touch);
+            if (is_behind && !with_sides.outline.holds(corner.place, touch)) continue;
             Parting parting{side.normal, separation};
             if (is_sunk) {
                 const Parting other =

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "collide/ways_out.hpp"
 #include "math/tolerance.hpp"
 #include "toi/bend.hpp"
 #include "toi/central_flight.hpp"
@@ -170,6 +171,27 @@ struct Approaches
     int count = 0;
 };
 
+[[nodiscard]] WaysOut ways_out(const Polygon& polygon, int vertex, const Rotation& turned)
+{
+    return {turned * polygon.edges()[polygon.previous(vertex)].normal, turned * polygon.edges()[vertex].normal};
+}
+
+/// What comes at the end of an edge strikes nothing there if it slides past the corner.
+///
+/// seen   the vertex of P, as Q sees it
+/// depth  what is no deeper behind a side than this lies on it [m]
+[[nodiscard]] bool slides_past(const Side& p, const Side& q, const Seen& seen, const Rotation& q_from_p, int vertex,
+                               const Edge& edge, double depth)
+{
+    const auto slides_past_corner = [&](int end) {
+        const Vec2 way = seen.point - q.shape.vertices()[end];
+        if (!(way.squaredNorm() <= 4.0 * depth * depth) || q.shape.is_reflex(end)) return false;
+        const WaysOut of_q = ways_out(q.shape, end, Rotation{});
+        return side_slid_along(of_q, ways_out(p.shape, vertex, q_from_p), way, seen.rate, depth).has_value();
+    };
+    return slides_past_corner(edge.from) || slides_past_corner(edge.to);
+}
+
 /// First strike of one vertex on one edge.
 template <typename Relative>
 [[nodiscard]] MarchEnd follow(const Facing<Relative>& facing, int vertex, int edge_index, double stop)
@@ -190,9 +212,11 @@ template <typename Relative>
         return read_edge(facing.see(corner, time, world_from_p, world_from_q), edge, edge_start);
     };
     const auto counts = [&](double time) {
-        if (p.seams.empty()) return true;
-        const Vec2 normal = inverse(p.turning.at(time)) * Vec2(q.turning.at(time) * edge.normal);
-        return is_open(p.shape, vertex, p.seams, -normal);
+        const auto [world_from_p, world_from_q] = both_at(p.turning, q.turning, time);
+        const Vec2 normal = inverse(world_from_p) * Vec2(world_from_q * edge.normal);
+        if (!is_open(p.shape, vertex, p.seams, -normal)) return false;
+        const Seen seen = facing.see(corner, time, world_from_p, world_from_q);
+        return !slides_past(p, q, seen, inverse(world_from_q) * world_from_p, vertex, edge, bounds.depth);
     };
     const double from = facing.window.from;
     const EdgeReading first = read_edge(facing.see_at_start(corner), edge, edge_start);
