@@ -64,7 +64,7 @@ bool PushTogether::find_impulses(double enough, int rounds)
     double least = std::numeric_limits<double>::infinity();
     double stiffness = k_stiffest;
     for (int round = 0; round < rounds; ++round) {
-        const double left = ask_points();
+        const double left = ask_points(round == 0 ? enough : 0.0); // at first, what touches closes
         if (least <= enough && !(left < least)) break;
         if (left < least) {
             least = left;
@@ -143,7 +143,9 @@ void PushTogether::set_up()
 // [response.at_once.ask]
 /// Ask each point what would end the approach and the slip at its own place: whether it is closed then, and grips.
 /// Returns how far at most that is from what it bears.  [m/s]
-double PushTogether::ask_points()
+///
+/// near  what opens no faster is closed [m/s]
+double PushTogether::ask_points(double near)
 {
     double left = 0.0;
     for (GroupPoint& p : points_) {
@@ -151,7 +153,7 @@ double PushTogether::ask_points()
         const PointImpulse wanted{p.bears.normal - (speed_along(p.frame.normal, motion) - p.least) / p.response_n,
                                   p.bears.tangent - speed_along(p.frame.tangent, motion) / p.response_t};
         const PointImpulse possible = within_cone(p, wanted);
-        p.is_closed = wanted.normal > 0.0;
+        p.is_closed = p.response_n * wanted.normal > -near;
         p.grips = p.is_closed && p.material.friction > 0.0 && possible.tangent == wanted.tangent;
         p.lean = std::copysign(p.material.friction, wanted.tangent);
         left = std::max({left, std::abs(possible.normal - p.bears.normal) * p.response_n,

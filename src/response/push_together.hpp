@@ -98,7 +98,7 @@ private:
     [[nodiscard]] static PointImpulse within_cone(const GroupPoint& p, const PointImpulse& wanted);
     [[nodiscard]] bool find_impulses(double enough, int rounds);
     void set_up();
-    [[nodiscard]] double ask_points();
+    [[nodiscard]] double ask_points(double near);
     [[nodiscard]] static PointImpulse damped(const GroupPoint& p, double stiffness, const PairMotion& motion,
                                              double free);
     void push_at_once(double stiffness);
