@@ -178,12 +178,17 @@ int resolve_impacts(std::span<ImpactBody> bodies, std::span<const ImpactPair> al
     const std::span<const ImpactPair> pairs = joined.pairs();
     const std::span<const ImpactPoint> points = joined.points();
     const std::span<const double> slowest = joined.slowest();
-    const auto approaches = [&](const ImpactPair& pair) {
+    const auto approach = [&](const ImpactPair& pair) { // beyond what is none [m/s]
         const PairMotion motion = pair_motion(bodies, pair.a, pair.b);
-        for (std::size_t k = pair.first; k < pair.end; ++k) {
-            if (speed_along(frame_at(points[k]).normal, motion) < -slowest[k]) return true;
-        }
-        return false;
+        double fastest = 0.0;
+        for (std::size_t k = pair.first; k < pair.end; ++k)
+            fastest = std::max(fastest, -speed_along(frame_at(points[k]).normal, motion) - slowest[k]);
+        return fastest;
+    };
+    const auto approach_of_all = [&](std::span<const int> group) {
+        double fastest = 0.0;
+        for (const int k : group) fastest = std::max(fastest, approach(pairs[k]));
+        return fastest;
     };
     const auto tie = [&](int body) { return moves(bodies[body]) ? body : -1; };
     std::vector<PushTogether::Share> shares(bodies.size());
@@ -199,7 +204,7 @@ int resolve_impacts(std::span<ImpactBody> bodies, std::span<const ImpactPair> al
         chosen.clear();
         ties.clear();
         for (const int k : candidates) {
-            if (!approaches(pairs[k])) continue;
+            if (!(approach(pairs[k]) > 0.0)) continue;
             chosen.push_back(k);
             ties.push_back({tie(pairs[k].a), tie(pairs[k].b)});
         }
@@ -212,12 +217,17 @@ int resolve_impacts(std::span<ImpactBody> bodies, std::span<const ImpactPair> al
             if (group.size() == 1) {
                 if (!strike(bodies, pairs[group[0]], points)) continue;
             } else {
-                PushTogether together(bodies, shares, system);
-                for (const int k : group) together.add(pairs[k], points);
-                together.compress();
-                together.give_back();
+                const double before = approach_of_all(group);
+                {
+                    PushTogether together(bodies, shares, system);
+                    for (const int k : group) together.add(pairs[k], points);
+                    together.compress();
+                    together.give_back();
+                }
+                impacts += static_cast<int>(group.size());
+                if (approach_of_all(group) > 0.5 * before) continue; // as it would be once more
             }
-            impacts += static_cast<int>(group.size());
+            if (group.size() == 1) ++impacts;
             for (const int k : group) {
                 for (const int body : {pairs[k].a, pairs[k].b}) {
                     const std::span<const int> others = pairs_of.of(body);

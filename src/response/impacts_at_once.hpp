@@ -35,7 +35,9 @@ struct ImpactPair
 /// nothing but rounding, and mirrored bodies get mirrored answers.
 ///
 /// However far compression has come (`PushTogether`), a push together never adds energy: it is scaled down to none
-/// where it would.
+/// where it would. Bodies that it has hardly slowed wait until others strike them: it would do no more the next time.
+/// They may be three that just fill a slot and of which the middle one, by a billionth above the line of the others,
+/// wedges them apart.
 ///
 /// bodies   their velocities are those before; on return those after
 /// points   of all pairs; normals point from A to B

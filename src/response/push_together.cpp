@@ -28,11 +28,12 @@ PushTogether::~PushTogether()
     for (const int body : movers_) shares_[body] = {};
 }
 
-void PushTogether::add(const ImpactPair& pair, std::span<const ImpactPoint> points)
+void PushTogether::add(const ImpactPair& pair, std::span<const ImpactPoint> points, std::span<const double> least)
 {
     for (std::size_t k = pair.first; k < pair.end; ++k) {
         points_.push_back({pair.a, pair.b, frame_at(points[k]), pair.material});
-        const GroupPoint& point = points_.back();
+        GroupPoint& point = points_.back();
+        if (!least.empty()) point.least = least[k];
         const double v_n = speed_along(point.frame.normal, motion_of(point));
         const double v_t = speed_along(point.frame.tangent, motion_of(point));
         top_speed_ = std::max({top_speed_, std::abs(v_n), std::abs(v_t), bodies_[pair.a].velocity.norm(),
@@ -48,24 +49,46 @@ void PushTogether::compress()
         return speed_along(p.frame.normal, motion_of(p)) > std::max(tolerance::k_approach * top_speed_, rests_);
     };
     std::erase_if(points_, parts);
+    static_cast<void>(find_impulses(0.0, k_rounds));
+    end_together();
+    take_back();
+}
+
+/// True where none misses by more than enough, or than rounding, what would end its approach.
+///
+/// enough  what may be left, where another round gets no nearer [m/s]
+bool PushTogether::find_impulses(double enough, int rounds)
+{
     set_up();
+    const double rounding = 4.0 * tolerance::k_epsilon * top_speed_;
     double least = std::numeric_limits<double>::infinity();
     double stiffness = k_stiffest;
-    for (int round = 0; round < k_rounds; ++round) {
-        const double left = ask_points();
+    for (int round = 0; round < rounds; ++round) {
+        const double left = ask_points(round == 0 ? enough : 0.0); // at first, what touches closes
+        if (least <= enough && !(left < least)) break;
         if (left < least) {
             least = left;
             for (GroupPoint& p : points_) p.best = p.bears;
             stiffness = std::min(16.0 * stiffness, k_stiffest);
         } else stiffness = std::max(0.25 * stiffness, k_softest);
-        if (left <= 4.0 * tolerance::k_epsilon * top_speed_) break; // both are zero where all is too slow for numbers
+        if (left <= rounding) break; // both are zero where all is too slow for numbers
         push_at_once(stiffness);
     }
     for (GroupPoint& p : points_) p.bears = within_cone(p, p.best);
-    end_together();
-    take_back();
+    return least <= std::max(rounding, enough);
 }
 // [response.at_once.compress]
+
+bool PushTogether::stop(double enough, int rounds)
+{
+    const bool is_found = find_impulses(enough, rounds);
+    take_back();
+    if (!is_found) return false;
+    static_cast<void>(push_all(&PointFrame::normal, [](const GroupPoint& p) { return p.bears.normal; }));
+    static_cast<void>(push_all(&PointFrame::tangent, [](const GroupPoint& p) { return p.bears.tangent; }));
+    give(1.0);
+    return true;
+}
 
 // [response.at_once.give_back]
 void PushTogether::give_back()
@@ -120,15 +143,17 @@ void PushTogether::set_up()
 // [response.at_once.ask]
 /// Ask each point what would end the approach and the slip at its own place: whether it is closed then, and grips.
 /// Returns how far at most that is from what it bears.  [m/s]
-double PushTogether::ask_points()
+///
+/// near  what opens no faster is closed [m/s]
+double PushTogether::ask_points(double near)
 {
     double left = 0.0;
     for (GroupPoint& p : points_) {
         const PairMotion motion = motion_of(p);
-        const PointImpulse wanted{p.bears.normal - speed_along(p.frame.normal, motion) / p.response_n,
+        const PointImpulse wanted{p.bears.normal - (speed_along(p.frame.normal, motion) - p.least) / p.response_n,
                                   p.bears.tangent - speed_along(p.frame.tangent, motion) / p.response_t};
         const PointImpulse possible = within_cone(p, wanted);
-        p.is_closed = wanted.normal > 0.0;
+        p.is_closed = p.response_n * wanted.normal > -near;
         p.grips = p.is_closed && p.material.friction > 0.0 && possible.tangent == wanted.tangent;
         p.lean = std::copysign(p.material.friction, wanted.tangent);
         left = std::max({left, std::abs(possible.normal - p.bears.normal) * p.response_n,
@@ -138,10 +163,13 @@ double PushTogether::ask_points()
 }
 
 /// What a point bears after its dampers have met these speeds.
-PushTogether::PointImpulse PushTogether::damped(const GroupPoint& p, double stiffness, const PairMotion& motion)
+///
+/// free  speed along the normal that is none to them [m/s]
+PushTogether::PointImpulse PushTogether::damped(const GroupPoint& p, double stiffness, const PairMotion& motion,
+                                                double free)
 {
     if (!p.is_closed) return {};
-    const double j = p.bears.normal - stiffness / p.response_n * speed_along(p.frame.normal, motion);
+    const double j = p.bears.normal - stiffness / p.response_n * (speed_along(p.frame.normal, motion) - free);
     if (!p.grips) return {j, p.lean * j};
     return {j, p.bears.tangent - stiffness / p.response_t * speed_along(p.frame.tangent, motion)};
 }
@@ -154,7 +182,7 @@ void PushTogether::push_at_once(double stiffness)
     // Find what they push at the speeds that there are, and the changes of speed at which all have met their pushes
     for (GroupPoint& p : points_) {
         const PointImpulse before = p.bears;
-        p.bears = damped(p, stiffness, motion_of(p));
+        p.bears = damped(p, stiffness, motion_of(p), p.least);
         push(p, p.frame.normal, p.bears.normal - before.normal);
         push(p, p.frame.tangent, p.bears.tangent - before.tangent);
     }
@@ -167,7 +195,7 @@ void PushTogether::push_at_once(double stiffness)
     assemble(stiffness);
     const bool is_solved = system_.factorise();
     if (is_solved) system_.solve(unknowns_);
-    for (GroupPoint& p : points_) p.bears = is_solved ? damped(p, stiffness, change_of(p)) : p.best;
+    for (GroupPoint& p : points_) p.bears = is_solved ? damped(p, stiffness, change_of(p), 0.0) : p.best;
 
     // Let all that points bear have pushed
     take_back();

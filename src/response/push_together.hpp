@@ -45,7 +45,10 @@ public:
     PushTogether& operator=(const PushTogether&) = delete;
 
     /// Add the points of a pair.
-    void add(const ImpactPair& pair, std::span<const ImpactPoint> points);
+    ///
+    /// least  of all points: speed along the normal, at least, when approaches have been ended; none where that is
+    ///        zero everywhere [m/s]
+    void add(const ImpactPair& pair, std::span<const ImpactPoint> points, std::span<const double> least = {});
 
     /// Find the impulses that end the approach of all points at once.
     ///
@@ -58,6 +61,12 @@ public:
     /// Push with (1 + e) times what was found, and of the friction with the part at which most energy is lost; with all
     /// of it scaled down where it would add energy.
     void give_back();
+
+    /// In place of both: end the approach of all points at once without rebound, those that part before included, since
+    /// they may be driven together. False, and nothing pushed, where the rounds were not enough.
+    ///
+    /// enough  what may be left, where another round gets no nearer [m/s]
+    [[nodiscard]] bool stop(double enough, int rounds);
 
 private:
     /// What a point bears.
@@ -74,6 +83,7 @@ private:
         int b = 0;
         PointFrame frame;
         Material material;
+        double least = 0.0;      ///< speed along the normal, at least, in the end [m/s]
         int edge = -1;           ///< of the system of equations; -1 where one of both doesn't move
         double response_n = 0.0; ///< to a push along the normal [1/kg]
         double response_t = 0.0; ///< likewise along the tangent
@@ -86,9 +96,11 @@ private:
 
     [[nodiscard]] PairMotion motion_of(const GroupPoint& p) const { return pair_motion(bodies_, p.a, p.b); }
     [[nodiscard]] static PointImpulse within_cone(const GroupPoint& p, const PointImpulse& wanted);
+    [[nodiscard]] bool find_impulses(double enough, int rounds);
     void set_up();
-    [[nodiscard]] double ask_points();
-    [[nodiscard]] static PointImpulse damped(const GroupPoint& p, double stiffness, const PairMotion& motion);
+    [[nodiscard]] double ask_points(double near);
+    [[nodiscard]] static PointImpulse damped(const GroupPoint& p, double stiffness, const PairMotion& motion,
+                                             double free);
     void push_at_once(double stiffness);
     [[nodiscard]] PairMotion change_of(const GroupPoint& p) const;
     [[nodiscard]] PairRow row_of(const GroupPoint& p, const PushLine& line) const;

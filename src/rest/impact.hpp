@@ -20,4 +20,13 @@ namespace flying {
 int throw_back(std::span<Mover> velocities, std::span<const ContactPoint> points, std::span<const double> slowest,
                double rests, int rounds);
 
+/// End what approaches at all these points at once, without rebound, as impacts of the same law end that share bodies:
+/// by compression. None parts slower than its bound.
+///
+/// enough  by how much bounds may be missed [m/s]
+/// rounds  of Newton's method
+///
+/// Returns whether they were enough; nothing has changed where they weren't.
+bool stop_at_once(std::span<Mover> velocities, std::span<const ContactPoint> points, double enough, int rounds);
+
 } // namespace flying

@@ -196,8 +196,9 @@ bool Impacts::strike(RestData& data, Island& island, HeapSweeps& sweeps)
     const double within = island.in_turn ? rest_tolerance::k_at_once * data.motion.span : data.motion.span;
     if (!find_closed(data, island, speeds, within)) return false;
 
-    // In a wall that a ball hits, blows go to and fro for long after all that matters of them is lost
-    const bool wanes = is_heap(island) && !is_lossless(island);
+    // In a large heap that falls, blows go to and fro for long after all that matters of them is lost
+    const bool is_whole = is_solved_whole(data, island);
+    const bool wanes = !is_whole && !is_lossless(island);
     const int rounds = wanes ? rest_tolerance::k_few_sweeps : rest_tolerance::k_patience;
     data.counts.impacts += throw_back(velocities, struck_, rebounds_, speeds.rounding, rounds);
     // What was thrown may close other gaps, and all of them within a step whose impacts have no moments
@@ -214,7 +215,7 @@ bool Impacts::strike(RestData& data, Island& island, HeapSweeps& sweeps)
             island.in_turn = false;
             return false;
         }
-        end_approaches(data, island, sweeps);
+        end_approaches(data, island, is_whole, sweeps);
     }
     if (island.in_turn) keep_velocities(data, island);
     return true;
@@ -222,14 +223,18 @@ bool Impacts::strike(RestData& data, Island& island, HeapSweeps& sweeps)
 
 /// Two bodies by the law of two bodies, as in flight; more at once. Where masses differ widely no solve may end that,
 /// and what it leaves could be energy from nothing.
-void Impacts::end_approaches(RestData& data, Island& island, HeapSweeps& sweeps)
+void Impacts::end_approaches(RestData& data, Island& island, bool is_whole, HeapSweeps& sweeps)
 {
     const std::span<const int> members = island.members;
     StepMotion& motion = data.motion;
     for (const int member : members) motion.now[member] = motion.before[member];
     if (island.in_turn) strike_lone_pairs(data, island);
-    if (is_heap(island)) sweeps.sweep_velocities(data, island, motion.before, struck_);
-    else if (!struck_.empty())
+    if (is_heap(island)) {
+        const double enough = ApproachSpeeds(data, island).slowest_blow(std::numeric_limits<double>::infinity());
+        const int rounds = is_large(island) ? rest_tolerance::k_few_sweeps : rest_tolerance::k_patience;
+        if (!is_whole || !stop_at_once(motion.before, struck_, enough, rounds))
+            sweeps.sweep_velocities(data, island, motion.before, struck_);
+    } else if (!struck_.empty())
         data.solver.solve(motion.before, members, struck_, rest_tolerance::k_residual * top_speed(data, island));
     const double share = neutral_share(data, island, motion.now, motion.before, Way::none);
     if (share < 1.0) take_share(data, island, motion.now, motion.before, Way::none, share);

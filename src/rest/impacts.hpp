@@ -34,7 +34,7 @@ private:
     [[nodiscard]] bool find_closed(const RestData& data, const Island& island, const ApproachSpeeds& speeds,
                                    double within);
     [[nodiscard]] bool any_approaches(std::span<const Mover> velocities) const;
-    void end_approaches(RestData& data, Island& island, HeapSweeps& sweeps);
+    void end_approaches(RestData& data, Island& island, bool is_whole, HeapSweeps& sweeps);
     void strike_lone_pairs(RestData& data, const Island& island);
 
     std::vector<ContactPoint> struck_; // what is closed, or closes
