@@ -13,9 +13,8 @@
 namespace flying {
 namespace {
 
-/// [touch tolerances] How far below an edge a vertex may lie and still be on it: tolerances
-/// differ from window to window, and what one of them let in must not be behind the edge for
-/// the next.
+/// [touch tolerances] How far below an edge a vertex may lie and still be on it: tolerances differ from window to
+/// window, and what one of them let in must not be behind the edge for the next.
 constexpr double k_depth = 8.0;
 
 /// Keep the earlier of two ends; of two at one time, the first feature stays.
@@ -30,8 +29,7 @@ void keep_earlier(Strike& strike, const MarchEnd& end, const Feature& feature)
     return std::min(strike.time, std::min(window.until, window.horizon));
 }
 
-/// A point as seen from a turning body: where it is in that body's frame, and how fast it
-/// moves there.
+/// A point as seen from a turning body: where it is in that body's frame, and how fast it moves there.
 struct Seen
 {
     Vec2 point = Vec2::Zero();
