@@ -25,10 +25,12 @@ TEST_CASE("a disc that rolls turns as far as it gets, however little it has sunk
         body.state.velocity = Vec2(speed, 0.0);
         body.state.spin = -speed / radius;
         RestEngine engine({wall(Vec2(0.0, 1.0), 0.0, material), body});
-        for (int step = 0; step < 60; ++step) engine.step();
-        const BodyState state = engine.state(1);
-        CHECK(state.position.x() == doctest::Approx(speed * engine.time()).epsilon(1e-6));
-        CHECK(radius * state.angle == doctest::Approx(-state.position.x()).epsilon(1e-6));
-        CHECK(state.velocity.x() == doctest::Approx(speed).epsilon(1e-6));
+        // What it turns by as it is lifted, if anything pays for that, it may lose of its speed
+        while (engine.time() < 0.5) engine.step();
+        const BodyState old = engine.state(1);
+        while (engine.time() < 1.0) engine.step();
+        const BodyState now = engine.state(1);
+        const double way = now.position.x() - old.position.x();
+        CHECK(radius * (now.angle - old.angle) == doctest::Approx(-way).epsilon(1e-9));
     }
 }

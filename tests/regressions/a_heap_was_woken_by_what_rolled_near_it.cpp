@@ -12,7 +12,7 @@ using namespace flying::testing;
 
 namespace {
 
-[[nodiscard]] std::int64_t islands_of(const World& world)
+[[nodiscard]] std::int64_t islands_of(World& world)
 {
     return world.report().rest.value_or(RestAccount{}).islands;
 }
@@ -53,7 +53,7 @@ TEST_CASE("what sleeps wakes when a disc that rolled slowly near it comes to tou
             Scene scene = on_a_floor(restitution, 0.0);
             scene.bodies.push_back(rectangle(1.0, 1.0, {0.5, 0.5}));
             scene.bodies.push_back(disc(0.42, {-0.43, 0.42}, {speed, 0.0}));
-            for (BodyDef& body : scene.bodies) body.mass = 2.0;
+            scene.bodies[scene.bodies.size() - 2].mass = scene.bodies.back().mass = 2.0;
             World world = world_of(scene);
             run(world, 1.0 + 0.01 / speed);
             const int last = world.body_count() - 1;
