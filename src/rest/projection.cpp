@@ -268,15 +268,18 @@ void Projection::push_by(RestData& data, std::span<const int> members, double sh
 }
 
 /// A small island's motion pays for its pushes. (A heap would hang in the air if all its motion went to lift it.) What
-/// is all but still has none, nor has what only slides or rolls along something static: the limit of energy would take
-/// back the step's own ways with the pushes, the same in every step.
-bool Projection::may_pay(const RestData& data, const Island& island) const
+/// is all but still has none, and of what slides or rolls along something static only what doesn't lead along it pays,
+/// if it is enough: otherwise the limit of energy would take back the step's own ways with the pushes, the same in every
+/// step.
+///
+/// lift  what the pushes cost [J]
+bool Projection::may_pay(const RestData& data, const Island& island, double lift) const
 {
     const std::span<const int> members = island.members;
     const std::span<const Mover> before = data.motion.before;
     const auto is_still = [&](int member) { return is_all_but_still(data, member, before[member]); };
     if (is_heap(island) || std::all_of(members.begin(), members.end(), is_still)) return false;
-    return energy_to_spare(data, island, before) > rest_tolerance::k_rounding * kinetic_energy(island, before);
+    return energy_to_spare(data, island, before) >= lift;
 }
 
 /// How much of the pushes is paid for: all, or as much as the energy that the step has taken.
@@ -287,7 +290,7 @@ double Projection::share_that_is_paid(const RestData& data, const Island& island
         const Mover& push = pushes_[member];
         lift -= data.motion.field[member].dot(Vec2(push.v_x, push.v_y)) / data.motion.now[member].inv_mass;
     }
-    if (!(lift > 0.0) || may_pay(data, island)) return 1.0;
+    if (!(lift > 0.0) || may_pay(data, island, lift)) return 1.0;
     return std::clamp(-gain_of(data, island).gained / lift, 0.0, 1.0);
 }
 

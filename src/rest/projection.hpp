@@ -27,7 +27,7 @@ private:
     void find_unforeseen(RestData& data, const Island& island);
     [[nodiscard]] double measure_overlap_of_heap(RestData& data, const Island& island);
     void push_by(RestData& data, std::span<const int> members, double share) const;
-    [[nodiscard]] bool may_pay(const RestData& data, const Island& island) const;
+    [[nodiscard]] bool may_pay(const RestData& data, const Island& island, double lift) const;
     [[nodiscard]] double share_that_is_paid(const RestData& data, const Island& island) const;
     void find_pushes(RestData& data, const Island& island, double tolerance, HeapSweeps& sweeps);
 

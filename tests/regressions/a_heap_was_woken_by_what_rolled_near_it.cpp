@@ -51,7 +51,7 @@ TEST_CASE("what sleeps wakes when a disc that rolled slowly near it comes to tou
             CAPTURE(speed);
             CAPTURE(restitution);
             Scene scene = on_a_floor(restitution, 0.0);
-            scene.bodies.push_back(rectangle(1.0, 1.0, {0.5, 0.5}));
+            scene.bodies.push_back(disc(0.42, {0.42, 0.42}));
             scene.bodies.push_back(disc(0.42, {-0.43, 0.42}, {speed, 0.0}));
             scene.bodies[scene.bodies.size() - 2].mass = scene.bodies.back().mass = 2.0;
             World world = world_of(scene);
