@@ -269,8 +269,8 @@ void Projection::push_by(RestData& data, std::span<const int> members, double sh
 
 /// A small island's motion pays for its pushes. (A heap would hang in the air if all its motion went to lift it.) What
 /// is all but still has none, and of what slides or rolls along something static only what doesn't lead along it pays,
-/// if it is enough: otherwise the limit of energy would take back the step's own ways with the pushes, the same in every
-/// step.
+/// if it is enough: otherwise the limit of energy would take back the step's own ways with the pushes, the same in
+/// every step.
 ///
 /// lift  what the pushes cost [J]
 bool Projection::may_pay(const RestData& data, const Island& island, double lift) const
