@@ -190,6 +190,9 @@ double IslandStep::end_early(RestData& data, Island& island, bool may_be_halved,
     }
     if (within) look_within(data, island, *within);
     if (island.points.empty()) return 0.0;
+    // Where nothing gets anywhere, halves lead nowhere else
+    const auto goes = [&](int member) { return farthest_way(data, member) > 0.0; };
+    may_be_halved = may_be_halved && std::any_of(island.members.begin(), island.members.end(), goes);
     const bool is_even = is_heap(island) && !are_unequal(data, island.members);
     const double overlap = projection_.measure_overlap(data, island);
     if (may_be_halved && !is_even && !is_fair(data, island, overlap)) return 0.5 * data.motion.span;

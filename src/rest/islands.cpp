@@ -7,6 +7,23 @@
 
 namespace flying {
 
+bool goes_far(const RestData& data, int body)
+{
+    const double speed = greatest_speed(data.motion.before, data.bodies.radius, {&body, 1});
+    return data.motion.span * speed > rest_tolerance::k_fair_overlap * data.bodies.breadth[body];
+}
+
+// [rest.islands.holds]
+bool holds(const RestData& data, const ContactPoint& c, double fall)
+{
+    const StepMotion& motion = data.motion;
+    if (c.normal > 0.0 || c.closes_at < motion.span) return true;
+    const double time = motion.span;
+    const double u = normal_speed(c, motion.before[c.a], motion.before[c.b]);
+    return c.gap + time * (std::min(u, 0.0) - 0.5 * time * fall) <= data.bodies.touch_gap(c.a, c.b);
+}
+// [rest.islands.holds]
+
 int Islands::root_of(int body)
 {
     while (parent_[body] != body) body = parent_[body] = parent_[parent_[body]];
@@ -104,28 +121,16 @@ void Islands::part_slow(const RestData& data, std::span<const int> bodies, std::
         if (slot_[root_of(k)] > most) parts_.push_back(k);
     }
     if (parts_.empty()) return;
-    const auto goes_far = [&](int k) {
-        const double way = motion.span * greatest_speed(motion.before, data.bodies.radius, std::span(&k, 1));
-        return way > rest_tolerance::k_fair_overlap * data.bodies.breadth[k];
-    };
-    if (std::any_of(parts_.begin(), parts_.end(), goes_far)) return;
+    if (std::any_of(parts_.begin(), parts_.end(), [&](int k) { return goes_far(data, k); })) return;
 
-    // [rest.islands.holds]
-    const auto holds = [&](const ContactPoint& c) {
-        if (c.normal > 0.0 || c.closes_at < motion.span) return true;
-        const double time = motion.span;
-        const double u = normal_speed(c, motion.before[c.a], motion.before[c.b]);
-        const double fall = motion.field_size[c.a] + motion.field_size[c.b]; // where one is held, too
-        return c.gap + time * (std::min(u, 0.0) - 0.5 * time * fall) <= data.bodies.touch_gap(c.a, c.b);
-    };
-    // [rest.islands.holds]
     const auto wholes = std::count_if(parts_.begin(), parts_.end(), [&](int k) { return parent_[k] == k; });
     for (const int k : parts_) is_inside_[k] = 1;
     for (const int k : parts_) parent_[k] = k;
     const auto is_between = [&](const ContactPoint& c) { return is_inside_[c.a] != 0 && is_inside_[c.b] != 0; };
     auto parts = static_cast<std::ptrdiff_t>(parts_.size());
     for (const ContactPoint& point : found) {
-        if (is_between(point) && holds(point) && join(point)) --parts;
+        const double fall = motion.field_size[point.a] + motion.field_size[point.b]; // where one is held, too
+        if (is_between(point) && holds(data, point, fall) && join(point)) --parts;
     }
     if (parts > wholes) {
         std::erase_if(found, [&](const ContactPoint& c) { return is_between(c) && root_of(c.a) != root_of(c.b); });

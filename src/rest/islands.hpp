@@ -7,6 +7,12 @@
 
 namespace flying {
 
+/// The step may take a body further than an overlap that matters.
+[[nodiscard]] bool goes_far(const RestData& data, int body);
+/// Two bodies of which neither goes far bear on each other at a point, or may come to within the step.
+/// fall  how fast they may begin to near each other [m/s^2]
+[[nodiscard]] bool holds(const RestData& data, const ContactPoint& point, double fall);
+
 /// Splits bodies and the points between them into islands, each in the order of its bodies and pairs.
 class Islands
 {

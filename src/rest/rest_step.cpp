@@ -113,15 +113,24 @@ void RestEngine::begin(std::span<const int> bodies)
     }
 }
 
-/// Islands that something awake comes near wake.
+/// Islands that something awake touches, or may come to touch within the step, wake. What is only near, as a disc that
+/// rolls slowly beside a heap, leaves them asleep.
 bool RestEngine::wake_touched()
 {
     if (sleepers_.count() == 0) return false;
     bool any = false;
+    const auto is_kept = [&](const ContactPoint& point) {
+        const bool a_sleeps = sleepers_.is_asleep(point.a);
+        if (!a_sleeps && !sleepers_.is_asleep(point.b)) return true;
+        const int awake = a_sleeps ? point.b : point.a;
+        return goes_far(data_, awake) || holds(data_, point, data_.motion.field_size[awake]);
+    };
     for (const ContactPoint& point : found_) {
+        if (!is_kept(point)) continue;
         for (const int body : {point.a, point.b}) any = sleepers_.wake(sleepers_.island_of(body)) || any;
     }
     if (any) begin_awake();
+    else std::erase_if(found_, [&](const ContactPoint& point) { return !is_kept(point); });
     return any;
 }
 
