@@ -268,9 +268,8 @@ void Projection::push_by(RestData& data, std::span<const int> members, double sh
 }
 
 /// A small island's motion pays for its pushes. (A heap would hang in the air if all its motion went to lift it.) What
-/// is all but still has none, and of what slides or rolls along something static only what doesn't lead along it pays,
-/// if it is enough: otherwise the limit of energy would take back the step's own ways with the pushes, the same in
-/// every step.
+/// is all but still has none, nor has what slides too slowly for so much of a lift: the limit of energy would take back
+/// the step's own ways with the pushes, the same in every step.
 ///
 /// lift  what the pushes cost [J]
 bool Projection::may_pay(const RestData& data, const Island& island, double lift) const
@@ -279,7 +278,8 @@ bool Projection::may_pay(const RestData& data, const Island& island, double lift
     const std::span<const Mover> before = data.motion.before;
     const auto is_still = [&](int member) { return is_all_but_still(data, member, before[member]); };
     if (is_heap(island) || std::all_of(members.begin(), members.end(), is_still)) return false;
-    return energy_to_spare(data, island, before) >= lift;
+    const double energy = kinetic_energy(island, before);
+    return energy >= lift || energy_to_spare(data, island, before) > rest_tolerance::k_rounding * energy;
 }
 
 /// How much of the pushes is paid for: all, or as much as the energy that the step has taken.

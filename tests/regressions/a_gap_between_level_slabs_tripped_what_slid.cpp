@@ -16,7 +16,7 @@ using namespace flying::testing;
 
 namespace {
 
-constexpr double k_gravity = 9.81;
+constexpr double k_downwards = 9.81;
 
 /// Level floors with gaps: slabs, bricks that lie on a slab, or notches in one polygon.
 enum class Laid
@@ -46,7 +46,7 @@ double begin_of(const Floor& floor, int tile)
 Scene on_floor(const Floor& floor, const BodyDef& body, double restitution, double friction)
 {
     Scene scene;
-    scene.world.field = UniformField{{0.0, -k_gravity}};
+    scene.world.field = UniformField{{0.0, -k_downwards}};
     scene.world.restitution = restitution;
     scene.world.friction = friction;
     const double end = begin_of(floor, k_tiles);
@@ -124,7 +124,7 @@ TEST_CASE("what slides over gaps between level slabs slides as over one slab")
         const double friction = k % 2 == 0 ? 0.0 : std::min(0.5, 0.8 * (0.5 - floor.gap) / 0.5);
         const double restitution = 0.5 * random.below(3);
         const double v = random.uniform(1.0, 6.0);
-        const double pull = -k_gravity * (std::sin(floor.slope) + friction * std::cos(floor.slope));
+        const double pull = -k_downwards * (std::sin(floor.slope) + friction * std::cos(floor.slope));
         const double until = std::min(1.0, pull < 0.0 ? 0.9 * v / -pull : 1.0);
         const BodyDef body = slider(random.below(4), floor, v);
         CAPTURE(k);
