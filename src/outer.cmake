@@ -13,7 +13,7 @@ if(FLYING_WASM)
     # their time
     set_property(SOURCE rest/island_sweeps.cpp rest/narrow_phase.cpp rest/sweep_batches.cpp rest/sweeps.cpp
         APPEND PROPERTY COMPILE_OPTIONS -Os)
-    target_compile_options(flying_collide PRIVATE -Os)
+    target_compile_options(flying_collide PRIVATE -Oz)
     add_executable(flying_wasm ${CMAKE_CURRENT_SOURCE_DIR}/live/exports.cpp)
     target_link_libraries(flying_wasm PRIVATE flying_live)
     set_target_properties(flying_wasm PROPERTIES OUTPUT_NAME flying SUFFIX .wasm
