@@ -2,7 +2,8 @@
 
 #include <optional>
 
-#include "math/vec2.hpp"
+#include "geometry/polygon.hpp"
+#include "math/rotation.hpp"
 
 namespace flying {
 
@@ -19,6 +20,16 @@ struct WaysOut
         return cross(first, way) >= -beyond && cross(way, last) >= -beyond;
     }
 };
+
+[[nodiscard]] inline WaysOut ways_out(const Polygon& polygon, int vertex)
+{
+    return {polygon.edges()[polygon.previous(vertex)].normal, polygon.edges()[vertex].normal};
+}
+
+[[nodiscard]] inline WaysOut operator*(const Rotation& rotation, const WaysOut& ways)
+{
+    return {rotation * ways.first, rotation * ways.last};
+}
 
 /// Where two corners lie on each other, and slide past each other along one of their sides, they don't strike: the
 /// normal of that side. The far edge of a gap in a floor is no step to a box that slides on the level of both.

@@ -46,16 +46,6 @@ std::int64_t ForeseenEvents::await(const BodyRows& bodies, int row)
     return stale;
 }
 
-bool ForeseenEvents::will_look(const BodyRows::Row& p, const BodyRows::Row& q, double time) const
-{
-    if (!lets_wait_) return false;
-    const std::vector<NextLook>& looks = looks_[std::min(p.id, q.id)];
-    const int with = std::max(p.id, q.id);
-    return std::any_of(looks.begin(), looks.end(), [&](const NextLook& look) {
-        return look.with == with && look.stamp == p.stamp + q.stamp && look.time >= time;
-    });
-}
-
 void ForeseenEvents::remember_look(const Event& look)
 {
     std::vector<NextLook>& looks = looks_[look.a];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -35,7 +36,15 @@ public:
         if (kind != Event::Kind::impact) remember_look(noted_.back());
     }
     /// The two will be looked at again, at this moment or later, whether they are near by then or not.  [s]
-    [[nodiscard]] bool will_look(const BodyRows::Row& p, const BodyRows::Row& q, double time) const;
+    [[nodiscard]] bool will_look(const BodyRows::Row& p, const BodyRows::Row& q, double time) const
+    {
+        const std::vector<NextLook>& looks = looks_[std::min(p.id, q.id)];
+        if (looks.empty() || !lets_wait_) return false;
+        const int with = std::max(p.id, q.id);
+        return std::any_of(looks.begin(), looks.end(), [&](const NextLook& look) {
+            return look.with == with && look.stamp == p.stamp + q.stamp && look.time >= time;
+        });
+    }
     /// Note an impact, and that both bodies fly no longer than until then.
     void note_impact(const BodyRows& bodies, double time, int p, int q)
     {

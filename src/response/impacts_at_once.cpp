@@ -214,20 +214,19 @@ int resolve_impacts(std::span<ImpactBody> bodies, std::span<const ImpactPair> al
         candidates.clear();
         for (std::vector<int>& group : tied_pairs(ties)) {
             for (int& k : group) k = chosen[k];
+            bool is_slowed = true;
             if (group.size() == 1) {
                 if (!strike(bodies, pairs[group[0]], points)) continue;
             } else {
                 const double before = approach_of_all(group);
-                {
-                    PushTogether together(bodies, shares, system);
-                    for (const int k : group) together.add(pairs[k], points);
-                    together.compress();
-                    together.give_back();
-                }
-                impacts += static_cast<int>(group.size());
-                if (approach_of_all(group) > 0.5 * before) continue; // as it would be once more
+                PushTogether together(bodies, shares, system);
+                for (const int k : group) together.add(pairs[k], points);
+                together.compress();
+                together.give_back();
+                is_slowed = approach_of_all(group) <= 0.5 * before;
             }
-            if (group.size() == 1) ++impacts;
+            impacts += static_cast<int>(group.size());
+            if (!is_slowed) continue; // as it would be once more
             for (const int k : group) {
                 for (const int body : {pairs[k].a, pairs[k].b}) {
                     const std::span<const int> others = pairs_of.of(body);

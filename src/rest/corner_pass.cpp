@@ -39,7 +39,7 @@ std::optional<Vec2> side_at_passing(const RestData& data, const RestPair& pair, 
         if (!is_here(a, seen_by_a)) continue;
         for (const Outline::Corner& b : data.bodies.outlines[pair.b].corners()) {
             if (!is_here(b, seen_by_b)) continue;
-            const WaysOut of_a{b_from_a.rotation * a.before, b_from_a.rotation * a.after};
+            const WaysOut of_a = b_from_a.rotation * WaysOut{a.before, a.after};
             const std::optional<Vec2> side =
                 side_slid_along(of_a, {b.before, b.after}, b.place - b_from_a * a.place,
                                 inverse(pose_b.rotation) * velocity, touch);

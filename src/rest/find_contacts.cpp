@@ -167,7 +167,7 @@ void slide_past(const RestData& data, const RestPair& pair, Manifold& manifold)
     manifold.contacts[0].separation = 0.0;
 }
 
-/// What comes at a corner, and will slide past it, is in nobody's way: seen along the side that it will slide on.
+/// What comes at a corner, and will slide past it, is no obstacle: seen along the side that it will slide on.
 ///
 /// ahead    the pair at the moment at which the gap closes
 /// closing  [out] with the speed at which it comes there

@@ -130,12 +130,6 @@ void look_at_corners(const NearSide& side, const NearSide& other, Owner owner, N
     return manifold;
 }
 
-[[nodiscard]] WaysOut ways_out(const Polygon& polygon, int vertex)
-{
-    const int count = static_cast<int>(polygon.edges().size());
-    return {polygon.edges()[(vertex + count - 1) % count].normal, polygon.edges()[vertex].normal};
-}
-
 /// The points over the edge of an axis, or, where the corner that is nearest to that edge stands beyond its ends, and
 /// so is none of them, what is nearest of the two.
 [[nodiscard]] Manifold points_by_axis(const NearSide& a, const NearSide& b, const Pose& a_from_b, const Axis& axis,
@@ -170,8 +164,7 @@ void take_middle_way(const NearSide& a, const NearSide& b, Manifold& manifold)
     if (way.norm() > beside) return;
 
     const double near = rest_tolerance::k_landed * size_of(a, b) + rounding_of(a, b);
-    const WaysOut there = ways_out(with_corner.polygon, vertex);
-    const WaysOut corners{here_from_there.rotation * there.first, here_from_there.rotation * there.last};
+    const WaysOut corners = here_from_there.rotation * ways_out(with_corner.polygon, vertex);
     const std::optional<Vec2> out = middle_way(ways_out(with_edge.polygon, end), corners, way, near);
     if (!out) return;
     const Vec2 normal = with_edge.pose.rotation * *out;

@@ -169,11 +169,6 @@ struct Approaches
     int count = 0;
 };
 
-[[nodiscard]] WaysOut ways_out(const Polygon& polygon, int vertex, const Rotation& turned)
-{
-    return {turned * polygon.edges()[polygon.previous(vertex)].normal, turned * polygon.edges()[vertex].normal};
-}
-
 /// What comes at the end of an edge strikes nothing there if it slides past the corner.
 ///
 /// seen   the vertex of P, as Q sees it
@@ -184,8 +179,8 @@ struct Approaches
     const auto slides_past_corner = [&](int end) {
         const Vec2 way = seen.point - q.shape.vertices()[end];
         if (!(way.squaredNorm() <= 4.0 * depth * depth) || q.shape.is_reflex(end)) return false;
-        const WaysOut of_q = ways_out(q.shape, end, Rotation{});
-        return side_slid_along(of_q, ways_out(p.shape, vertex, q_from_p), way, seen.rate, depth).has_value();
+        const WaysOut of_p = q_from_p * ways_out(p.shape, vertex);
+        return side_slid_along(ways_out(q.shape, end), of_p, way, seen.rate, depth).has_value();
     };
     return slides_past_corner(edge.from) || slides_past_corner(edge.to);
 }
