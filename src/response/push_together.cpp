@@ -49,25 +49,28 @@ void PushTogether::compress()
         return speed_along(p.frame.normal, motion_of(p)) > std::max(tolerance::k_approach * top_speed_, rests_);
     };
     std::erase_if(points_, parts);
-    static_cast<void>(find_impulses(0.0, k_rounds));
+    static_cast<void>(find_impulses(0.0, k_rounds, k_rounds));
     end_together();
     take_back();
 }
 
 /// True where none misses by more than enough, or than rounding, what would end its approach.
 ///
-/// enough  what may be left, where another round gets no nearer [m/s]
-bool PushTogether::find_impulses(double enough, int rounds)
+/// enough    what may be left, where another round gets no nearer [m/s]
+/// patience  rounds in a row, at most, that get no nearer
+bool PushTogether::find_impulses(double enough, int rounds, int patience)
 {
     set_up();
     const double rounding = 4.0 * tolerance::k_epsilon * top_speed_;
     double least = std::numeric_limits<double>::infinity();
     double stiffness = k_stiffest;
-    for (int round = 0; round < rounds; ++round) {
+    int best_round = 0;
+    for (int round = 0; round < rounds && round - best_round <= patience; ++round) {
         const double left = ask_points(round == 0 ? enough : 0.0); // at first, what touches closes
         if (least <= enough && !(left < least)) break;
         if (left < least) {
             least = left;
+            best_round = round;
             for (GroupPoint& p : points_) p.best = p.bears;
             stiffness = std::min(16.0 * stiffness, k_stiffest);
         } else stiffness = std::max(0.25 * stiffness, k_softest);
@@ -81,7 +84,7 @@ bool PushTogether::find_impulses(double enough, int rounds)
 
 bool PushTogether::stop(double enough, int rounds)
 {
-    const bool is_found = find_impulses(enough, rounds);
+    const bool is_found = find_impulses(enough, rounds, rounds / 4);
     take_back();
     if (!is_found) return false;
     static_cast<void>(push_all(&PointFrame::normal, [](const GroupPoint& p) { return p.bears.normal; }));

@@ -96,7 +96,7 @@ private:
 
     [[nodiscard]] PairMotion motion_of(const GroupPoint& p) const { return pair_motion(bodies_, p.a, p.b); }
     [[nodiscard]] static PointImpulse within_cone(const GroupPoint& p, const PointImpulse& wanted);
-    [[nodiscard]] bool find_impulses(double enough, int rounds);
+    [[nodiscard]] bool find_impulses(double enough, int rounds, int patience);
     void set_up();
     [[nodiscard]] double ask_points(double near);
     [[nodiscard]] static PointImpulse damped(const GroupPoint& p, double stiffness, const PairMotion& motion,
