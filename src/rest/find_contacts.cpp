@@ -230,6 +230,7 @@ void add_points(const RestData& data, int index, const Manifold& manifold, doubl
                 std::vector<ContactPoint>& found)
 {
     const RestPair& pair = data.pairs.pairs()[index];
+    const double part = data.motion.span / data.options.step;
     for (int k = 0; k < pair.count; ++k) {
         const Contact& contact = manifold.contacts[k];
         found.push_back({.a = pair.a,
@@ -239,8 +240,8 @@ void add_points(const RestData& data, int index, const Manifold& manifold, doubl
                          .friction = pair.friction,
                          .restitution = pair.restitution,
                          .gap = contact.separation,
-                         .normal = pair.normal[k],
-                         .tangent = pair.tangent[k],
+                         .normal = part * pair.normal[k],
+                         .tangent = part * pair.tangent[k],
                          .closes_at = closes_at,
                          .closing_speed = closing_speed});
         const Vec2 r_a = contact.point - data.bodies.poses[pair.a].position;

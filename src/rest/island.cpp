@@ -32,6 +32,7 @@ bool is_lossless(const Island& island)
 
 bool is_heap(const Island& island)
 {
+    if (island.is_row) return false;
     const int most = is_lossless(island) ? rest_tolerance::k_most_whole : rest_tolerance::k_most_in_detail;
     return island.member_count() > most;
 }
@@ -72,6 +73,7 @@ bool is_chain(const RestData& data, const Island& island)
 
 bool is_solved_whole(const RestData& data, const Island& island)
 {
+    if (island.is_row && island.member_count() <= data.options.most_solved) return true;
     if (island.member_count() <= std::min(rest_tolerance::k_most_whole, data.options.most_solved)) return true;
     const bool stands = top_speed(data, island) <= rest_tolerance::k_standing * field_speed(data, island);
     if (!stands && !hardly_any_moves(data, island, rest_tolerance::k_rest_speed)) return false;
@@ -158,11 +160,12 @@ void scale_impulses(const Island& island, double factor)
 
 void recall_impulses(const RestData& data, const Island& island)
 {
+    const double part = data.motion.span / data.options.step;
     for (ContactPoint& c : island.points) {
         const RestPair& pair = data.pairs.pairs()[c.pair];
         const int own = pair.find(c.feature);
-        c.normal = own >= 0 ? pair.normal[own] : 0.0;
-        c.tangent = own >= 0 ? pair.tangent[own] : 0.0;
+        c.normal = own >= 0 ? part * pair.normal[own] : 0.0;
+        c.tangent = own >= 0 ? part * pair.tangent[own] : 0.0;
     }
 }
 

@@ -17,7 +17,7 @@ bool goes_far(const RestData& data, int body)
 bool holds(const RestData& data, const ContactPoint& c, double fall)
 {
     const StepMotion& motion = data.motion;
-    if (c.normal > 0.0 || c.closes_at < motion.span) return true;
+    if (is_lossless(c) || c.normal > 0.0 || c.closes_at < motion.span) return true;
     const double time = motion.span;
     const double u = normal_speed(c, motion.before[c.a], motion.before[c.b]);
     return c.gap + time * (std::min(u, 0.0) - 0.5 * time * fall) <= data.bodies.touch_gap(c.a, c.b);
@@ -57,6 +57,20 @@ void Islands::split(const RestData& data, std::span<const int> bodies, std::vect
     part_slow(data, bodies, found);
     count(motion, bodies, found);
     lay_out(bodies, found);
+    for (Island& island : islands_) island.is_row = is_lossless(island) && is_row(motion, island);
+}
+
+/// No body meets more than two others that move.
+bool Islands::is_row(const StepMotion& motion, const Island& island)
+{
+    for (const int member : island.members) slot_[member] = 0;
+    int last = -1;
+    for (const ContactPoint& point : island.points) {
+        if (point.pair == last || !motion.is_moved(point.a) || !motion.is_moved(point.b)) continue;
+        last = point.pair;
+        if (++slot_[point.a] > 2 || ++slot_[point.b] > 2) return false;
+    }
+    return true;
 }
 
 /// Numbers the islands, and counts their members and points: as many as begin before each.

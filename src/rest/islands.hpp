@@ -30,6 +30,7 @@ private:
     bool join(const ContactPoint& point);
     void count(const StepMotion& motion, std::span<const int> bodies, std::span<const ContactPoint> found);
     void lay_out(std::span<const int> bodies, std::vector<ContactPoint>& found);
+    [[nodiscard]] bool is_row(const StepMotion& motion, const Island& island);
     void part_slow(const RestData& data, std::span<const int> bodies, std::vector<ContactPoint>& found);
 
     std::vector<Island> islands_;

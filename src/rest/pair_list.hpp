@@ -19,7 +19,7 @@ struct PairLoads
     int count = 0;
     std::uint32_t feature[2] = {0, 0};            ///< their names
     Vec2 place[2] = {Vec2::Zero(), Vec2::Zero()}; ///< their places, in the frame of the one of the two that moves [m]
-    double normal[2] = {0.0, 0.0};                ///< impulses that lasted to the end of the step [N s]
+    double normal[2] = {0.0, 0.0};                ///< impulses at the end of the step, for a whole one [N s]
     double tangent[2] = {0.0, 0.0};               ///< [N s]
 
     /// Which point has a name; -1 for none.

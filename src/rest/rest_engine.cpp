@@ -27,7 +27,6 @@ RestEngine::RestEngine(std::vector<RestBody> bodies, const RestOptions& options,
       before_(data_.bodies.list.size()),
       marks_(data_.bodies.list.size(), 0)
 {
-    parts_.at.resize(rest_tolerance::k_most_parts + 1);
     parts_.of.assign(data_.bodies.list.size(), -1);
     for (int k = 0; k < data_.bodies.count(); ++k) {
         expect_flight(data_, k, data_.bodies.list[k].state.position);

@@ -154,17 +154,20 @@ private:
     {
         std::vector<int> members;
         std::vector<int> pairs;
-        double cut_at = 0.0; ///< after the beginning of the step, or part [s]
+        std::vector<double> ends; ///< of its parts, the last first, since what was cut began [s]
+        double begun = 0.0;       ///< what is made of it [s]
+        double after = 0.0;       ///< of the step, after what was cut [s]
+        int depth = 0;            ///< of parts within parts
     };
 
     /// Steps that are made in parts.
     struct Parts
     {
-        std::vector<std::vector<CutIsland>> at; ///< at each depth of parts within parts: what ended early there
-        int made = 0;                           ///< of the step of an island
-        int looks = 0;                          ///< in these, at pairs that both move
-        bool are_again = false;                 ///< of a whole step that is made again
-        std::vector<int> of; ///< of each body: the cut island that it is of, while pairs are sorted out; else -1
+        std::vector<CutIsland> cut; ///< of the step or part that was made last
+        int made = 0;               ///< of the step of an island
+        int looks = 0;              ///< in these, at pairs that both move
+        bool are_again = false;     ///< of a whole step that is made again
+        std::vector<int> of;        ///< of each body: the cut island that it is of, while pairs are sorted out; else -1
     };
 
     void list_awake();
@@ -175,12 +178,13 @@ private:
     [[nodiscard]] bool list_what_impacts_reach();
     [[nodiscard]] bool wake_touched();
     void wake_all_with(int body);
-    void solve_islands(int depth);
+    void solve_islands();
     void finish_islands(int depth, std::span<const int> pairs);
-    [[nodiscard]] bool may_be_parted(const Island& island, int depth) const;
+    [[nodiscard]] bool may_be_parted(const Island& island) const;
     [[nodiscard]] bool may_be_halved(const Island& island, int depth) const;
     void find_pairs_of(std::span<CutIsland> islands, std::span<const int> pairs);
-    void make_parts(int depth, std::span<const double> cuts);
+    void make_parts();
+    void make_part(CutIsland& island);
     void begin_part(std::span<const int> bodies, int depth);
     [[nodiscard]] bool go_back(Meetings& met);
     void wake_met(Meetings& met);

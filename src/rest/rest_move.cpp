@@ -43,15 +43,16 @@ bool RestEngine::stood_alike(int member) const
 
 void RestEngine::move_island(const Island& island)
 {
-    // Remember what the points bore
+    // Remember what the points bore, as if a whole step had been like this part of it
     bool same = true;
+    const double parts = data_.options.step / data_.motion.span;
     for (const ContactPoint& c : island.points) {
         RestPair& pair = data_.pairs.pairs()[c.pair];
         const int own = pair.find(c.feature);
         if (own < 0) continue;
         same = same && pair.normal[own] == c.normal && pair.tangent[own] == c.tangent;
-        pair.normal[own] = c.normal;
-        pair.tangent[own] = c.tangent;
+        pair.normal[own] = parts * c.normal;
+        pair.tangent[own] = parts * c.tangent;
     }
 
     expect(data_, island, marks_);

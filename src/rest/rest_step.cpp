@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "rest/energy_limit.hpp"
 #include "rest/find_contacts.hpp"
@@ -15,12 +16,6 @@ namespace flying {
 namespace {
 
 constexpr double k_never = std::numeric_limits<double>::infinity();
-
-/// What pairs bear, for another length of time.
-void scale_loads(RestData& data, std::span<const int> pairs, double factor)
-{
-    for (const int k : pairs) data.pairs.pairs()[k].scale(factor);
-}
 
 } // namespace
 
@@ -54,13 +49,12 @@ void RestEngine::step()
     }
     parts_.made = parts_.looks = 0;
     parts_.are_again = false;
-    solve_islands(0);
+    solve_islands();
     watch.stop(seconds_.solve);
     finish_islands(0, {});
-    make_parts(0, {});
+    make_parts();
     Meetings met;
-    for (int round = 0; round < rest_tolerance::k_quick_rounds && go_back(met); ++round)
-        make_parts(0, parts_.are_again ? std::span<const double>() : met.moments);
+    for (int round = 0; round < rest_tolerance::k_quick_rounds && go_back(met); ++round) make_parts();
     watch.stop(seconds_.move);
     ++steps_;
     ++data_.counts.steps;
@@ -191,23 +185,28 @@ bool RestEngine::list_what_impacts_reach()
     return any && list_pairs();
 }
 
-void RestEngine::solve_islands(int depth)
+void RestEngine::solve_islands()
 {
     data_.counts.islands += static_cast<std::int64_t>(islands_.all().size());
     data_.counts.points += static_cast<std::int64_t>(islands_.point_count());
-    for (Island& island : islands_.all()) island_step_.find(data_, island, may_be_parted(island, depth));
+    for (Island& island : islands_.all()) island_step_.find(data_, island, may_be_parted(island));
 }
 
 void RestEngine::finish_islands(int depth, std::span<const int> pairs)
 {
-    std::vector<CutIsland>& cut = parts_.at[depth];
+    std::vector<CutIsland>& cut = parts_.cut;
     cut.clear();
+    const double whole = data_.motion.span;
     for (Island& island : islands_.all()) {
         if (island.cut_at == 0.0)
             island.cut_at = island_step_.end_early(data_, island, may_be_halved(island, depth), within_);
         if (island.cut_at > 0.0) {
             for (const int member : island.members) parts_.of[member] = static_cast<int>(cut.size());
-            cut.push_back({{island.members.begin(), island.members.end()}, {}, island.cut_at});
+            cut.push_back({.members = {island.members.begin(), island.members.end()},
+                           .pairs = {},
+                           .ends = {whole, island.cut_at},
+                           .after = data_.motion.after,
+                           .depth = depth});
             continue;
         }
         if (!island.points.empty()) {
@@ -220,9 +219,10 @@ void RestEngine::finish_islands(int depth, std::span<const int> pairs)
 }
 
 /// There may be more parts of its step, at impacts that have moments of their own.
-bool RestEngine::may_be_parted(const Island& island, int depth) const
+bool RestEngine::may_be_parted(const Island& island) const
 {
-    if (is_heap(island) || std::max(depth, parts_.made) >= rest_tolerance::k_most_parts) return false;
+    if (island.is_row) return parts_.made < rest_tolerance::k_most_parts * island.member_count();
+    if (is_heap(island) || parts_.made >= rest_tolerance::k_most_parts) return false;
     return parts_.looks < rest_tolerance::k_most_looks || is_lossless(island);
 }
 
@@ -261,50 +261,51 @@ void RestEngine::find_pairs_of(std::span<CutIsland> islands, std::span<const int
     }
 }
 
-/// The steps of islands that end early, at a moment each: the part up to there, and what is left.
-///
-/// cuts  where all of them are cut; empty where each has a moment of its own  [s]
-void RestEngine::make_parts(int depth, std::span<const double> cuts)
+/// The steps of islands that end early: the parts up to there, and what is left. A part may be cut again, and what was
+/// cut last is made first.
+void RestEngine::make_parts()
 {
-    const double whole = data_.motion.span;
-    const double after_whole = data_.motion.after;
-    const auto both_move = [&](int index) {
-        const RestPair& pair = data_.pairs.pairs()[index];
+    const std::vector<CutIsland> all = std::exchange(parts_.cut, {});
+    std::vector<CutIsland> waiting;
+    for (const CutIsland& island : all) {
+        parts_.made = parts_.looks = 0;
+        waiting.push_back(island);
+        while (!waiting.empty()) {
+            make_part(waiting.back());
+            if (waiting.back().ends.empty()) {
+                waiting.pop_back();
+                ++data_.counts.parts;
+            }
+            for (; !parts_.cut.empty(); parts_.cut.pop_back()) waiting.push_back(std::move(parts_.cut.back()));
+        }
+    }
+    data_.motion.span = data_.options.step;
+    data_.motion.after = 0.0;
+}
+
+/// The next part of the step of an island: all is looked at again, and what ends early is `parts_.cut`.
+void RestEngine::make_part(CutIsland& island)
+{
+    const double end = island.ends.back();
+    const double length = end - std::exchange(island.begun, end);
+    data_.motion.after = island.after + (island.ends.front() - end);
+    island.ends.pop_back();
+    if (!(length > 0.0)) return;
+
+    data_.motion.span = length;
+    begin_part(island.members, island.depth);
+    found_.clear();
+    const auto both_move = [&](const RestPair& pair) {
         return !data_.bodies.list[pair.a].is_static && !data_.bodies.list[pair.b].is_static;
     };
-    for (const CutIsland& island : parts_.at[depth]) {
-        const std::span<const int> pairs = island.pairs;
-        const auto looks = static_cast<int>(std::count_if(pairs.begin(), pairs.end(), both_move));
-        if (depth == 0) parts_.made = parts_.looks = 0;
-        double before = whole;
-        double begun = 0.0;
-        std::vector<double> ends(cuts.begin(), cuts.end());
-        if (ends.empty()) ends.push_back(island.cut_at);
-        ends.push_back(whole);
-        for (const double end : ends) {
-            const double length = end - begun;
-            if (!(length > 0.0)) continue;
-            ++parts_.made;
-            parts_.looks += looks;
-            data_.motion.span = length;
-            begun = end;
-            data_.motion.after = after_whole + (whole - end);
-            scale_loads(data_, pairs, length / before);
-            before = length;
-            begin_part(island.members, depth);
-            found_.clear();
-            for (const int pair : pairs) find_contacts(data_, pair, found_);
-            islands_.split(data_, island.members, found_);
-            solve_islands(depth + 1);
-            finish_islands(depth + 1, pairs);
-            make_parts(depth + 1, {});
-        }
-        data_.motion.span = whole;
-        data_.motion.after = after_whole;
-        scale_loads(data_, pairs, whole / before);
-        ++data_.counts.parts;
+    ++parts_.made;
+    for (const int pair : island.pairs) {
+        parts_.looks += both_move(data_.pairs.pairs()[pair]) ? 1 : 0;
+        find_contacts(data_, pair, found_);
     }
-    parts_.at[depth].clear();
+    islands_.split(data_, island.members, found_);
+    solve_islands();
+    finish_islands(island.depth + 1, island.pairs);
 }
 
 /// A part of the step begins. As parts of a whole step begin, all is looked at; what may get further in a part of a
@@ -344,9 +345,8 @@ bool RestEngine::go_back(Meetings& met)
     if (!find_meetings(data_, pairs, before_, awake_, met)) return false;
     wake_met(met);
     bool any_heap = false;
-    std::vector<CutIsland>& cut = parts_.at[0];
-    cut.assign(1, {});
-    std::vector<int>& members = cut.front().members;
+    parts_.cut.assign(1, {});
+    std::vector<int>& members = parts_.cut.front().members;
     for (const int k : moved_) {
         if (!std::binary_search(met.islands.begin(), met.islands.end(), before_[k].island)) continue;
         BodyBefore& old = before_[k];
@@ -362,8 +362,11 @@ bool RestEngine::go_back(Meetings& met)
         parts_.of[k] = 0;
     }
     parts_.are_again = any_heap && !are_unequal(data_, members);
+    std::vector<double>& ends = parts_.cut.front().ends;
+    ends.assign(1, data_.motion.span);
+    if (!parts_.are_again) ends.insert(ends.end(), met.moments.rbegin(), met.moments.rend());
     (void)list_pairs(); // from where they are again
-    find_pairs_of(cut, {});
+    find_pairs_of(parts_.cut, {});
     return true;
 }
 

@@ -112,8 +112,8 @@ inline constexpr double k_standing = 4.0;
 
 // ---- Parts of steps (rest_step)
 /// Parts of the step of a small island, each up to its next impact; and equal ones, where halves are needed. A ball
-/// that rolls through a bowl of facets takes three for every kink, of which there are dozens in a step; a blow that
-/// runs through a row of balls, some for each.
+/// that rolls through a bowl of facets takes three for every kink, of which there are dozens in a step. A row in which
+/// nothing is lost gets as many for each body: a blow to 250 unequal balls makes 20 000 impacts in a step.
 inline constexpr int k_most_parts = 256;
 
 /// Looks, in such parts, at pairs that both move, of an island that loses energy: as many as a dozen bodies of one

@@ -4,18 +4,19 @@
 #include <cmath>
 
 #include "math/random.hpp"
+#include "support/effort.hpp"
 
 using namespace flying;
 using namespace flying::testing;
 
-// Balls in a row on a smooth floor, all but touching, answered a blow in gravity otherwise than without: what one of them
-// was thrown at within a thousandth of a step was braked without rebound, and where they touched, their impacts came in
-// another order than by events. A smooth floor that is level has no say in what happens along it.
+// Balls in a row on a smooth floor, all but touching, answered a blow in gravity otherwise than without: what one of
+// them was thrown at within a thousandth of a step was braked without rebound, and where they touched, their impacts
+// came in another order than by events. A smooth floor that is level has no say in what happens along it.
 
 namespace {
 
-/// Approaches that are slower than a thousandth of what the field gives in a step, 1.6e-4 m/s, end without rebound, and a
-/// light ball between heavy ones passes on a few times as much.  [m/s]
+/// Approaches that are slower than a thousandth of what the field gives in a step, 1.6e-4 m/s, end without rebound, and
+/// a light ball between heavy ones passes on a few times as much.  [m/s]
 constexpr double k_bound = 1e-3;
 
 struct Cradle
@@ -95,5 +96,20 @@ TEST_CASE("where its bounces die away, it comes to the same but for how slow the
                 CHECK(difference(cradle) < k_bound);
             }
         }
+    }
+}
+
+// A row of 64 balls and more had all impacts of a step at its start, and one of unequal balls more impacts in a step
+// than it may have parts
+TEST_CASE("a long row of balls, or of unequal ones, answers in gravity as it does without")
+{
+    Random random(2);
+    for (const double gap : tried({1e-4, 1e-6, 1e-8})) {
+        CAPTURE(gap);
+        for (const int balls : {66, 90}) {
+            const std::vector<double> masses(static_cast<std::size_t>(balls) + 1, 1.5);
+            CHECK(difference({masses, gap, 1.0}) < 1e-12);
+        }
+        for (const int balls : {24, 45, 66}) CHECK(difference({masses_of(balls, false, random), gap, 1.0}) < 1e-12);
     }
 }
