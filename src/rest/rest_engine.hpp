@@ -164,7 +164,8 @@ private:
     struct Parts
     {
         std::vector<CutIsland> cut; ///< of the step or part that was made last
-        int made = 0;               ///< of the step of an island
+        int bodies = 1;             ///< of the island whose step is made in parts
+        int made = 0;               ///< of its step
         int looks = 0;              ///< in these, at pairs that both move
         bool are_again = false;     ///< of a whole step that is made again
         std::vector<int> of;        ///< of each body: the cut island that it is of, while pairs are sorted out; else -1

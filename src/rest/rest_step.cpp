@@ -221,7 +221,7 @@ void RestEngine::finish_islands(int depth, std::span<const int> pairs)
 /// There may be more parts of its step, at impacts that have moments of their own.
 bool RestEngine::may_be_parted(const Island& island) const
 {
-    if (island.is_row) return parts_.made < rest_tolerance::k_most_parts * island.member_count();
+    if (island.is_row) return parts_.made < rest_tolerance::k_most_parts * parts_.bodies;
     if (is_heap(island) || parts_.made >= rest_tolerance::k_most_parts) return false;
     return parts_.looks < rest_tolerance::k_most_looks || is_lossless(island);
 }
@@ -268,6 +268,7 @@ void RestEngine::make_parts()
     const std::vector<CutIsland> all = std::exchange(parts_.cut, {});
     std::vector<CutIsland> waiting;
     for (const CutIsland& island : all) {
+        parts_.bodies = static_cast<int>(island.members.size());
         parts_.made = parts_.looks = 0;
         waiting.push_back(island);
         while (!waiting.empty()) {
