@@ -15,7 +15,7 @@ struct Island
     bool has_ways = false;          ///< places are found already, along curves
     bool is_solved = true;          ///< the impulses that were found are right to rounding
     bool in_turn = false;           ///< its impacts have moments of their own
-    bool is_row = false;            ///< nothing is lost in it, and no body meets more than two others that move
+    bool is_row = false;            ///< nothing is lost in it; no body meets more than two others, or presses on them
     double ended = 0.0;             ///< energy of approaches that were ended without rebound, at the start [J]
     double cut_at = 0.0;            ///< where its step is to end early, and to go on from; 0 if nowhere [s]
 

@@ -60,13 +60,15 @@ void Islands::split(const RestData& data, std::span<const int> bodies, std::vect
     for (Island& island : islands_) island.is_row = is_lossless(island) && is_row(motion, island);
 }
 
-/// No body meets more than two others that move.
+/// No body meets more than two others that move, and none presses on another: blows to what is pressed never end.
 bool Islands::is_row(const StepMotion& motion, const Island& island)
 {
     for (const int member : island.members) slot_[member] = 0;
     int last = -1;
     for (const ContactPoint& point : island.points) {
-        if (point.pair == last || !motion.is_moved(point.a) || !motion.is_moved(point.b)) continue;
+        if (!motion.is_moved(point.a) || !motion.is_moved(point.b)) continue;
+        if (point.normal > 0.0) return false;
+        if (point.pair == last) continue;
         last = point.pair;
         if (++slot_[point.a] > 2 || ++slot_[point.b] > 2) return false;
     }
