@@ -73,7 +73,6 @@ bool is_chain(const RestData& data, const Island& island)
 
 bool is_solved_whole(const RestData& data, const Island& island)
 {
-    if (island.is_row && island.member_count() <= data.options.most_solved) return true;
     if (island.member_count() <= std::min(rest_tolerance::k_most_whole, data.options.most_solved)) return true;
     const bool stands = top_speed(data, island) <= rest_tolerance::k_standing * field_speed(data, island);
     if (!stands && !hardly_any_moves(data, island, rest_tolerance::k_rest_speed)) return false;
