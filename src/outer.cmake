@@ -9,10 +9,8 @@ flying_module(live scene)
 file(GLOB live_pieces CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/chapters/*/live.cpp)
 target_sources(flying_live PRIVATE ${live_pieces})
 if(FLYING_WASM)
-    # A page's module is small rather than quick (the preset says so), but for where heaps, and polygons that touch, spend
-    # their time
-    set_property(SOURCE rest/island_sweeps.cpp rest/narrow_phase.cpp rest/sweep_batches.cpp rest/sweeps.cpp
-        APPEND PROPERTY COMPILE_OPTIONS -Os)
+    # A page's module is small rather than quick (the preset says so), but for where large heaps spend their time
+    set_property(SOURCE rest/sweep_batches.cpp APPEND PROPERTY COMPILE_OPTIONS -Os)
     target_compile_options(flying_collide PRIVATE -Oz)
     add_executable(flying_wasm ${CMAKE_CURRENT_SOURCE_DIR}/live/exports.cpp)
     target_link_libraries(flying_wasm PRIVATE flying_live)
