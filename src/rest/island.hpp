@@ -24,7 +24,7 @@ struct Island
 };
 
 /// So large that all impacts which a step brings come at its start, and that it is swept where the direct solve doesn't
-/// find its impulses at once.
+/// find its impulses at once. A row in which nothing is lost never is.
 [[nodiscard]] bool is_heap(const Island& island);
 /// So many bodies that each factorisation counts. Of fewer it costs little, and none is worth an overlap.
 [[nodiscard]] bool is_large(const Island& island);

@@ -163,12 +163,11 @@ private:
     /// Steps that are made in parts.
     struct Parts
     {
-        std::vector<CutIsland> cut; ///< of the step or part that was made last
-        int bodies = 1;             ///< of the island whose step is made in parts
-        int made = 0;               ///< of its step
-        int looks = 0;              ///< in these, at pairs that both move
-        bool are_again = false;     ///< of a whole step that is made again
-        std::vector<int> of;        ///< of each body: the cut island that it is of, while pairs are sorted out; else -1
+        int bodies = 1;         ///< of the island whose step is made in parts
+        int made = 0;           ///< of its step
+        int looks = 0;          ///< in these, at pairs that both move
+        bool are_again = false; ///< of a whole step that is made again
+        std::vector<int> of;    ///< of each body: the cut island that it is of, while pairs are sorted out; else -1
     };
 
     void list_awake();
@@ -180,14 +179,14 @@ private:
     [[nodiscard]] bool wake_touched();
     void wake_all_with(int body);
     void solve_islands();
-    void finish_islands(int depth, std::span<const int> pairs);
+    [[nodiscard]] std::vector<CutIsland> finish_islands(int depth, std::span<const int> pairs);
     [[nodiscard]] bool may_be_parted(const Island& island) const;
     [[nodiscard]] bool may_be_halved(const Island& island, int depth) const;
     void find_pairs_of(std::span<CutIsland> islands, std::span<const int> pairs);
-    void make_parts();
-    void make_part(CutIsland& island);
+    void make_parts(std::vector<CutIsland> islands);
+    [[nodiscard]] std::vector<CutIsland> make_part(CutIsland& island);
     void begin_part(std::span<const int> bodies, int depth);
-    [[nodiscard]] bool go_back(Meetings& met);
+    [[nodiscard]] std::vector<CutIsland> go_back(Meetings& met);
     void wake_met(Meetings& met);
     void scale_loads_awake(double factor);
     [[nodiscard]] bool stood_alike(int member) const;

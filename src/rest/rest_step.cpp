@@ -51,10 +51,13 @@ void RestEngine::step()
     parts_.are_again = false;
     solve_islands();
     watch.stop(seconds_.solve);
-    finish_islands(0, {});
-    make_parts();
+    make_parts(finish_islands(0, {}));
     Meetings met;
-    for (int round = 0; round < rest_tolerance::k_quick_rounds && go_back(met); ++round) make_parts();
+    for (int round = 0; round < rest_tolerance::k_quick_rounds; ++round) {
+        std::vector<CutIsland> again = go_back(met);
+        if (again.empty()) break;
+        make_parts(std::move(again));
+    }
     watch.stop(seconds_.move);
     ++steps_;
     ++data_.counts.steps;
@@ -192,10 +195,10 @@ void RestEngine::solve_islands()
     for (Island& island : islands_.all()) island_step_.find(data_, island, may_be_parted(island));
 }
 
-void RestEngine::finish_islands(int depth, std::span<const int> pairs)
+/// Moves islands to the end of their step, or part of one, and says which of them end early.
+std::vector<RestEngine::CutIsland> RestEngine::finish_islands(int depth, std::span<const int> pairs)
 {
-    std::vector<CutIsland>& cut = parts_.cut;
-    cut.clear();
+    std::vector<CutIsland> cut;
     const double whole = data_.motion.span;
     for (Island& island : islands_.all()) {
         if (island.cut_at == 0.0)
@@ -216,6 +219,7 @@ void RestEngine::finish_islands(int depth, std::span<const int> pairs)
         move_island(island);
     }
     if (!cut.empty()) find_pairs_of(cut, pairs);
+    return cut;
 }
 
 /// There may be more parts of its step, at impacts that have moments of their own.
@@ -263,35 +267,34 @@ void RestEngine::find_pairs_of(std::span<CutIsland> islands, std::span<const int
 
 /// The steps of islands that end early: the parts up to there, and what is left. A part may be cut again, and what was
 /// cut last is made first.
-void RestEngine::make_parts()
+void RestEngine::make_parts(std::vector<CutIsland> islands)
 {
-    const std::vector<CutIsland> all = std::exchange(parts_.cut, {});
     std::vector<CutIsland> waiting;
-    for (const CutIsland& island : all) {
+    for (CutIsland& island : islands) {
         parts_.bodies = static_cast<int>(island.members.size());
         parts_.made = parts_.looks = 0;
-        waiting.push_back(island);
+        waiting.push_back(std::move(island));
         while (!waiting.empty()) {
-            make_part(waiting.back());
+            std::vector<CutIsland> cut = make_part(waiting.back());
             if (waiting.back().ends.empty()) {
                 waiting.pop_back();
                 ++data_.counts.parts;
             }
-            for (; !parts_.cut.empty(); parts_.cut.pop_back()) waiting.push_back(std::move(parts_.cut.back()));
+            for (; !cut.empty(); cut.pop_back()) waiting.push_back(std::move(cut.back()));
         }
     }
     data_.motion.span = data_.options.step;
     data_.motion.after = 0.0;
 }
 
-/// The next part of the step of an island: all is looked at again, and what ends early is `parts_.cut`.
-void RestEngine::make_part(CutIsland& island)
+/// The next part of the step of an island: all is looked at again. What of it ends early.
+std::vector<RestEngine::CutIsland> RestEngine::make_part(CutIsland& island)
 {
     const double end = island.ends.back();
     const double length = end - std::exchange(island.begun, end);
     data_.motion.after = island.after + (island.ends.front() - end);
     island.ends.pop_back();
-    if (!(length > 0.0)) return;
+    if (!(length > 0.0)) return {};
 
     data_.motion.span = length;
     begin_part(island.members, island.depth);
@@ -306,7 +309,7 @@ void RestEngine::make_part(CutIsland& island)
     }
     islands_.split(data_, island.members, found_);
     solve_islands();
-    finish_islands(island.depth + 1, island.pairs);
+    return finish_islands(island.depth + 1, island.pairs);
 }
 
 /// A part of the step begins. As parts of a whole step begin, all is looked at; what may get further in a part of a
@@ -328,10 +331,10 @@ void RestEngine::begin_part(std::span<const int> bodies, int depth)
 
 /// Islands that met, and were not thought to, go back, to make their step in parts that begin whenever any of them has
 /// met: as a part begins, all is looked at again. A heap, if its masses don't differ much, makes it again whole, and
-/// looks further. True where there are any.
+/// looks further. All of them as one; none where none has met.
 ///
 /// met  of the step so far: those that went back before do it again, or they would be met where they no longer are
-bool RestEngine::go_back(Meetings& met)
+std::vector<RestEngine::CutIsland> RestEngine::go_back(Meetings& met)
 {
     std::vector<BodyPose> thrown;
     for (const int k : moved_) {
@@ -341,13 +344,13 @@ bool RestEngine::go_back(Meetings& met)
         if (is_thrown) farthest_[k] = std::max(farthest_[k], 2.0 * way);
         thrown.push_back({k, pose_of(data_.bodies.list[k].state)});
     }
-    if (thrown.empty()) return false;
+    if (thrown.empty()) return {};
     const std::vector<RestPair> pairs = data_.pairs.pairs_at(thrown, data_.bodies);
-    if (!find_meetings(data_, pairs, before_, awake_, met)) return false;
+    if (!find_meetings(data_, pairs, before_, awake_, met)) return {};
     wake_met(met);
     bool any_heap = false;
-    parts_.cut.assign(1, {});
-    std::vector<int>& members = parts_.cut.front().members;
+    std::vector<CutIsland> again(1);
+    std::vector<int>& members = again.front().members;
     for (const int k : moved_) {
         if (!std::binary_search(met.islands.begin(), met.islands.end(), before_[k].island)) continue;
         BodyBefore& old = before_[k];
@@ -363,12 +366,12 @@ bool RestEngine::go_back(Meetings& met)
         parts_.of[k] = 0;
     }
     parts_.are_again = any_heap && !are_unequal(data_, members);
-    std::vector<double>& ends = parts_.cut.front().ends;
+    std::vector<double>& ends = again.front().ends;
     ends.assign(1, data_.motion.span);
     if (!parts_.are_again) ends.insert(ends.end(), met.moments.rbegin(), met.moments.rend());
     (void)list_pairs(); // from where they are again
-    find_pairs_of(parts_.cut, {});
-    return true;
+    find_pairs_of(again, {});
+    return again;
 }
 
 /// What slept and was met is awake, and goes back with the others: a step that had left it as it was is what it has
