@@ -58,11 +58,11 @@ namespace {
 
 /// Of what tumbles or settles in a heap, where loads have many ways, sweeps find forces that are as good for a fraction
 /// of a long search. Not so of a chain; nor where masses differ widely; nor where a body gets further in the step than
-/// it is large, and is met elsewhere than where its points are; nor where hardly any moves. In a large island any long
+/// it is large, and is met elsewhere than where its points are; nor where hardly any moves. Of many points any long
 /// search would take too long, unless all others stand still.
 [[nodiscard]] bool is_better_swept(const RestData& data, const Island& island)
 {
-    const double rest = is_large(island) ? rest_tolerance::k_still : rest_tolerance::k_rest_speed;
+    const double rest = are_many(island.points) ? rest_tolerance::k_still : rest_tolerance::k_rest_speed;
     if (!is_heap(island) || hardly_any_moves(data, island, rest)) return false;
     const auto flies = [&](int member) {
         const double way = data.motion.span * greatest_speed(data.motion.before, data.bodies.radius, {&member, 1});

@@ -25,6 +25,11 @@ namespace {
 
 } // namespace
 
+bool are_many(std::span<const ContactPoint> points)
+{
+    return points.size() > rest_tolerance::k_few_rounds * rest_tolerance::k_most_whole;
+}
+
 double rounding_of(std::span<const ContactPoint> points, std::size_t members)
 {
     return rest_tolerance::k_residual * static_cast<double>(members) * greatest_push(points);
@@ -51,10 +56,9 @@ bool IslandSolver::solve(std::span<Mover> movers, std::span<const int> members, 
     best_ = worst_residual(points, movers);
     kept_.assign(points.begin(), points.end());
     bool content = improve(task, From::here);
-    for (const From from : {From::turns, From::more_turns, From::nothing}) {
+    for (const From from : {From::turns, From::impulses, From::nothing}) {
         if (content || effort == Effort::brief) break;
-        if (from == From::more_turns && members.size() > rest_tolerance::k_most_whole) break;
-        if (from == From::nothing && points.size() > rest_tolerance::k_most_whole) break;
+        if (from != From::turns && are_many(points)) break;
         go_back_to_best(task);
         content = improve(task, from);
     }
@@ -121,10 +125,10 @@ bool IslandSolver::find_pieces(const Task& task, From from)
     switch (from) {
     case From::here:
         return find_by_newton(pieces_, problem_);
+    case From::impulses:
+        return follow_from_here(task);
     case From::turns:
-    case From::more_turns:
-        go_by_turns(task, {0.0, rest_tolerance::k_more_sweeps,
-                           from == From::turns ? rest_tolerance::k_quick_rounds : rest_tolerance::k_patience});
+        go_by_turns(task, {0.0, rest_tolerance::k_more_sweeps, rest_tolerance::k_quick_rounds});
         measure_slips(problem_, task.movers);
         return find_from_here(task);
     case From::nothing:
@@ -132,7 +136,7 @@ bool IslandSolver::find_pieces(const Task& task, From from)
         restore_free(task);
         measure_slips(problem_, task.movers);
         return path_.follow(pieces_, problem_, PiecePath::Start::nothing,
-                            rest_tolerance::k_few_rounds * static_cast<int>(task.points.size()));
+                            rest_tolerance::k_quick_rounds * static_cast<int>(task.points.size()));
     }
     return false;
 }
@@ -147,8 +151,12 @@ void IslandSolver::go_by_turns(const Task& task, const Rounds& rounds)
 /// From impulses that are nearly right.
 bool IslandSolver::find_from_here(const Task& task)
 {
-    return find_by_newton(pieces_, problem_) ||
-           path_.follow(pieces_, problem_, PiecePath::Start::impulses, few_pieces(task.points.size()));
+    return find_by_newton(pieces_, problem_) || follow_from_here(task);
+}
+
+bool IslandSolver::follow_from_here(const Task& task)
+{
+    return path_.follow(pieces_, problem_, PiecePath::Start::impulses, few_pieces(task.points.size()));
 }
 
 void IslandSolver::restore_free(const Task& task) const

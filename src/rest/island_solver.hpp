@@ -17,6 +17,9 @@ namespace flying {
 /// it pushes, for each body through which the load goes.  [m/s]
 [[nodiscard]] double rounding_of(std::span<const ContactPoint> points, std::size_t members);
 
+/// Along a path each point takes a system of its own, and more: of so many points that is too long for a step.
+[[nodiscard]] bool are_many(std::span<const ContactPoint> points);
+
 /// What is tried before a search for impulses gives up.
 enum class Effort
 {
@@ -61,10 +64,10 @@ private:
     /// Where the pieces are looked for from.
     enum class From
     {
-        here,       ///< from the impulses that are there
-        turns,      ///< from what rounds by turns make of them, as soon as all points do what they did
-        more_turns, ///< the same, when they have done so for long
-        nothing,    ///< along the path that begins with no impulses
+        here,     ///< from the impulses that are there
+        turns,    ///< from what rounds by turns make of them, as soon as all points do what they did
+        impulses, ///< along the path that begins with those that are there
+        nothing,  ///< along the path that begins with no impulses
     };
     /// An island as it was handed over.
     struct Task
@@ -79,6 +82,7 @@ private:
     [[nodiscard]] bool improve(const Task& task, From from);
     [[nodiscard]] bool find_pieces(const Task& task, From from);
     [[nodiscard]] bool find_from_here(const Task& task);
+    [[nodiscard]] bool follow_from_here(const Task& task);
     void forget_what_suits_worse(const Task& task);
     void restore_free(const Task& task) const;
     void apply(const Task& task) const;

@@ -64,19 +64,20 @@ inline constexpr double k_most_overlap = 0x1p-7;
 /// compared may be off.
 inline constexpr double k_rounding = 0x1p-46;
 
-/// Rounds of what ends by itself after a few, or never: impacts at one moment, corrections of what rounding leaves, and
-/// rounds by turns in which all points do what they did, where fewer have led to no solution. Elastic bodies packed
-/// between walls would go on for ever.
+/// Rounds of what ends by itself after a few, or never: impacts at one moment, and corrections of what rounding leaves.
+/// Elastic bodies packed between walls would go on for ever.
 inline constexpr int k_patience = 64;
 
 /// Rounds of what is right after one or two, or after many: Newton's steps; looks at a pair that closes, each at the
 /// moment that the last one foresaw; lines along curved ways; halvings of a step until all slips last, and of pushes
-/// until they help; parts into which the step of a heap may fall; steps that are made again since bodies met; and
-/// rounds by turns in which all points do what they did, before a search begins again from where they lead.
+/// until they help; parts into which the step of a heap may fall; steps that are made again since bodies met; rounds by
+/// turns in which all points do what they did, before a search begins again from where they lead; and, for each point,
+/// pieces of a path that begins with nothing.
 inline constexpr int k_quick_rounds = 8;
 
 /// Rounds of what is near after two or three: pushes that take off overlap, each of which leaves about the square of
-/// what it found; ends of slips in one step; and, for each point, pieces of a path that begins with nothing.
+/// what it found; ends of slips in one step; and, for each body of the largest island that is solved whole, points of
+/// the largest one in which paths are followed.
 inline constexpr int k_few_rounds = 4;
 
 /// Points, or bodies, of the largest island that is followed in detail: the end of each slip, the moment of each
@@ -101,8 +102,7 @@ inline constexpr double k_straight = 0x1p-36;
 // ---- Contact forces (contact_forces)
 // [rest.solve.limits]
 /// Bodies of the largest island that is solved whole however it moves, and whatever it takes, and whose step may be
-/// made in parts; more are a heap. Also points of the largest one that is solved from nothing, which takes a system for
-/// each, and more.
+/// made in parts; more are a heap.
 inline constexpr int k_most_whole = 64;
 
 /// [speeds that the field gives in a step] A large island that moves no faster stands, or begins to fall; its overlap
