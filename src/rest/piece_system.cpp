@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 #include "rest/push_lines.hpp"
 #include "rest/rest_tolerance.hpp"
@@ -36,6 +37,9 @@ void PieceSystem::begin(ContactProblem& problem, std::span<const int> members, s
     problem.impulse.resize(2 * problem.points.size());
     modes_.resize(problem.points.size());
     is_factorised_ = false;
+    double least = std::numeric_limits<double>::infinity(); // [1/kg]
+    for (const Mover& body : problem.bodies) least = std::min(least, body.inv_mass);
+    least_inertia_ = 1.0 / (rest_tolerance::k_unequal_masses * least);
 }
 
 void PieceSystem::set_hard()
@@ -54,7 +58,8 @@ void PieceSystem::set_soft(const ContactProblem& problem)
 
 double PieceSystem::spring(double inertia) const
 {
-    return mean_inertia_ > 0.0 ? k_soft_stiffness * std::sqrt(inertia * mean_inertia_) : k_stiffness * inertia;
+    if (mean_inertia_ > 0.0) return k_soft_stiffness * std::sqrt(inertia * mean_inertia_);
+    return k_stiffness * (inertia < least_inertia_ ? std::sqrt(inertia * least_inertia_) : inertia);
 }
 
 bool PieceSystem::factorise(const ContactProblem& problem)
@@ -170,12 +175,12 @@ void push_imbalance(PieceSystem& pieces, const ContactProblem& problem)
     pieces.clear_pushes();
     for (std::size_t k = 0; k < problem.points.size(); ++k) {
         const ContactPoint& c = problem.points[k];
-        const double bears = c.normal - (k_stiffness * c.normal_mass) * problem.slip[2 * k];
+        const double bears = c.normal - pieces.spring(c.normal_mass) * problem.slip[2 * k];
         double normal = -c.normal;
         double tangent = -c.tangent;
         const Mode mode = pieces.mode(k);
         if (mode != Mode::apart) normal += bears;
-        if (mode == Mode::stuck) tangent = -(k_stiffness * c.tangent_mass) * problem.slip[2 * k + 1];
+        if (mode == Mode::stuck) tangent = -pieces.spring(c.tangent_mass) * problem.slip[2 * k + 1];
         if (mode == Mode::slips_backwards) tangent += c.friction * bears;
         if (mode == Mode::slips_forwards) tangent -= c.friction * bears;
         pieces.push(problem, k, normal, tangent);
@@ -193,9 +198,9 @@ struct Wish
 {
     const ContactPoint& c = problem.points[k];
     const PieceSystem::Change change = pieces.change(problem, k);
-    const double normal = c.normal - (k_stiffness * c.normal_mass) * (problem.slip[2 * k] + change.normal);
+    const double normal = c.normal - pieces.spring(c.normal_mass) * (problem.slip[2 * k] + change.normal);
     if (!(normal > 0.0)) return {};
-    const double tangent = c.tangent - (k_stiffness * c.tangent_mass) * (problem.slip[2 * k + 1] + change.tangent);
+    const double tangent = c.tangent - pieces.spring(c.tangent_mass) * (problem.slip[2 * k + 1] + change.tangent);
     const double most = c.friction * normal;
     if (tangent > most || c.friction == 0.0) return {Mode::slips_backwards, normal, most};
     if (tangent < -most) return {Mode::slips_forwards, normal, -most};

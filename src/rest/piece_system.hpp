@@ -71,7 +71,8 @@ private:
     void assemble(const ContactProblem& problem);
 
     BlockSystem blocks_;
-    double mean_inertia_ = 0.0; // where springs are soft [kg]
+    double mean_inertia_ = 0.0;  // where springs are soft [kg]
+    double least_inertia_ = 0.0; // with less, a hard spring would give way to the heaviest body [kg]
     std::vector<Mode> modes_;
     std::vector<Mode> modes_factorised_;
     bool is_factorised_ = false;
