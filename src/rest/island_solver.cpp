@@ -44,8 +44,7 @@ bool IslandSolver::solve(std::span<Mover> movers, std::span<const int> members, 
     // What was right in the step before most often is right still
     if (!is_warm_) forget_impulses(points);
     warm_start(points, movers);
-    if (worst_residual(points, movers) <=
-        rest_tolerance::k_stagnant * std::max(tolerance, rounding_of(points, members.size()))) {
+    if (worst_residual(points, movers) <= rest_tolerance::k_stagnant * enough(task)) {
         ++counts_.accepted;
         return true;
     }
@@ -98,6 +97,20 @@ void IslandSolver::forget_what_suits_worse(const Task& task)
     go_back_to_best(task);
 }
 
+/// A residual that is no motion, nor more than rounding explains.  [m/s]
+double IslandSolver::enough(const Task& task)
+{
+    // Light bodies that bear heavy ones may move by what rounding leaves: as long as more can be taken off, it is
+    const double still = rest_tolerance::k_still / rest_tolerance::k_residual * task.tolerance;
+    return std::clamp(rounding_of(task.points, task.members.size()), task.tolerance, still);
+}
+
+/// The most that rounding leaves where nothing more can be taken off.  [m/s]
+double IslandSolver::most_left(const Task& task)
+{
+    return rest_tolerance::k_stagnant * std::max(task.tolerance, rounding_of(task.points, task.members.size()));
+}
+
 /// Looks for the pieces, then takes off what rounding leaves, until all points are content.
 bool IslandSolver::improve(const Task& task, From from)
 {
@@ -107,12 +120,11 @@ bool IslandSolver::improve(const Task& task, From from)
         if (!(k == 0 ? find_pieces(task, from) : find_from_here(task))) return false;
         take_impulses(task);
         const double now = worst_residual(task.points, task.movers);
-        const double rounding = std::max(task.tolerance, rounding_of(task.points, task.members.size()));
-        const bool content = now <= rounding || (now >= 0.5 * before && now <= rest_tolerance::k_stagnant * rounding);
-        if (now < best_ || content) {
+        const bool content = now <= enough(task) || (now >= 0.5 * before && now <= most_left(task));
+        if (now < best_) {
             best_ = now;
             kept_.assign(task.points.begin(), task.points.end());
-        }
+        } else if (content) go_back_to_best(task);
         if (content) return true;
         if (!(now < before)) return false;
         before = now;
