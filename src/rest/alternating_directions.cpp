@@ -26,7 +26,7 @@ void AlternatingDirections::solve(PieceSystem& pieces, ContactProblem& problem, 
     pieces.set_soft(problem);
     start(pieces, problem);
     if (pieces.factorise(problem)) go_round(pieces, problem, rounds);
-    pieces.set_hard();
+    pieces.set_hard(problem);
 }
 
 /// A point that parts, or slips, was denied what would have held it.
@@ -42,8 +42,8 @@ void AlternatingDirections::start(PieceSystem& pieces, ContactProblem& problem)
             pieces.set_mode(k, PieceSystem::Mode::apart);
             continue;
         }
-        spring_[2 * k] = pieces.spring(c.normal_mass);
-        spring_[2 * k + 1] = c.friction > 0.0 ? pieces.spring(c.tangent_mass) : 0.0;
+        spring_[2 * k] = pieces.spring(k).normal;
+        spring_[2 * k + 1] = c.friction > 0.0 ? pieces.spring(k).tangent : 0.0;
         const double u_n = problem.slip[2 * k];
         const double u_t = problem.slip[2 * k + 1];
         const bool slips = std::abs(c.tangent) >= c.friction * c.normal && c.tangent * u_t <= 0.0;

@@ -82,8 +82,8 @@ void PiecePath::start_springs(PieceSystem& pieces, const ContactProblem& problem
         const ContactPoint& c = problem.points[k];
         const double approach = problem.slip[2 * k] + left * shift_[2 * k];
         const double slip = problem.slip[2 * k + 1] + left * shift_[2 * k + 1];
-        const double normal = c.normal - pieces.spring(c.normal_mass) * approach;
-        const double tangent = c.tangent - pieces.spring(c.tangent_mass) * slip;
+        const double normal = c.normal - pieces.spring(k).normal * approach;
+        const double tangent = c.tangent - pieces.spring(k).tangent * slip;
         springs_.push_back({normal, tangent, 0.0, 0.0});
         Mode mode = Mode::stuck;
         if (!(normal > 0.0)) mode = Mode::apart;
@@ -100,9 +100,9 @@ void PiecePath::push_shifts(PieceSystem& pieces, const ContactProblem& problem) 
         const Mode mode = pieces.mode(k);
         if (mode == Mode::apart) continue;
         const ContactPoint& c = problem.points[k];
-        const double normal = pieces.spring(c.normal_mass) * shift_[2 * k];
+        const double normal = pieces.spring(k).normal * shift_[2 * k];
         double tangent = 0.0;
-        if (mode == Mode::stuck) tangent = pieces.spring(c.tangent_mass) * shift_[2 * k + 1];
+        if (mode == Mode::stuck) tangent = pieces.spring(k).tangent * shift_[2 * k + 1];
         if (mode == Mode::slips_backwards) tangent = c.friction * normal;
         if (mode == Mode::slips_forwards) tangent = -c.friction * normal;
         pieces.push(problem, k, normal, tangent);
@@ -112,12 +112,11 @@ void PiecePath::push_shifts(PieceSystem& pieces, const ContactProblem& problem) 
 void PiecePath::measure_rates(const PieceSystem& pieces, const ContactProblem& problem, double sign)
 {
     for (std::size_t k = 0; k < problem.points.size(); ++k) {
-        const ContactPoint& c = problem.points[k];
         const PieceSystem::Change change = pieces.change(problem, k);
         const double closing = shift_[2 * k] - change.normal;
         const double slipping = shift_[2 * k + 1] - change.tangent;
-        springs_[k].normal_rate = sign * pieces.spring(c.normal_mass) * closing;
-        springs_[k].tangent_rate = sign * pieces.spring(c.tangent_mass) * slipping;
+        springs_[k].normal_rate = sign * pieces.spring(k).normal * closing;
+        springs_[k].tangent_rate = sign * pieces.spring(k).tangent * slipping;
     }
 }
 

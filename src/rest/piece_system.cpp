@@ -10,9 +10,6 @@
 
 namespace flying {
 
-using rest_tolerance::k_soft_stiffness;
-using rest_tolerance::k_stiffness;
-
 void PieceSystem::begin(ContactProblem& problem, std::span<const int> members, std::size_t movers)
 {
     // Number the members, and find which are coupled; all that is static is one more
@@ -36,15 +33,20 @@ void PieceSystem::begin(ContactProblem& problem, std::span<const int> members, s
     problem.slip.resize(2 * problem.points.size());
     problem.impulse.resize(2 * problem.points.size());
     modes_.resize(problem.points.size());
-    is_factorised_ = false;
-    double least = std::numeric_limits<double>::infinity(); // [1/kg]
-    for (const Mover& body : problem.bodies) least = std::min(least, body.inv_mass);
-    least_inertia_ = 1.0 / (rest_tolerance::k_unequal_masses * least);
+    set_hard(problem);
 }
 
-void PieceSystem::set_hard()
+void PieceSystem::set_hard(const ContactProblem& problem)
 {
-    mean_inertia_ = 0.0;
+    double least = std::numeric_limits<double>::infinity(); // of the inverse masses [1/kg]
+    for (const Mover& body : problem.bodies) least = std::min(least, body.inv_mass);
+    const double light = 1.0 / (rest_tolerance::k_unequal_masses * least); // [kg]
+    const auto stiffness = [&](double inertia) {
+        return rest_tolerance::k_stiffness * (inertia < light ? std::sqrt(inertia * light) : inertia);
+    };
+    springs_.clear();
+    for (const ContactPoint& c : problem.points)
+        springs_.push_back({stiffness(c.normal_mass), stiffness(c.tangent_mass)});
     is_factorised_ = false;
 }
 
@@ -52,14 +54,11 @@ void PieceSystem::set_soft(const ContactProblem& problem)
 {
     double sum = 0.0;
     for (const ContactPoint& c : problem.points) sum += c.normal_mass;
-    mean_inertia_ = sum / static_cast<double>(problem.points.size());
+    const double mean = sum / static_cast<double>(problem.points.size());
+    const auto stiffness = [&](double inertia) { return rest_tolerance::k_soft_stiffness * std::sqrt(inertia * mean); };
+    for (std::size_t k = 0; k < springs_.size(); ++k)
+        springs_[k] = {stiffness(problem.points[k].normal_mass), stiffness(problem.points[k].tangent_mass)};
     is_factorised_ = false;
-}
-
-double PieceSystem::spring(double inertia) const
-{
-    if (mean_inertia_ > 0.0) return k_soft_stiffness * std::sqrt(inertia * mean_inertia_);
-    return k_stiffness * (inertia < least_inertia_ ? std::sqrt(inertia * least_inertia_) : inertia);
 }
 
 bool PieceSystem::factorise(const ContactProblem& problem)
@@ -95,8 +94,8 @@ void PieceSystem::assemble(const ContactProblem& problem)
             add(left.b, share, t.b);
         }
         const BlockSystem::Edge pair{a < ground ? a : -1, b < ground ? b : -1};
-        blocks_.add(pair, edge, spring(c.normal_mass), left, n);
-        if (grips) blocks_.add(pair, edge, spring(c.tangent_mass), t, t);
+        blocks_.add(pair, edge, springs_[k].normal, left, n);
+        if (grips) blocks_.add(pair, edge, springs_[k].tangent, t, t);
     }
 }
 
@@ -175,12 +174,12 @@ void push_imbalance(PieceSystem& pieces, const ContactProblem& problem)
     pieces.clear_pushes();
     for (std::size_t k = 0; k < problem.points.size(); ++k) {
         const ContactPoint& c = problem.points[k];
-        const double bears = c.normal - pieces.spring(c.normal_mass) * problem.slip[2 * k];
+        const double bears = c.normal - pieces.spring(k).normal * problem.slip[2 * k];
         double normal = -c.normal;
         double tangent = -c.tangent;
         const Mode mode = pieces.mode(k);
         if (mode != Mode::apart) normal += bears;
-        if (mode == Mode::stuck) tangent = -pieces.spring(c.tangent_mass) * problem.slip[2 * k + 1];
+        if (mode == Mode::stuck) tangent = -pieces.spring(k).tangent * problem.slip[2 * k + 1];
         if (mode == Mode::slips_backwards) tangent += c.friction * bears;
         if (mode == Mode::slips_forwards) tangent -= c.friction * bears;
         pieces.push(problem, k, normal, tangent);
@@ -198,9 +197,9 @@ struct Wish
 {
     const ContactPoint& c = problem.points[k];
     const PieceSystem::Change change = pieces.change(problem, k);
-    const double normal = c.normal - pieces.spring(c.normal_mass) * (problem.slip[2 * k] + change.normal);
+    const double normal = c.normal - pieces.spring(k).normal * (problem.slip[2 * k] + change.normal);
     if (!(normal > 0.0)) return {};
-    const double tangent = c.tangent - pieces.spring(c.tangent_mass) * (problem.slip[2 * k + 1] + change.tangent);
+    const double tangent = c.tangent - pieces.spring(k).tangent * (problem.slip[2 * k + 1] + change.tangent);
     const double most = c.friction * normal;
     if (tangent > most || c.friction == 0.0) return {Mode::slips_backwards, normal, most};
     if (tangent < -most) return {Mode::slips_forwards, normal, -most};

@@ -32,14 +32,21 @@ public:
     /// members  the island's bodies that can move, ascending, as in `problem.bodies`
     /// movers   number of all bodies
     void begin(ContactProblem& problem, std::span<const int> members, std::size_t movers);
-    /// Springs as stiff as the inertia that each moves asks for, times `k_stiffness`; so they begin.
-    void set_hard();
+    /// Springs as stiff as the inertia that each moves asks for, times `k_stiffness`; so they begin. Between bodies so
+    /// light that a heavy one of the island would make them yield they are stiffer: by the geometric mean of that
+    /// inertia and of what counts as light beside the heaviest.
+    void set_hard(const ContactProblem& problem);
     /// Springs `k_soft_stiffness` times the geometric mean of that inertia and of all points' mean. Springs that suit
     /// each point are too soft between light bodies that bear heavy ones; of equal ones, friction of light bodies
     /// doesn't follow.
     void set_soft(const ContactProblem& problem);
-    /// Of a point's spring, with the inertia that it moves along its normal or tangent.  [kg]
-    [[nodiscard]] double spring(double inertia) const;
+    /// Stiffness of a point.  [kg]
+    struct Spring
+    {
+        double normal;
+        double tangent;
+    };
+    [[nodiscard]] const Spring& spring(std::size_t point) const { return springs_[point]; }
 
     [[nodiscard]] const std::vector<Mode>& modes() const { return modes_; }
     [[nodiscard]] Mode mode(std::size_t point) const { return modes_[point]; }
@@ -71,8 +78,7 @@ private:
     void assemble(const ContactProblem& problem);
 
     BlockSystem blocks_;
-    double mean_inertia_ = 0.0;  // where springs are soft [kg]
-    double least_inertia_ = 0.0; // with less, a hard spring would give way to the heaviest body [kg]
+    std::vector<Spring> springs_; // of each point
     std::vector<Mode> modes_;
     std::vector<Mode> modes_factorised_;
     bool is_factorised_ = false;
