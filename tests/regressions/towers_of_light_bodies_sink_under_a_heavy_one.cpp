@@ -1,7 +1,7 @@
-// A body of 1e9 kg on 14 or 20 boxes of 1 kg sank into them for as long as it was watched, and all of them reported
-// millimetres to decimetres a second: the springs between light boxes yielded to it, and each round of corrections took
-// off but a tenth of that. With 1e12 kg what counted as rounding was accepted as soon as it was met, a centimetre a second
-// of it, and steps were made in halves until some runs didn't end.
+// A body of 1e9 kg on 14 or 20 boxes of 1 kg sank into them, and all reported speeds of up to a decimetre a second: the
+// springs between light boxes yielded to it in every round of corrections. With 1e12 kg what might be rounding was
+// accepted as soon as it was met, up to a centimetre a second, though another round would have taken it off; the bodies
+// moved by it, and some runs didn't end.
 
 #include <cmath>
 #include <vector>
@@ -16,13 +16,13 @@ namespace {
 /// Light boxes of 1 kg in a tower on a floor, and a heavy body among them or on top.
 struct Tower
 {
-    int count;      ///< bodies that move
-    int heavy;      ///< which of them is heavy, from below
-    double mass;    ///< of that one [kg]
-    double width;   ///< of each [m]
-    double height;  ///< of each [m]
-    double shift;   ///< of every second box, to the side [m]
-    double drop;    ///< of the heavy one, from above the others [m]
+    int count;     ///< bodies that move
+    int heavy;     ///< which of them is heavy, from below
+    double mass;   ///< of that one [kg]
+    double width;  ///< of each [m]
+    double height; ///< of each [m]
+    double shift;  ///< of every second box, to the side [m]
+    double drop;   ///< of the heavy one, from above the others [m]
 };
 
 Scene scene_of(const Tower& tower)
@@ -35,8 +35,8 @@ Scene scene_of(const Tower& tower)
     scene.bodies.push_back(floor);
     for (int k = 0; k < tower.count; ++k) {
         const double lift = k >= tower.heavy ? tower.drop : 0.0;
-        BodyDef body = rectangle(tower.width, tower.height,
-                                 {k % 2 == 0 ? 0.0 : tower.shift, (k + 0.5) * tower.height + lift});
+        BodyDef body =
+            rectangle(tower.width, tower.height, {k % 2 == 0 ? 0.0 : tower.shift, (k + 0.5) * tower.height + lift});
         body.mass = k == tower.heavy ? tower.mass : 1.0;
         scene.bodies.push_back(body);
     }
