@@ -66,8 +66,22 @@ void take_back(std::span<Mover> movers, std::span<const ContactPoint> points)
 
 } // namespace
 
+bool HeapSweeps::stays(RestData& data, Island& island) const
+{
+    if (!data.options.warm_starts || !stood(data, island)) return false;
+    set_velocity_bias_swept(data, island, true);
+    set_free(data, island, data.motion.before, data.motion.span);
+    warm_start(island.points, data.motion.now);
+    const double rest = rest_tolerance::k_rest_speed * field_speed(data, island);
+    if (greatest_speed(data.motion.now, data.bodies.radius, island.members) > rest) return false;
+    stop(data, island.members);
+    island.is_exact = false;
+    return true;
+}
+
 void HeapSweeps::sweep_large(RestData& data, Island& island)
 {
+    if (stays(data, island)) return;
     island.is_exact = false;
     const std::span<ContactPoint> points = island.points;
     const std::span<const int> members = island.members;
@@ -76,15 +90,6 @@ void HeapSweeps::sweep_large(RestData& data, Island& island)
     const double before = greatest_speed(data.motion.before, data.bodies.radius, members);
     set_velocity_bias_swept(data, island, before <= rest);
     set_free(data, island, data.motion.before, data.motion.span);
-    if (before == 0.0 && data.options.warm_starts) {
-        // What stood, and comes to rest again with the impulses that it had, keeps them
-        warm_start(points, data.motion.now);
-        if (greatest_speed(data.motion.now, data.bodies.radius, members) <= rest) {
-            stop(data, members);
-            return;
-        }
-        set_free(data, island, data.motion.before, data.motion.span);
-    }
     SweepPlan plan;
     plan.is_warm = data.options.warm_starts;
     plan.sweeps = data.options.sweeps;

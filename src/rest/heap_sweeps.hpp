@@ -13,6 +13,9 @@ namespace flying {
 class HeapSweeps
 {
 public:
+    /// True where an island that stood comes to rest again with the impulses that it had: it keeps them, and all of its
+    /// step is found. Else its velocities are still to be found.
+    [[nodiscard]] bool stays(RestData& data, Island& island) const;
     /// The step of an island of any size, of first order: impulses, velocities, and the ways that it leads.
     void sweep_large(RestData& data, Island& island);
     /// Sweeps over what the direct solve rarely finds where a heap moves, for all its factorisations.

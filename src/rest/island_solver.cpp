@@ -38,7 +38,7 @@ double rounding_of(std::span<const ContactPoint> points, std::size_t members)
 bool IslandSolver::solve(std::span<Mover> movers, std::span<const int> members, std::span<ContactPoint> points,
                          double tolerance, Effort effort)
 {
-    const Task task{movers, members, points, tolerance};
+    const Task task{movers, members, points, tolerance, effort};
     take_problem(task);
 
     // What was right in the step before most often is right still
@@ -136,7 +136,7 @@ bool IslandSolver::find_pieces(const Task& task, From from)
 {
     switch (from) {
     case From::here:
-        return find_by_newton(pieces_, problem_);
+        return find_by_newton(pieces_, problem_, task.effort);
     case From::impulses:
         return follow_from_here(task);
     case From::turns:

@@ -20,13 +20,6 @@ namespace flying {
 /// Along a path each point takes a system of its own, and more: of so many points that is too long for a step.
 [[nodiscard]] bool are_many(std::span<const ContactPoint> points);
 
-/// What is tried before a search for impulses gives up.
-enum class Effort
-{
-    full,  ///< all that is known
-    brief, ///< Newton's method, from what is there
-};
-
 /// Finds the impulses of one island of bodies that lean on each other, so that every point is content:
 ///
 ///     normal    0 <= j,  u_n >= bound,  and j > 0 only where u_n = bound
@@ -76,6 +69,7 @@ private:
         std::span<const int> members;
         std::span<ContactPoint> points;
         double tolerance;
+        Effort effort = Effort::full;
     };
     void take_problem(const Task& task);
     void go_by_turns(const Task& task, const Rounds& rounds);

@@ -54,6 +54,14 @@ bool is_fair(const RestData& data, const Island& island, double overlap)
     });
 }
 
+/// None of it moved when the step began, nor was any sped up in the step before.
+[[nodiscard]] bool stood_on(const RestData& data, const Island& island)
+{
+    return stood(data, island) && std::all_of(island.members.begin(), island.members.end(), [&](int member) {
+               return data.motion.pull[member].isZero(0.0) && data.motion.expected_angular_acceleration[member] == 0.0;
+           });
+}
+
 /// Ways of an island whose velocities are found.
 void find_places(RestData& data, const Island& island)
 {
@@ -87,6 +95,8 @@ void IslandStep::find(RestData& data, Island& island, bool may_be_parted)
     const bool is_followed = !sweeps && CurvedWays::may_follow(data, island);
     if (is_lossless(island)) {
         find_lossless(data, island, sweeps);
+    } else if (is_heap(island) && stood_on(data, island) && sweeps_.stays(data, island)) {
+        return; // another search would end as that of the last step
     } else if (sweeps) {
         sweeps_.sweep_large(data, island);
         return;

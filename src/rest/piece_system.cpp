@@ -231,15 +231,20 @@ struct Wish
 
 } // namespace
 
-bool find_by_newton(PieceSystem& pieces, ContactProblem& problem)
+bool find_by_newton(PieceSystem& pieces, ContactProblem& problem, Effort effort)
 {
     guess(pieces, problem);
+    std::size_t last_changes = 2 * problem.points.size();
     std::vector<Mode> met; // an earlier guess; one that comes again would come for ever (Brent 1980)
     for (int step = 1; step <= rest_tolerance::k_quick_rounds; ++step) {
         if (!pieces.factorise(problem)) return false;
         push_imbalance(pieces, problem);
         pieces.solve();
-        if (take_wishes(pieces, problem) == 0) return true;
+        const std::size_t changes = take_wishes(pieces, problem);
+        if (changes == 0) return true;
+        // From near its end each step leaves few of the changes of the last one; in a heap that moves none ever does
+        if (effort == Effort::brief && 2 * changes > last_changes) return false;
+        last_changes = changes;
         if (pieces.modes() == met) return false;
         if (std::has_single_bit(static_cast<unsigned>(step))) met = pieces.modes();
     }

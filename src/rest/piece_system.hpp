@@ -92,9 +92,16 @@ private:
 /// changes from here, so that rounding takes its share of the changes only.
 void measure_slips(ContactProblem& problem, std::span<const Mover> movers);
 
+/// What is tried before a search for impulses gives up.
+enum class Effort
+{
+    full,  ///< all that is known
+    brief, ///< Newton's method, from what is there, as long as it closes in
+};
+
 /// Newton's method on conditions that are linear in pieces (semismooth Newton): guesses what each point does, solves,
 /// and where the answer disagrees takes its word for the next guess. True where some guess agrees; the answer is in the
 /// problem.
-[[nodiscard]] bool find_by_newton(PieceSystem& pieces, ContactProblem& problem);
+[[nodiscard]] bool find_by_newton(PieceSystem& pieces, ContactProblem& problem, Effort effort = Effort::full);
 
 } // namespace flying
