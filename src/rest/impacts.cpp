@@ -232,7 +232,9 @@ void Impacts::end_approaches(RestData& data, Island& island, bool is_whole, Heap
     if (is_heap(island)) {
         const double enough = ApproachSpeeds(data, island).slowest_blow(std::numeric_limits<double>::infinity());
         const int rounds = is_large(island) ? rest_tolerance::k_few_sweeps : rest_tolerance::k_patience;
-        if (!is_whole || !stop_at_once(motion.before, struck_, enough, rounds))
+        // Rounds for all at once hardly ever end in a large island, but in a tower or a row
+        const bool may_end = is_whole && (!is_large(island) || is_chain(data, island));
+        if (!may_end || !stop_at_once(motion.before, struck_, enough, rounds))
             sweeps.sweep_velocities(data, island, motion.before, struck_);
     } else if (!struck_.empty())
         data.solver.solve(motion.before, members, struck_, rest_tolerance::k_residual * top_speed(data, island));
