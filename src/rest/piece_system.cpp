@@ -234,7 +234,7 @@ struct Wish
 bool find_by_newton(PieceSystem& pieces, ContactProblem& problem, Effort effort)
 {
     guess(pieces, problem);
-    std::size_t last_changes = 2 * problem.points.size();
+    std::size_t last_changes = problem.points.size() + 1;
     std::vector<Mode> met; // an earlier guess; one that comes again would come for ever (Brent 1980)
     for (int step = 1; step <= rest_tolerance::k_quick_rounds; ++step) {
         if (!pieces.factorise(problem)) return false;
@@ -242,8 +242,8 @@ bool find_by_newton(PieceSystem& pieces, ContactProblem& problem, Effort effort)
         pieces.solve();
         const std::size_t changes = take_wishes(pieces, problem);
         if (changes == 0) return true;
-        // From near its end each step leaves few of the changes of the last one; in a heap that moves none ever does
-        if (effort == Effort::brief && 2 * changes > last_changes) return false;
+        // From near its end each guess changes less than the last one; in a heap that moves a search soon doesn't
+        if (effort == Effort::brief && changes >= last_changes) return false;
         last_changes = changes;
         if (pieces.modes() == met) return false;
         if (std::has_single_bit(static_cast<unsigned>(step))) met = pieces.modes();
