@@ -12,7 +12,7 @@ using namespace flying;
 
 namespace {
 
-RestBody body_of(const Shape& shape, const Vec2& position, double mass, double moment)
+RestBody of_mass(const Shape& shape, const Vec2& position, double mass, double moment)
 {
     RestBody body{shape, {}, {1.0 / mass, 1.0 / moment}, {0.3, 0.4}};
     body.state.position = position;
@@ -30,9 +30,9 @@ RestEngine wall_and_ball(int columns, int courses, double mass, double speed)
     for (int k = 0; k < columns * courses; ++k) {
         const int course = k / columns;
         const Vec2 place(0.4 * (k % columns) + 0.2 * (course % 2), 0.2 * course + 0.1);
-        bodies.push_back(body_of(brick, place, 8.0, 8.0 * (0.16 + 0.04) / 12.0));
+        bodies.push_back(of_mass(brick, place, 8.0, 8.0 * (0.16 + 0.04) / 12.0));
     }
-    bodies.push_back(body_of(Disc{0.25}, Vec2(-0.55, 0.1 * courses), mass, 0.5 * mass * 0.0625));
+    bodies.push_back(of_mass(Disc{0.25}, Vec2(-0.55, 0.1 * courses), mass, 0.5 * mass * 0.0625));
     bodies.back().state.velocity = Vec2(speed, 0.0);
     return RestEngine(bodies);
 }
