@@ -55,9 +55,9 @@ bool IslandSolver::solve(std::span<Mover> movers, std::span<const int> members, 
     best_ = worst_residual(points, movers);
     kept_.assign(points.begin(), points.end());
     bool content = improve(task, From::here);
-    for (const From from : {From::turns, From::impulses, From::nothing}) {
+    for (const From from : {From::turns, From::nothing}) {
         if (content || effort == Effort::brief) break;
-        if (from != From::turns && are_many(points)) break;
+        if (from == From::nothing && are_many(points)) break;
         go_back_to_best(task);
         content = improve(task, from);
     }
@@ -137,8 +137,6 @@ bool IslandSolver::find_pieces(const Task& task, From from)
     switch (from) {
     case From::here:
         return find_by_newton(pieces_, problem_, task.effort);
-    case From::impulses:
-        return follow_from_here(task);
     case From::turns:
         go_by_turns(task, {0.0, rest_tolerance::k_more_sweeps, rest_tolerance::k_quick_rounds});
         measure_slips(problem_, task.movers);
@@ -148,7 +146,7 @@ bool IslandSolver::find_pieces(const Task& task, From from)
         restore_free(task);
         measure_slips(problem_, task.movers);
         return path_.follow(pieces_, problem_, PiecePath::Start::nothing,
-                            rest_tolerance::k_quick_rounds * static_cast<int>(task.points.size()));
+                            rest_tolerance::k_few_rounds * static_cast<int>(task.points.size()));
     }
     return false;
 }
@@ -163,12 +161,8 @@ void IslandSolver::go_by_turns(const Task& task, const Rounds& rounds)
 /// From impulses that are nearly right.
 bool IslandSolver::find_from_here(const Task& task)
 {
-    return find_by_newton(pieces_, problem_) || follow_from_here(task);
-}
-
-bool IslandSolver::follow_from_here(const Task& task)
-{
-    return path_.follow(pieces_, problem_, PiecePath::Start::impulses, few_pieces(task.points.size()));
+    return find_by_newton(pieces_, problem_) ||
+           path_.follow(pieces_, problem_, PiecePath::Start::impulses, few_pieces(task.points.size()));
 }
 
 void IslandSolver::restore_free(const Task& task) const

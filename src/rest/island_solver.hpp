@@ -57,10 +57,9 @@ private:
     /// Where the pieces are looked for from.
     enum class From
     {
-        here,     ///< from the impulses that are there
-        turns,    ///< from what rounds by turns make of them, as soon as all points do what they did
-        impulses, ///< along the path that begins with those that are there
-        nothing,  ///< along the path that begins with no impulses
+        here,    ///< from the impulses that are there
+        turns,   ///< from what rounds by turns make of them, as soon as all points do what they did
+        nothing, ///< along the path that begins with no impulses
     };
     /// An island as it was handed over.
     struct Task
@@ -76,7 +75,6 @@ private:
     [[nodiscard]] bool improve(const Task& task, From from);
     [[nodiscard]] bool find_pieces(const Task& task, From from);
     [[nodiscard]] bool find_from_here(const Task& task);
-    [[nodiscard]] bool follow_from_here(const Task& task);
     [[nodiscard]] static double enough(const Task& task);
     [[nodiscard]] static double most_left(const Task& task);
     void forget_what_suits_worse(const Task& task);
