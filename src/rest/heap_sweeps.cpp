@@ -147,8 +147,8 @@ void HeapSweeps::settle(RestData& data, const Island& island, std::span<ContactP
 }
 
 /// Sweeps go on where more is left: a blow to a heap is felt all through it, but few points still miss their bounds by
-/// too much after the first sweeps. Where more of them do, as in smooth discs that lie in layers, each sweep leads on by
-/// one layer, and alternating directions by all. In what isn't large the direct solve finds the rest, if it can.
+/// too much after the first sweeps. Where more of them do, as in smooth discs that lie in layers, each sweep leads on
+/// by one layer, and alternating directions by all. In what isn't large the direct solve finds the rest, if it can.
 void HeapSweeps::sweep_on(RestData& data, const Island& island, std::span<Mover> movers, std::span<ContactPoint> points,
                           const Aim& aim)
 {
