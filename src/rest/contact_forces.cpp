@@ -58,12 +58,15 @@ namespace {
 
 /// Of what tumbles or settles in a heap, where loads have many ways, sweeps find forces that are as good for a fraction
 /// of a long search. Not so of a chain; nor where masses differ widely; nor where a body gets further in the step than
-/// it is large, and is met elsewhere than where its points are; nor where hardly any moves. Of many points any long
-/// search would take too long, unless all others stand still.
+/// it is large, and is met elsewhere than where its points are; nor where hardly any moves, or none faster than from
+/// rest in a step: what sweeps leave would keep it all moving. Of many points any long search would take too long,
+/// unless all others stand still.
 [[nodiscard]] bool is_better_swept(const RestData& data, const Island& island)
 {
-    const double rest = are_many(island.points) ? rest_tolerance::k_still : rest_tolerance::k_rest_speed;
+    const bool is_long = are_many(island.points);
+    const double rest = is_long ? rest_tolerance::k_still : rest_tolerance::k_rest_speed;
     if (!is_heap(island) || hardly_any_moves(data, island, rest)) return false;
+    if (!is_long && top_speed(data, island) <= field_speed(data, island)) return false;
     const auto flies = [&](int member) {
         const double way = data.motion.span * greatest_speed(data.motion.before, data.bodies.radius, {&member, 1});
         return way > data.bodies.radius[member];
