@@ -127,6 +127,7 @@ inline constexpr double k_rest_speed = 0x1p-8;
 
 /// [masses] Of the heaviest body of a heap to the lightest: where it is more, sweeps hardly get on. Alternating
 /// directions settle such a heap before sweeps do, and its step is made in halves rather than pushed out of an overlap.
+/// What is lighter than this part of the heaviest body gets stiffer springs than its own inertia asks for.
 inline constexpr double k_unequal_masses = 0x1p10;
 
 /// Stiffness of the springs of alternating directions, against the inertia that a point moves, and against that which

@@ -27,12 +27,7 @@ struct Tower
 
 Scene scene_of(const Tower& tower)
 {
-    Scene scene;
-    scene.world.field = UniformField{{0.0, -9.81}};
-    scene.world.friction = 0.5;
-    BodyDef floor = rectangle(100.0, 1.0, {0.0, -0.5});
-    floor.is_static = true;
-    scene.bodies.push_back(floor);
+    Scene scene = on_a_floor(1.0, 0.5);
     for (int k = 0; k < tower.count; ++k) {
         const double lift = k >= tower.heavy ? tower.drop : 0.0;
         BodyDef body =
