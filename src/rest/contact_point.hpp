@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <limits>
 
 namespace flying {
@@ -22,9 +21,9 @@ struct ContactPoint
 {
     int a = 0;
     int b = 0;
-    int pair = 0;              ///< the engine's pair that it belongs to
-    std::uint32_t feature = 0; ///< its name within the pair
-    double n_x = 0.0;          ///< unit normal
+    int pair = 0;     ///< the engine's pair that it belongs to
+    int own = 0;      ///< which of that pair's points it is
+    double n_x = 0.0; ///< unit normal
     double n_y = 0.0;
     double normal_arm_a = 0.0;  ///< r_a x n [m]
     double normal_arm_b = 0.0;  ///< r_b x n [m]

@@ -113,16 +113,14 @@ void take_first_ways(RestData& data, const Island& island)
                                                   bool is_beside)
 {
     const RestPair& pair = data.pairs.pairs()[c.pair];
-    const int own = pair.find(c.feature);
-    if (own < 0) return {};
-    const Vec2& place = pair.place[own];
+    const Vec2& place = pair.place[c.own];
     const int body = data.bodies.list[c.a].is_static ? c.b : c.a;
     const double near = rest_tolerance::k_watch * data.bodies.size_of(c.a, c.b);
     std::optional<Contact> best;
     double least = near * near;
     for (int i = 0; i < manifold.count; ++i) {
         const Contact& contact = manifold.contacts[i];
-        if (contact.feature == c.feature && !is_beside) return contact;
+        if (contact.feature == pair.feature[c.own] && !is_beside) return contact;
         const Pose& pose = data.motion.end_poses[body];
         const Vec2 there = inverse(pose.rotation) * Vec2(contact.point - pose.position);
         const double square = (there - place).squaredNorm();

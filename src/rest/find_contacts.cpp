@@ -32,8 +32,10 @@ namespace {
 /// A point that bore a load when the step before ended.
 [[nodiscard]] bool bore(const RestPair& pair, std::uint32_t feature)
 {
-    const int point = pair.find(feature);
-    return point >= 0 && pair.normal[point] > 0.0;
+    for (int k = 0; k < pair.count; ++k) {
+        if (pair.feature[k] == feature) return pair.normal[k] > 0.0;
+    }
+    return false;
 }
 
 /// The points of a pair that were open when the step began, and below which gap they count as closed.
@@ -236,7 +238,7 @@ void add_points(const RestData& data, int index, const Manifold& manifold, doubl
         found.push_back({.a = pair.a,
                          .b = pair.b,
                          .pair = index,
-                         .feature = contact.feature,
+                         .own = k,
                          .friction = pair.friction,
                          .restitution = pair.restitution,
                          .gap = contact.separation,
@@ -264,7 +266,7 @@ double time_to_close(double gap, double u, double a, double within)
     if (gap + within * (u + 0.5 * a * within) > 0.0) return 2.0 * within;
     const double square = u * u - 2.0 * a * gap;
     const double root = std::sqrt(std::max(square, 0.0));
-    return root > u ? 2.0 * gap / (root - u) : 2.0 * within;
+    return 2.0 * gap / (root - u);
 }
 
 bool may_touch(const RestData& data, const RestPair& pair, std::span<const double> farthest)
@@ -305,7 +307,7 @@ void find_contacts(RestData& data, int index, std::vector<ContactPoint>& found)
         ahead = look(data, pair, pose_at(data, pair.a, moment), pose_at(data, pair.b, moment), margin);
         closing.closed = rest_tolerance::k_closed * size;
     }
-    if (!(closes_at > 0.0 && std::isfinite(closes_at))) {
+    if (std::isinf(closes_at)) {
         add_points(data, index, manifold, closes_at, closing.speed, found);
         return;
     }

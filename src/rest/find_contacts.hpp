@@ -16,7 +16,7 @@ void find_contacts(RestData& data, int pair, std::vector<ContactPoint>& found);
 /// How fast two bodies open the gap at a contact.  [m/s]
 [[nodiscard]] double opening_speed(const Contact& contact, const BodyState& a, const BodyState& b);
 
-/// Time until a gap closes that changes at speed u [m/s] and acceleration a [m/s^2]; more than `within` where it
+/// Time until a gap > 0 closes that changes at speed u [m/s] and acceleration a [m/s^2]; more than `within` where it
 /// doesn't by then.  [s]
 [[nodiscard]] double time_to_close(double gap, double u, double a, double within);
 

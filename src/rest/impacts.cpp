@@ -102,9 +102,7 @@ double first_impact(const RestData& data, const Island& island)
     const ApproachSpeeds speeds(data, island);
     double first = data.motion.span;
     for (const ContactPoint& c : island.points) {
-        if (c.closes_at > rest_tolerance::k_at_once * data.motion.span &&
-            c.closing_speed > speeds.slowest_blow(slowest_rebound(data, c)))
-            first = std::min(first, c.closes_at);
+        if (c.closing_speed > speeds.slowest_blow(slowest_rebound(data, c))) first = std::min(first, c.closes_at);
     }
     return first < data.motion.span ? first : 0.0;
 }

@@ -162,9 +162,8 @@ void recall_impulses(const RestData& data, const Island& island)
     const double part = data.motion.span / data.options.step;
     for (ContactPoint& c : island.points) {
         const RestPair& pair = data.pairs.pairs()[c.pair];
-        const int own = pair.find(c.feature);
-        c.normal = own >= 0 ? part * pair.normal[own] : 0.0;
-        c.tangent = own >= 0 ? part * pair.tangent[own] : 0.0;
+        c.normal = part * pair.normal[c.own];
+        c.tangent = part * pair.tangent[c.own];
     }
 }
 

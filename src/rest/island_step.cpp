@@ -31,9 +31,7 @@ double end_of_load(const RestData& data, const Island& island)
 {
     double first = data.motion.span;
     for (const ContactPoint& c : island.points) {
-        const RestPair& pair = data.pairs.pairs()[c.pair];
-        const int own = pair.find(c.feature);
-        const double before = own >= 0 ? pair.normal[own] : 0.0;
+        const double before = data.pairs.pairs()[c.pair].normal[c.own];
         if (!(3.0 * c.normal < before)) continue;
 
         // Both are means, and stand for the middles of their steps; of one that has ended before that, less is known
@@ -166,7 +164,7 @@ void IslandStep::look_within(RestData& data, const Island& island, WithinStep& w
         double overlap = projection_.measure_overlap(data, island);
         for (int k = 0; k < rest_tolerance::k_few_rounds; ++k) {
             const double left = projection_.put_apart(data, island, overlap, sweeps_);
-            if (!(left > rest_tolerance::k_most_overlap && left < overlap)) break;
+            if (left <= rest_tolerance::k_most_overlap) break;
             overlap = left;
         }
         limit_energy(data, island);

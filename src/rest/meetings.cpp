@@ -43,11 +43,6 @@ bool find_meetings(const RestData& data, std::span<const RestPair> pairs, std::s
     const auto thrown_at = [&](int body) {
         return moved.has(body) ? before[body].thrown_at : std::numeric_limits<double>::infinity();
     };
-    const auto is_cut_near = [&](double when) {
-        return std::any_of(met.moments.begin(), met.moments.end(), [&](double moment) {
-            return std::abs(moment - when) <= rest_tolerance::k_blow * data.motion.span;
-        });
-    };
     for (const RestPair& pair : pairs) {
         const double size = data.bodies.size_of(pair.a, pair.b);
         const BodyState& a = data.bodies.list[pair.a].state;
@@ -63,9 +58,9 @@ bool find_meetings(const RestData& data, std::span<const RestPair> pairs, std::s
             const double gap = lowest_point(data, pair, state_before(pair.a), state_before(pair.b), size).separation;
             when = (gap > 0.0 ? gap / (gap + depth) : 0.5) * data.motion.span;
         }
-        // It came after the blow that threw one of them, and where a cut has shown nothing, soon after
+        // It came after the blow that threw one of them
         const double thrown = std::min(thrown_at(pair.a), thrown_at(pair.b));
-        if (thrown < data.motion.span && (when <= thrown || is_cut_near(when)))
+        if (thrown < data.motion.span && when <= thrown)
             when = thrown + rest_tolerance::k_blow * (data.motion.span - thrown);
         first = std::min(first, when);
         for (const int body : {pair.a, pair.b}) {

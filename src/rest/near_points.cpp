@@ -123,10 +123,8 @@ void look_at_corners(const NearSide& side, const NearSide& other, Owner owner, N
     const Nearest found = nearest_points(a, b);
     const double rounding = rounding_of(a, b);
     // A distance of rounding has no direction: the two touch, and an edge tells which way
-    if (found.square <= rounding * rounding) {
-        const Contact apart = shortest_way_apart(a, b);
-        if (std::abs(apart.separation) <= rounding) manifold.contacts[manifold.count++] = apart;
-    } else if (found.contact.separation <= margin) manifold.contacts[manifold.count++] = found.contact;
+    if (found.square <= rounding * rounding) manifold.contacts[manifold.count++] = shortest_way_apart(a, b);
+    else if (found.contact.separation <= margin) manifold.contacts[manifold.count++] = found.contact;
     return manifold;
 }
 

@@ -58,15 +58,15 @@ struct Parting
 /// The nearest of their four sides over which the other can leave: neither side of its own leads behind that, or the
 /// two would cross and not part. Not known where one of them isn't behind both sides of the other.
 ///
-/// a, b  corners of bodies with these outlines, all in the frame of A
-[[nodiscard]] Parting part_corners(const Outline& outline_a, const Corner& a, const Outline& outline_b, const Corner& b,
-                                   const Pose& b_from_a, double touch)
+/// a, b       corners, in the frame of A; that of B lies in A
+/// outline_b  in its own frame
+[[nodiscard]] Parting part_corners(const Corner& a, const Outline& outline_b, const Corner& b, const Pose& b_from_a,
+                                   double touch)
 {
     const Vec2 way = b.place - a.place;
     const double to_a = std::max(a.before.dot(way), a.after.dot(way));
     const double to_b = std::max(b.before.dot(-way), b.after.dot(-way));
-    if (a.radius > 0.0 || b.radius > 0.0 || !(std::max(to_a, to_b) < -touch)) return {};
-    if (!outline_a.holds(b.place, touch) || !outline_b.holds(b_from_a * a.place, touch)) return {};
+    if (!(std::max(to_a, to_b) < -touch) || !outline_b.holds(b_from_a * a.place, touch)) return {};
     Parting best;
     const auto offer = [&](const Vec2& normal, const Corner& corner, double height, double sense) {
         const bool crosses = cross(corner.before, normal) > 0.0 || cross(corner.after, normal) < 0.0;
@@ -88,7 +88,7 @@ struct Parting
 {
     for (const Corner& end : with_sides.corners()) {
         if (end.place != side.start && end.place != side.finish) continue;
-        const Parting parting = part_corners(with_sides, end, with_corners, corner, corners_from_sides, touch);
+        const Parting parting = part_corners(end, with_corners, corner, corners_from_sides, touch);
         if (parting.is_known && !(parting.normal.dot(side.normal) > rest_tolerance::k_one_face)) return parting;
     }
     return {};

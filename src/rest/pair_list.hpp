@@ -22,14 +22,6 @@ struct PairLoads
     double normal[2] = {0.0, 0.0};                ///< impulses at the end of the step, for a whole one [N s]
     double tangent[2] = {0.0, 0.0};               ///< [N s]
 
-    /// Which point has a name; -1 for none.
-    [[nodiscard]] int find(std::uint32_t name) const
-    {
-        for (int k = 0; k < count; ++k) {
-            if (feature[k] == name) return k;
-        }
-        return -1;
-    }
     /// Impulses of another length of time.
     void scale(double factor)
     {

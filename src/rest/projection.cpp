@@ -200,7 +200,6 @@ double Projection::find_overlap_of_pair(RestData& data, int index)
         c.a = pair.a;
         c.b = pair.b;
         c.pair = index;
-        c.feature = contact.feature;
         data.motion.set_arms(c, contact.normal, contact.point - pose_a.position, contact.point - pose_b.position);
         c.bound = -contact.separation;
         const double depth = -contact.separation - data.bodies.touch_gap(pair.a, pair.b);

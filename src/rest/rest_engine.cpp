@@ -146,7 +146,6 @@ void RestEngine::step_by(double length, double end)
         const bool sleeps = data_.options.sleeps;
         int halvings = 0;
         const bool is_halved = std::frexp(length / whole, &halvings) == 0.5;
-        const bool tells = length > rest_tolerance::k_at_once * whole;
         scale_loads_awake(length / whole);
         data_.options.step = length;
         data_.options.sleeps = sleeps && is_halved;
@@ -154,11 +153,6 @@ void RestEngine::step_by(double length, double end)
         data_.options.step = whole;
         data_.options.sleeps = sleeps;
         scale_loads_awake(whole / length);
-        for (const int k : moved_) {
-            if (tells) break;
-            data_.motion.pull[k] = before_[k].pull;
-            data_.motion.expected_angular_acceleration[k] = before_[k].expected_angular_acceleration;
-        }
     }
     set_time(end);
 }

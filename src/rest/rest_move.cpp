@@ -48,11 +48,9 @@ void RestEngine::move_island(const Island& island)
     const double parts = data_.options.step / data_.motion.span;
     for (const ContactPoint& c : island.points) {
         RestPair& pair = data_.pairs.pairs()[c.pair];
-        const int own = pair.find(c.feature);
-        if (own < 0) continue;
-        same = same && pair.normal[own] == c.normal && pair.tangent[own] == c.tangent;
-        pair.normal[own] = parts * c.normal;
-        pair.tangent[own] = parts * c.tangent;
+        same = same && pair.normal[c.own] == c.normal && pair.tangent[c.own] == c.tangent;
+        pair.normal[c.own] = parts * c.normal;
+        pair.tangent[c.own] = parts * c.tangent;
     }
 
     expect(data_, island, marks_);

@@ -145,8 +145,7 @@ void RestEngine::measure_reach(std::span<const int> bodies)
         const double more =
             0.5 * (dt * dt) * (motion.pull[k].norm() + std::abs(motion.expected_angular_acceleration[k]) * radius);
         const double room = motion.reach[k] - dt * speed;
-        if (!std::isfinite(more)) expect_flight(data_, k, body.state.position);
-        else if (dt < data_.options.step && more > room) {
+        if (dt < data_.options.step && more > room) {
             motion.pull[k] *= room / more;
             motion.expected_angular_acceleration[k] *= room / more;
         }

@@ -17,7 +17,6 @@ namespace flying {
 Vec2 mean_field(const RestData& data, int body, const Vec2& from, const Vec2& to)
 {
     if (!data.options.centre) return data.motion.field[body];
-    if (!data.motion.is_moved(body)) return Vec2::Zero();
     const Vec2 x = from - data.options.centre->centre;
     const Vec2 y = to - data.options.centre->centre;
     const double r = x.norm();
@@ -52,7 +51,7 @@ void aim_field(RestData& data, int body)
 
 double greatest_field(const RestData& data, int body, double within)
 {
-    if (!data.options.centre || !data.motion.is_moved(body)) return data.motion.field_size[body];
+    if (!data.options.centre) return data.motion.field_size[body];
     const BodyState& s = data.bodies.list[body].state;
     const double distance = (s.position - data.options.centre->centre).norm();
     const double here = field_at(data, body, s.position).norm();
@@ -91,7 +90,7 @@ void fly(RestData& data, Island& island)
     if (!data.options.centre) return;
     for (const int member : island.members) {
         const Vec2 x = data.bodies.list[member].state.position - data.options.centre->centre;
-        if (!data.motion.is_moved(member) || x.isZero(0.0)) continue;
+        if (x.isZero(0.0)) continue;
         const Mover& start = data.motion.before[member];
         const PointMotion end =
             KeplerFlight({x, Vec2(start.v_x, start.v_y)}, data.options.centre->mu).after(data.motion.span);

@@ -33,7 +33,7 @@ struct StepMotion
     std::vector<double> expected_angular_acceleration; ///< the same of spins [rad/s^2]
 
     /// Whether anything moves a body.
-    [[nodiscard]] bool is_moved(int body) const { return now[body].inv_mass > 0.0 || now[body].inv_moment > 0.0; }
+    [[nodiscard]] bool is_moved(int body) const { return now[body].inv_mass > 0.0; }
 
     /// Normal acceleration of B relative to A at a point, if they go on as they did.  [m/s^2]
     [[nodiscard]] double fall_of(const ContactPoint& c) const

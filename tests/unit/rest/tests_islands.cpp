@@ -43,6 +43,6 @@ TEST_CASE("one island keeps the order of its pairs")
     REQUIRE(island.points.size() == before.size());
     for (std::size_t k = 0; k < before.size(); ++k) {
         CHECK(island.points[k].pair == before[k].pair);
-        CHECK(island.points[k].feature == before[k].feature);
+        CHECK(island.points[k].own == before[k].own);
     }
 }
