@@ -199,7 +199,16 @@ bool Impacts::strike(RestData& data, Island& island, HeapSweeps& sweeps)
     const bool wanes = !is_whole && !is_lossless(island);
     const int rounds = wanes ? rest_tolerance::k_few_sweeps : rest_tolerance::k_patience;
     data.counts.impacts += throw_back(velocities, struck_, rebounds_, speeds.rounding, rounds);
-    // What was thrown may close other gaps, and all of them within a step whose impacts have no moments
+    // What was thrown may close other gaps, and all of them within a step whose impacts have no moments: there it is
+    // thrown back in its turn
+    const auto is_thrown_on = [&](const ContactPoint& c) {
+        const double approach = -normal_speed(c, velocities[c.a], velocities[c.b]);
+        return approach > slowest_rebound(data, c) && !(c.gap - within * approach > 0.0);
+    };
+    for (int k = 1; k < rounds && std::any_of(open_.begin(), open_.end(), is_thrown_on); ++k) {
+        if (!find_closed(data, island, speeds, within)) break;
+        data.counts.impacts += throw_back(velocities, struck_, rebounds_, speeds.rounding, rounds);
+    }
     for (const ContactPoint& c : open_) {
         struck_.push_back(c);
         struck_.back().bound = -c.gap / within;
