@@ -178,11 +178,14 @@ int resolve_impacts(std::span<ImpactBody> bodies, std::span<const ImpactPair> al
     const std::span<const ImpactPair> pairs = joined.pairs();
     const std::span<const ImpactPoint> points = joined.points();
     const std::span<const double> slowest = joined.slowest();
+    std::vector<PushLine> normals;
+    normals.reserve(points.size());
+    for (const ImpactPoint& point : points) normals.push_back(frame_at(point).normal);
     const auto approach = [&](const ImpactPair& pair) { // beyond what is none [m/s]
         const PairMotion motion = pair_motion(bodies, pair.a, pair.b);
         double fastest = 0.0;
         for (std::size_t k = pair.first; k < pair.end; ++k)
-            fastest = std::max(fastest, -speed_along(frame_at(points[k]).normal, motion) - slowest[k]);
+            fastest = std::max(fastest, -speed_along(normals[k], motion) - slowest[k]);
         return fastest;
     };
     const auto approach_of_all = [&](std::span<const int> group) {

@@ -104,13 +104,25 @@ Three solve(const Square& a, const Three& b, int size)
 // Up to three edges that may carry the whole compression
 struct Trial
 {
-    std::array<int, 3> edge{};
+    std::array<int, 3> edge{0, 1, 2};
     int size = 0;
 };
+
+// The choice of as many edges that comes next in order; false after the last one
+bool go_to_next(Trial& trial, int edges)
+{
+    int i = trial.size - 1;
+    while (i >= 0 && trial.edge[i] == edges - (trial.size - i)) --i;
+    if (i < 0) return false;
+    ++trial.edge[i];
+    for (int k = i + 1; k < trial.size; ++k) trial.edge[k] = trial.edge[k - 1] + 1;
+    return true;
+}
 
 // What a trial came to
 struct Outcome
 {
+    Trial trial;
     Three amount{};        // impulse along each edge [N s]
     double work = 0.0;     // of all impulses, negative [J]
     bool possible = false; // pushes only, ends every approach, friction against slip
@@ -149,7 +161,7 @@ Outcome try_edges(const Trial& trial, std::span<const Edge> edges, std::span<con
         speed[i] = -speed_along(*lines[i], motion);
         for (int k = 0; k < trial.size; ++k) response[i][k] = coupling(*lines[i], edges[trial.edge[k]].line, inertia);
     }
-    Outcome outcome;
+    Outcome outcome{trial};
     outcome.amount = solve(response, speed, trial.size);
 
     // Take off the rounding of the first answer by a second one
@@ -185,20 +197,6 @@ Outcome try_edges(const Trial& trial, std::span<const Edge> edges, std::span<con
     return outcome;
 }
 
-// All choices of `size` edges, in order
-std::vector<Trial> choices(int edges, int size)
-{
-    std::vector<Trial> trials;
-    for (int i = 0; i < edges; ++i) {
-        if (size == 1) trials.push_back({{i, 0, 0}, 1});
-        for (int k = i + 1; k < edges && size > 1; ++k) {
-            if (size == 2) trials.push_back({{i, k, 0}, 2});
-            for (int l = k + 1; l < edges && size > 2; ++l) trials.push_back({{i, k, l}, 3});
-        }
-    }
-    return trials;
-}
-
 // Impulses at each point
 struct Impulses
 {
@@ -217,26 +215,30 @@ Impulses compression(std::span<const PointFrame> points, const PairMotion& motio
 {
     const std::vector<Edge> edges = cone_edges(points, mu);
     Impulses sum{std::vector<double>(points.size(), 0.0), std::vector<double>(points.size(), 0.0), false};
-    for (int size = 1; size <= 3; ++size) {
+    const int edge_count = static_cast<int>(edges.size());
+    std::vector<Outcome> possible;
+    for (int size = 1; size <= std::min(3, edge_count); ++size) {
         // Find the most work that any choice of this size does against the approach
-        const std::vector<Trial> trials = choices(static_cast<int>(edges.size()), size);
-        std::vector<Outcome> outcomes;
-        outcomes.reserve(trials.size());
+        possible.clear();
         double least_work = 0.0;
-        for (const Trial& trial : trials) {
-            outcomes.push_back(try_edges(trial, edges, points, motion, inertia, rounding));
-            if (outcomes.back().possible) least_work = std::min(least_work, outcomes.back().work);
-        }
+        Trial trial;
+        trial.size = size;
+        do {
+            const Outcome outcome = try_edges(trial, edges, points, motion, inertia, rounding);
+            if (!outcome.possible) continue;
+            possible.push_back(outcome);
+            least_work = std::min(least_work, outcome.work);
+        } while (go_to_next(trial, edge_count));
 
         // Take the mean of those that do as much
         double count = 0.0;
-        for (std::size_t i = 0; i < trials.size(); ++i) {
-            if (!outcomes[i].possible || outcomes[i].work > (1.0 - tolerance::k_same_work) * least_work) continue;
+        for (const Outcome& outcome : possible) {
+            if (outcome.work > (1.0 - tolerance::k_same_work) * least_work) continue;
             count += 1.0;
             for (int k = 0; k < size; ++k) {
-                const Edge& edge = edges[trials[i].edge[k]];
-                sum.normal[edge.point] += outcomes[i].amount[k];
-                sum.tangent[edge.point] += edge.lean * outcomes[i].amount[k];
+                const Edge& edge = edges[outcome.trial.edge[k]];
+                sum.normal[edge.point] += outcome.amount[k];
+                sum.tangent[edge.point] += edge.lean * outcome.amount[k];
             }
         }
         if (count == 0.0) continue;
