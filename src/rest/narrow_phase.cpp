@@ -96,14 +96,18 @@ void find_moving_seams(const RestBodies& bodies, const PairList& list, const Res
         const auto is_here = [&](const Vec2& vertex) { return (vertex - local).squaredNorm() <= near * near; };
         if (std::none_of(polygon.vertices().begin(), polygon.vertices().end(), is_here)) continue;
 
-        // Look at those that go with it, and of these at the parts whose circles come here
+        // Together go two that part, while the third passes by its size, by no more than what is near
+        const double slow = rest_tolerance::k_watch * rest_tolerance::k_watch * pass;
+        const auto goes_with_it = [&](int other) {
+            return other != toucher && !((velocity - bodies.velocity_of(other, point)).squaredNorm() > slow);
+        };
+        if (!list.any_beside(body, goes_with_it)) break;
+
+        // Look at those that do, and of these at the parts whose circles come here
         const auto look_at = [&](std::span<const RestPair> pairs) {
             const bool is_first = pairs.front().a == body;
             const int other = is_first ? pairs.front().b : pairs.front().a;
-            if (other == toucher) return;
-            // Together go two that part, while the third passes by its size, by no more than what is near
-            const double part_ways = (velocity - bodies.velocity_of(other, point)).squaredNorm();
-            if (part_ways > rest_tolerance::k_watch * rest_tolerance::k_watch * pass) return;
+            if (!goes_with_it(other)) return;
             for (const RestPair& next : pairs) {
                 if ((is_first ? next.part_a : next.part_b) != part) continue;
                 const int others_part = is_first ? next.part_b : next.part_a;

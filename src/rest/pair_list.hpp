@@ -108,6 +108,23 @@ public:
     /// All of them, in order.
     [[nodiscard]] std::vector<RestPair> all() const;
 
+    /// Whether is(other) holds of any body with which a body has pairs.
+    template <typename Is>
+    [[nodiscard]] bool any_beside(int body, const Is& is) const
+    {
+        if (body >= static_cast<int>(awake_.firsts.size())) return false;
+        for (const Pairs* list : {&awake_, &asleep_}) {
+            const RestPair* const end = list->pairs.data() + list->pairs.size();
+            const RestPair* pair = list->firsts[body] >= 0 ? &list->pairs[list->firsts[body]] : end;
+            for (; pair != end && pair->a == body; ++pair) {
+                if (is(pair->b)) return true;
+            }
+            for (int k = list->seconds[body]; k >= 0; k = list->next_of_second[k]) {
+                if (is(list->pairs[k].a)) return true;
+            }
+        }
+        return false;
+    }
     /// Call visit(pairs) for every other body with which a body has pairs, with all of those: first where it is the
     /// first of two, each time in order.
     template <typename Visit>

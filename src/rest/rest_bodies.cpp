@@ -65,12 +65,6 @@ void RestBodies::set_pose(int body, const BodyState& state)
     ++moves[body];
 }
 
-Vec2 RestBodies::velocity_of(int body, const Vec2& point) const
-{
-    const BodyState& s = list[body].state;
-    return list[body].is_static ? Vec2(Vec2::Zero()) : velocity_at(s, point - poses[body].position);
-}
-
 double RestBodies::touch_gap(int a, int b) const
 {
     return touch_gap(a, list[a].state.position, b, list[b].state.position);

@@ -28,7 +28,10 @@ struct RestBodies
     /// [m]
     [[nodiscard]] double breadth_of(int a, int b) const { return std::min(breadth[a], breadth[b]); }
     /// Velocity of a body's point.  [m/s]
-    [[nodiscard]] Vec2 velocity_of(int body, const Vec2& point) const;
+    [[nodiscard]] Vec2 velocity_of(int body, const Vec2& point) const
+    {
+        return list[body].is_static ? Vec2(Vec2::Zero()) : velocity_at(list[body].state, point - poses[body].position);
+    }
     /// A gap below which two bodies touch, for all that rounding tells.  [m]
     [[nodiscard]] double touch_gap(int a, int b) const;
     /// The same at other places.
