@@ -140,20 +140,15 @@ double next_closing(const RestData& data, const RestPair& pair, const Manifold& 
 Manifold find_from_memory(RestData& data, RestPair& pair, double margin)
 {
     NearMemory& memory = pair.memory;
-    const double shift = data.bodies.travel[pair.a].shift + data.bodies.travel[pair.b].shift;
-    const double turn = data.bodies.travel[pair.a].turn + data.bodies.travel[pair.b].turn;
     if (memory.knows_separation) {
-        // No separation along an edge can have changed by more
-        const double arm = (data.bodies.poses[pair.b].position - data.bodies.poses[pair.a].position).cwiseAbs().sum() +
-                           (shift - pair.shift) + (data.bodies.radius[pair.a] + data.bodies.radius[pair.b]);
         const double change =
-            (shift - pair.shift) + (turn - pair.turn) * arm + rest_tolerance::k_rounding * (arm + shift);
+            change_since_look(data.bodies, pair, data.bodies.poses[pair.a], data.bodies.poses[pair.b]);
         if (memory.separation - change > margin) return {};
         memory.edges.lead -= 2.0 * change;
         memory.knows_edges = memory.edges.lead > 0.0;
     }
-    pair.shift = shift;
-    pair.turn = turn;
+    pair.shift = data.bodies.travel[pair.a].shift + data.bodies.travel[pair.b].shift;
+    pair.turn = data.bodies.travel[pair.a].turn + data.bodies.travel[pair.b].turn;
     ++data.counts.manifolds;
     return data.looks.find_cached(data.bodies, data.pairs, pair, margin);
 }

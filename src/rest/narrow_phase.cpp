@@ -1,8 +1,10 @@
 #include "rest/narrow_phase.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "broadphase/box_cells.hpp"
 #include "rest/near_points.hpp"
@@ -126,6 +128,21 @@ void find_moving_seams(const RestBodies& bodies, const PairList& list, const Res
 
 } // namespace
 
+double change_since_look(const RestBodies& bodies, const RestPair& pair, const Pose& pose_a, const Pose& pose_b)
+{
+    double shift = bodies.travel[pair.a].shift + bodies.travel[pair.b].shift;
+    double turn = bodies.travel[pair.a].turn + bodies.travel[pair.b].turn;
+    for (const auto& [there, body] : {std::pair(&pose_a, pair.a), std::pair(&pose_b, pair.b)}) {
+        const Pose& here = bodies.poses[body];
+        shift += (there->position - here.position).cwiseAbs().sum();
+        turn += std::abs(there->rotation.cosine - here.rotation.cosine) +
+                std::abs(there->rotation.sine - here.rotation.sine);
+    }
+    const double arm = (pose_b.position - pose_a.position).cwiseAbs().sum() + (shift - pair.shift) +
+                       (bodies.radius[pair.a] + bodies.radius[pair.b]);
+    return (shift - pair.shift) + (turn - pair.turn) * arm + rest_tolerance::k_rounding * (arm + shift);
+}
+
 /// Seams that last: of what never moves.
 NarrowPhase::NarrowPhase(const RestBodies& bodies)
 {
@@ -196,10 +213,19 @@ void NarrowPhase::mend(const RestBodies& bodies, const PairList& pairs, const Re
 Manifold NarrowPhase::look(const RestBodies& bodies, const PairList& pairs, const RestPair& pair, const Pose& pose_a,
                            const Pose& pose_b, double margin) const
 {
-    Manifold manifold = bodies.has_cuts(pair.a, pair.b)
-                            ? points_of_outlines(bodies, pair, pose_a, pose_b, margin)
-                            : near_points(bodies.shapes[pair.a].parts[0].shape, pose_a,
-                                          bodies.shapes[pair.b].parts[0].shape, pose_b, margin);
+    Manifold manifold;
+    if (!bodies.has_cuts(pair.a, pair.b)) {
+        // Edges that led by more than two separations can have changed are the best here, too
+        NearMemory memory;
+        memory.knows_edges = pair.memory.knows_edges;
+        if (memory.knows_edges) {
+            memory.edges = pair.memory.edges;
+            memory.edges.lead -= 2.0 * change_since_look(bodies, pair, pose_a, pose_b);
+            memory.knows_edges = memory.edges.lead > 0.0;
+        }
+        manifold = near_points(bodies.shapes[pair.a].parts[0].shape, pose_a, bodies.shapes[pair.b].parts[0].shape,
+                               pose_b, margin, memory);
+    } else manifold = points_of_outlines(bodies, pair, pose_a, pose_b, margin);
     if (manifold.count > 0) mend(bodies, pairs, pair, pose_a, pose_b, margin, manifold);
     return manifold;
 }

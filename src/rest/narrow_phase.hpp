@@ -9,6 +9,11 @@
 
 namespace flying {
 
+/// By how much any separation along an edge of the two of a pair may differ, at these poses, from what the last look
+/// from where they were has found.  [m]
+[[nodiscard]] double change_since_look(const RestBodies& bodies, const RestPair& pair, const Pose& pose_a,
+                                       const Pose& pose_b);
+
 /// Where pairs touch, as the surfaces of their bodies really are: without cuts (rest/outline_points.hpp), and with
 /// neighbours that lie flush taken as one surface (collide/seams.hpp).
 class NarrowPhase
