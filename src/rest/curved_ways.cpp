@@ -88,7 +88,8 @@ void set_mean_lines(ContactPoint& mean, const ContactPoint& start, const Contact
     const auto hops = [](const ContactPoint& c) { return c.normal > 0.0 && c.bound != 0.0; };
     if (is_lossless(island) && std::any_of(points.begin(), points.end(), hops)) return false;
     if (top_motion(data, island) <= still_speed(data, island)) return false;
-    return points_that_move(data, island, data.motion.now) <= rest_tolerance::k_most_in_detail;
+    return is_loose(data, island) ||
+           points_that_move(data, island, data.motion.now) <= rest_tolerance::k_most_in_detail;
 }
 
 void forget_ways(RestData& data, const Island& island)
@@ -156,7 +157,7 @@ void take_first_ways(RestData& data, const Island& island)
 
 bool CurvedWays::may_follow(const RestData& data, const Island& island)
 {
-    return stood(data, island) ||
+    return stood(data, island) || is_loose(data, island) ||
            points_that_move(data, island, data.motion.before) <= rest_tolerance::k_most_in_detail;
 }
 

@@ -22,6 +22,13 @@ template <typename Counts>
     return pairs;
 }
 
+/// How many pairs of bodies that can both be moved have points.
+[[nodiscard]] int count_pairs_that_move(const RestData& data, const Island& island)
+{
+    return count_pairs(island,
+                       [&](const ContactPoint& c) { return data.motion.is_moved(c.a) && data.motion.is_moved(c.b); });
+}
+
 } // namespace
 
 bool is_lossless(const Island& island)
@@ -65,10 +72,12 @@ bool hardly_any_moves(const RestData& data, const Island& island, double share)
 
 bool is_chain(const RestData& data, const Island& island)
 {
-    const auto both_move = [&](const ContactPoint& c) {
-        return data.motion.is_moved(c.a) && data.motion.is_moved(c.b);
-    };
-    return 2 * count_pairs(island, both_move) < 3 * island.member_count();
+    return 2 * count_pairs_that_move(data, island) < 3 * island.member_count();
+}
+
+bool is_loose(const RestData& data, const Island& island)
+{
+    return !is_large(island) && !is_lossless(island) && count_pairs_that_move(data, island) < island.member_count();
 }
 
 bool is_solved_whole(const RestData& data, const Island& island)

@@ -36,6 +36,9 @@ struct Island
 /// Each of its bodies leans on fewer than three others that move, on average, as in a row or a tower: a load has hardly
 /// more than one way through it. Sweeps take long to lead it along; a search that knows the ways finds it soon.
 [[nodiscard]] bool is_chain(const RestData& data, const Island& island);
+/// Each of its bodies leans on hardly more than one other that moves, as all that stands on a table leans on that: what
+/// they do, and when, is found one by one though they are more than a dozen. Not in large islands.
+[[nodiscard]] bool is_loose(const RestData& data, const Island& island);
 /// All its impulses are looked for at once, to rounding: in islands that are not too large, in larger ones that stand
 /// or begin to fall, or of which but a few bodies move, and in tall ones of any height, in which each body leans on
 /// hardly more than one other: their equations stay sparse.

@@ -225,8 +225,9 @@ std::vector<RestEngine::CutIsland> RestEngine::finish_islands(int depth, std::sp
 bool RestEngine::may_be_parted(const Island& island) const
 {
     if (island.is_row) return parts_.made < rest_tolerance::k_most_parts * parts_.bodies;
-    if (is_heap(island) || parts_.made >= rest_tolerance::k_most_parts) return false;
-    return parts_.looks < rest_tolerance::k_most_looks || is_lossless(island);
+    if (parts_.made >= rest_tolerance::k_most_parts) return false;
+    if (!is_heap(island)) return parts_.looks < rest_tolerance::k_most_looks || is_lossless(island);
+    return parts_.looks < rest_tolerance::k_few_sweeps * rest_tolerance::k_most_whole && is_loose(data_, island);
 }
 
 /// The same where nothing says where to part it; the step of a small island, however many impacts it had.
