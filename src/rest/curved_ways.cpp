@@ -413,7 +413,11 @@ bool CurvedWays::end_velocities(RestData& data, Island& island)
     }
     const bool content =
         data.solver.solve(data.motion.now, members, at_end_, rest_tolerance::k_residual * top_speed(data, island));
-    lets_go_ = !std::all_of(at_end_.begin(), at_end_.end(), lasts);
+    // Of several points that bear one load, some may have none at the end, and stay where they are
+    const double still = still_speed(data, island);
+    lets_go_ = std::any_of(at_end_.begin(), at_end_.end(), [&](const ContactPoint& c) {
+        return !lasts(c) && normal_speed(c, data.motion.now[c.a], data.motion.now[c.b]) > still;
+    });
     // Such a step is made in halves. Where it can't be, as in a heap, the point ends the step open
     if (lets_go_ && island.in_turn) return false;
     auto end = at_end_.begin();
