@@ -80,8 +80,8 @@ inline constexpr int k_quick_rounds = 8;
 inline constexpr int k_few_rounds = 4;
 
 /// Points, or bodies, of the largest island that is followed in detail: the end of each slip, the moment of each
-/// impact. In larger ones all that a step brings comes at its start. So many points that move are followed along curved
-/// ways, in an island of any size.
+/// impact. In larger ones all that a step brings comes at its start, unless each body leans on hardly more than one
+/// other. So many points that move are followed along curved ways, in an island of any size.
 inline constexpr int k_most_in_detail = 12;
 
 // ---- Points of outlines (outline_points)
@@ -117,7 +117,7 @@ inline constexpr int k_most_parts = 256;
 
 /// Looks, in such parts, at pairs that both move, of an island that loses energy: as many as a dozen bodies of one
 /// piece each can need. Of a dozen with many teeth each two are several pairs; what impacts come after that have no
-/// moments of their own, as in a heap.
+/// moments of their own, as in a heap. (A heap that is followed like this has k_few_sweeps * k_most_whole looks.)
 inline constexpr int k_most_looks = 66 * k_most_parts;
 
 // ---- Heaps (heap_sweeps)
