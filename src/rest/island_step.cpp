@@ -117,7 +117,7 @@ void IslandStep::find(RestData& data, Island& island, bool may_be_parted)
     } else if (std::none_of(island.points.begin(), island.points.end(), bears)) {
         fly(data, island);
         return;
-    } else if (island.point_count() <= rest_tolerance::k_most_in_detail) slip_ends_.part(data, island);
+    } else if (!is_heap(island) || is_loose(data, island)) slip_ends_.part(data, island);
     calm(data, island);
 }
 

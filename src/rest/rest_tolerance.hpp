@@ -79,9 +79,9 @@ inline constexpr int k_quick_rounds = 8;
 /// body of the largest island that is solved whole, points of the largest one in which such a path is followed.
 inline constexpr int k_few_rounds = 4;
 
-/// Points, or bodies, of the largest island that is followed in detail: the end of each slip, the moment of each
-/// impact. In larger ones all that a step brings comes at its start, unless each body leans on hardly more than one
-/// other. So many points that move are followed along curved ways, in an island of any size.
+/// Bodies of the largest island that is followed in detail: the end of each slip, the moment of each impact. In larger
+/// ones all that a step brings comes at its start, unless each body leans on hardly more than one other. So many points
+/// that move are followed along curved ways, in an island of any size.
 inline constexpr int k_most_in_detail = 12;
 
 // ---- Points of outlines (outline_points)
