@@ -40,7 +40,8 @@ using Corner = Outline::Corner;
 {
     const double depth = side.distance_to(corner.place);
     const auto is_nearer = [&](const Side& other) {
-        return faces(corner, other.normal) && other.normal.dot(corner.place - other.start) < 0.0 &&
+        const double height = other.normal.dot(corner.place - other.start); // the side is no nearer than its line
+        return height < 0.0 && -height < depth && faces(corner, other.normal) &&
                other.distance_to(corner.place) < depth - touch;
     };
     return std::none_of(outline.sides().begin(), outline.sides().end(), is_nearer) &&
