@@ -258,7 +258,7 @@ void RestEngine::find_pairs_of(std::span<CutIsland> islands, std::span<const int
         const int index = is_first ? k : pairs[k];
         const RestPair& pair = data_.pairs.pairs()[index];
         const int island = island_of(pair);
-        if (island >= 0 && (!is_first || is_listed(pair))) islands[island].pairs.push_back(index);
+        if (island >= 0 && is_listed(pair)) islands[island].pairs.push_back(index);
     }
     for (const CutIsland& island : islands) {
         for (const int member : island.members) parts_.of[member] = -1;
