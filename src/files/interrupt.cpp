@@ -12,6 +12,7 @@ namespace {
 
 // A handler may touch only what is lock-free
 static_assert(std::atomic<const char*>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
+constexpr std::array<int, 3> k_ends = {SIGINT, SIGTERM, SIGHUP};
 std::atomic<int> g_signal{0};
 std::array<std::atomic<const char*>, 16> g_temporaries{};
 
@@ -47,7 +48,7 @@ void watch_for_interrupts()
     struct sigaction action = {};
     action.sa_handler = note;
     sigemptyset(&action.sa_mask);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    for (const int signal : k_ends) {
         // A program started under nohup, or in the background by a script, stays deaf
         struct sigaction before = {};
         sigaction(signal, nullptr, &before);
@@ -60,6 +61,19 @@ void watch_for_interrupts()
 int interrupted()
 {
     return g_signal.load();
+}
+
+HeldInterrupts::HeldInterrupts()
+{
+    sigset_t ends;
+    sigemptyset(&ends);
+    for (const int signal : k_ends) sigaddset(&ends, signal);
+    sigprocmask(SIG_BLOCK, &ends, &before_);
+}
+
+HeldInterrupts::~HeldInterrupts()
+{
+    sigprocmask(SIG_SETMASK, &before_, nullptr);
 }
 
 void remove_on_interrupt(const char* path)

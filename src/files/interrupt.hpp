@@ -1,5 +1,7 @@
 #pragma once
 
+#include <csignal>
+
 namespace flying {
 
 /// Take note of the signals that ask for an end (Ctrl-C, TERM, HUP) in place of ending at once, and let writing to what
@@ -10,6 +12,19 @@ void watch_for_interrupts();
 
 /// The signal that asked for an end; 0 while none has.
 [[nodiscard]] int interrupted();
+
+/// Lets the signals that ask for an end wait for as long as it lives.
+class HeldInterrupts
+{
+public:
+    HeldInterrupts();
+    HeldInterrupts(const HeldInterrupts&) = delete;
+    HeldInterrupts& operator=(const HeldInterrupts&) = delete;
+    ~HeldInterrupts();
+
+private:
+    sigset_t before_;
+};
 
 /// Remove this file where a signal ends the program at once.
 /// path  stays where it is until `forget_on_interrupt`

@@ -118,6 +118,7 @@ Expected<OutputFile> OutputFile::open(const std::string& path)
     // An older file that may not be written to isn't to be replaced either
     if (exists && access(path.c_str(), W_OK) != 0) return fault(path, errno);
     parts->target = behind_links(path);
+    const HeldInterrupts held; // or one that comes before the file is known to them would leave it there
     for (int attempt = 0; parts->descriptor < 0; ++attempt) {
         std::string name = temporary_name(parts->target, attempt);
         parts->descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
