@@ -51,6 +51,19 @@ namespace {
     return std::all_of(points.begin(), points.end(), keeps_apart);
 }
 
+/// By how much the step changes a velocity, turning included.  [m/s]
+[[nodiscard]] double greatest_change(const RestData& data, std::span<const int> members)
+{
+    double top = 0.0;
+    for (const int member : members) {
+        const Mover& old = data.motion.before[member];
+        const Mover& now = data.motion.now[member];
+        const double rim = std::abs(now.spin - old.spin) * data.bodies.radius[member];
+        top = std::max({top, std::abs(now.v_x - old.v_x), std::abs(now.v_y - old.v_y), rim});
+    }
+    return top;
+}
+
 void stop(RestData& data, std::span<const int> members)
 {
     for (const int member : members) {
@@ -101,9 +114,8 @@ void HeapSweeps::sweep_large(RestData& data, Island& island)
     const bool is_standing = before <= rest_tolerance::k_standing * field;
     sweep_on(data, island, data.motion.now, points, {data.options.step, !is_standing && is_large(island)});
 
-    // What hardly moves comes to rest
-    const double after = greatest_speed(data.motion.now, data.bodies.radius, members);
-    if (before <= rest && after <= rest) stop(data, members);
+    // What hardly moves comes to rest, where its impulses would hold it there, too, and not only stop it
+    if (before <= rest && greatest_change(data, members) <= rest) stop(data, members);
     // Sweeps that go on from what bore too much lift a heap. With no impulses it would fall through the step, and lose
     // energy by that; with some share of them it neither gains nor loses any
     const Way way = may_go_by_the_mean(data, points) ? Way::mean_velocity : Way::end_velocity;

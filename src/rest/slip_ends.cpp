@@ -16,7 +16,7 @@ void SlipEnds::part(RestData& data, Island& island)
     if (field_speed(data, island) == 0.0 || !any_slip_ended(island, data.motion.before, data.motion.now, still)) return;
     start_.resize(data.motion.now.size());
     for (const int member : island.members) start_[member] = data.motion.before[member];
-    for (int part = 0; part < rest_tolerance::k_few_rounds; ++part) {
+    for (int part = 0; part < rest_tolerance::k_quick_rounds; ++part) {
         // Find a time short enough for all slips to last; from there each goes on evenly to its end
         double time = left;
         int halvings = 0;

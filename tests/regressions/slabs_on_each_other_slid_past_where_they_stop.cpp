@@ -102,9 +102,7 @@ TEST_CASE("slabs that slide on each other stop and turn back when friction says,
             const std::vector<double> ways = slab_ways(slabs, 1.0);
             CAPTURE(count);
             CAPTURE(faster);
-            // Of more than four slips that end in one step the last ones are found together
-            const double near = count <= 4 ? 1e-6 : 5e-4; // [m]
-            for (int k = 0; k < count; ++k) CHECK(std::abs(world.state(k + 1).position.x() - ways[k]) < near);
+            for (int k = 0; k < count; ++k) CHECK(std::abs(world.state(k + 1).position.x() - ways[k]) < 1e-6);
         }
     }
 }
