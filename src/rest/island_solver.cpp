@@ -117,7 +117,8 @@ bool IslandSolver::improve(const Task& task, From from)
     double before = std::numeric_limits<double>::infinity();
     for (int k = 0; k < rest_tolerance::k_patience; ++k) {
         measure_slips(problem_, task.movers);
-        if (!(k == 0 ? find_pieces(task, from) : find_from_here(task))) return false;
+        // Guesses may still differ in what rounding decides: what is left tells more
+        const bool is_found = k == 0 ? find_pieces(task, from) : find_from_here(task);
         take_impulses(task);
         const double now = worst_residual(task.points, task.movers);
         const bool content = now <= enough(task) || (now >= 0.5 * before && now <= most_left(task));
@@ -126,7 +127,7 @@ bool IslandSolver::improve(const Task& task, From from)
             kept_.assign(task.points.begin(), task.points.end());
         } else if (content) go_back_to_best(task);
         if (content) return true;
-        if (!(now < before)) return false;
+        if (!is_found || !(now < before)) return false;
         before = now;
     }
     return false;
@@ -145,8 +146,7 @@ bool IslandSolver::find_pieces(const Task& task, From from)
         forget_impulses(task.points);
         restore_free(task);
         measure_slips(problem_, task.movers);
-        return path_.follow(pieces_, problem_, PiecePath::Start::nothing,
-                            rest_tolerance::k_few_rounds * static_cast<int>(task.points.size()));
+        return path_.follow(pieces_, problem_, rest_tolerance::k_few_rounds * static_cast<int>(task.points.size()));
     }
     return false;
 }
@@ -161,8 +161,7 @@ void IslandSolver::go_by_turns(const Task& task, const Rounds& rounds)
 /// From impulses that are nearly right.
 bool IslandSolver::find_from_here(const Task& task)
 {
-    return find_by_newton(pieces_, problem_) ||
-           path_.follow(pieces_, problem_, PiecePath::Start::impulses, few_pieces(task.points.size()));
+    return find_by_newton(pieces_, problem_) || path_.follow(pieces_, problem_, few_pieces(task.points.size()));
 }
 
 void IslandSolver::restore_free(const Task& task) const

@@ -13,13 +13,19 @@ namespace {
 /// 2^32 over the golden section: multiples of it, modulo 2^32, lie far from each other.
 constexpr std::uint32_t k_golden = 2654435769U;
 
+/// Friction is at its limit, against this slip.
+[[nodiscard]] bool slips_on(const ContactPoint& c, double slip)
+{
+    const double most = c.friction * c.normal;
+    return (c.tangent >= most && slip < 0.0) || (c.tangent <= -most && slip > 0.0);
+}
+
 } // namespace
 
-bool PiecePath::follow(PieceSystem& pieces, ContactProblem& problem, Start start, int most)
+bool PiecePath::follow(PieceSystem& pieces, ContactProblem& problem, int most)
 {
     shift_.assign(2 * problem.points.size(), 0.0);
-    if (start == Start::nothing) shift_from_nothing(problem);
-    else shift_from_impulses(problem);
+    shift_from_impulses(problem);
     double left = 1.0;
     start_springs(pieces, problem, left);
     double first = 1.0;
@@ -50,28 +56,34 @@ bool PiecePath::follow(PieceSystem& pieces, ContactProblem& problem, Start start
     return false;
 }
 
-/// Shifts of speeds with which no point closes, no two of them alike.
-void PiecePath::shift_from_nothing(const ContactProblem& problem)
-{
-    double top = 0.0; // [m/s]
-    for (std::size_t k = 0; k < problem.points.size(); ++k) {
-        const std::uint32_t mixed = static_cast<std::uint32_t>(k + 1) * k_golden;
-        shift_[2 * k] = 1.0 + static_cast<double>(mixed) * 0x1p-32;
-        top = std::max(top, -problem.slip[2 * k] / shift_[2 * k]);
-    }
-    for (double& x : shift_) x *= top;
-}
-
-/// Shifts of speeds with which the impulses that are there are right.
+/// Shifts of speeds with which the impulses that are there are right; with none, no point closes. No two are alike, and
+/// none leaves a point between bearing and parting, or between holding and slipping: from there the path could lead
+/// anywhere. Boxes in a row on a slope all start to slide at once, and bear nothing on each other.
 void PiecePath::shift_from_impulses(const ContactProblem& problem)
 {
+    const auto spread = [](std::size_t k) {
+        return 1.0 + static_cast<double>(static_cast<std::uint32_t>(k + 1) * k_golden) * 0x1p-32;
+    };
+    double top = 0.0; // [m/s]
+    for (std::size_t k = 0; k < problem.points.size(); ++k) {
+        const ContactPoint& c = problem.points[k];
+        const double* const slip = &problem.slip[2 * k];
+        if (!(c.normal > 0.0)) {
+            top = std::max(top, -slip[0] / spread(k));
+            continue;
+        }
+        shift_[2 * k] = -slip[0];
+        if (!slips_on(c, slip[1])) shift_[2 * k + 1] = -slip[1];
+        top = std::max({top, std::abs(shift_[2 * k]), std::abs(shift_[2 * k + 1])});
+    }
     for (std::size_t k = 0; k < problem.points.size(); ++k) {
         const ContactPoint& c = problem.points[k];
         const double slip = problem.slip[2 * k + 1];
         const double most = c.friction * c.normal;
-        const bool slips_on = (c.tangent >= most && slip < 0.0) || (c.tangent <= -most && slip > 0.0);
-        if (c.normal > 0.0 || problem.slip[2 * k] < 0.0) shift_[2 * k] = -problem.slip[2 * k];
-        if (c.normal > 0.0 && !slips_on) shift_[2 * k + 1] = -slip;
+        const double far = spread(k) * top;
+        if (!(c.normal > 0.0)) shift_[2 * k] = far;
+        else if (c.tangent >= most) shift_[2 * k + 1] = std::min(0.0, -far - slip);
+        else if (c.tangent <= -most) shift_[2 * k + 1] = std::max(0.0, far - slip);
     }
 }
 

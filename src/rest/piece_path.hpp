@@ -16,15 +16,11 @@ namespace flying {
 class PiecePath
 {
 public:
-    /// Where it begins: with the impulses that are there, or with none.
-    enum class Start
-    {
-        impulses,
-        nothing
-    };
+    /// Begins with the impulses that are there.
+    ///
     /// most  pieces
     /// True where it has come to its end; the answer is in the problem.
-    [[nodiscard]] bool follow(PieceSystem& pieces, ContactProblem& problem, Start start, int most);
+    [[nodiscard]] bool follow(PieceSystem& pieces, ContactProblem& problem, int most);
 
 private:
     using Mode = PieceSystem::Mode;
@@ -45,7 +41,6 @@ private:
         double normal_rate;
         double tangent_rate;
     };
-    void shift_from_nothing(const ContactProblem& problem);
     void shift_from_impulses(const ContactProblem& problem);
     void start_springs(PieceSystem& pieces, const ContactProblem& problem, double left);
     void push_shifts(PieceSystem& pieces, const ContactProblem& problem) const;

@@ -69,14 +69,16 @@ inline constexpr double k_rounding = 0x1p-46;
 inline constexpr int k_patience = 64;
 
 /// Rounds of what is right after one or two, or after many: Newton's steps; looks at a pair that closes, each at the
-/// moment that the last one foresaw; lines along curved ways; halvings of a step until all slips last, and of pushes
-/// until they help; parts into which the step of a heap may fall; steps that are made again since bodies met; and
-/// rounds by turns in which all points do what they did, before a search begins again from where they lead.
+/// moment that the last one foresaw; lines along curved ways; ends of slips in one step, and halvings of it until all
+/// slips last; halvings of pushes until they help; parts into which the step of a heap may fall; steps that are made
+/// again since bodies met; and rounds by turns in which all points do what they did, before a search begins again from
+/// where they lead.
 inline constexpr int k_quick_rounds = 8;
 
 /// Rounds of what is near after two or three: pushes that take off overlap, each of which leaves about the square of
-/// what it found; ends of slips in one step; for each point, pieces of a path that begins with nothing; and for each
-/// body of the largest island that is solved whole, points of the largest one in which such a path is followed.
+/// what it found; what Newton's method may take beyond k_quick_rounds; for each point, pieces of a path that begins with
+/// nothing; and for each body of the largest island that is solved whole, points of the largest one in which such a path
+/// is followed.
 inline constexpr int k_few_rounds = 4;
 
 /// Bodies of the largest island that is followed in detail: the end of each slip, the moment of each impact. In larger
