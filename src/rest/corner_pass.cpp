@@ -22,15 +22,14 @@ std::optional<Vec2> side_at_passing(const RestData& data, const RestPair& pair, 
     if (manifold.count == 2 && (manifold.contacts[1].point - contact.point).squaredNorm() > near * near)
         return std::nullopt;
     const auto velocity_of = [&](int body, const Pose& pose) {
-        const RestBody& moving = data.bodies.list[body];
-        return moving.is_static ? Vec2(Vec2::Zero()) : velocity_at(moving.state, contact.point - pose.position);
+        return velocity_at(data.bodies.list[body].state, contact.point - pose.position);
     };
     const Vec2 velocity = velocity_of(pair.b, pose_b) - velocity_of(pair.a, pose_a);
     if (!comes_near(data, pair, -contact.normal.dot(velocity))) return std::nullopt;
 
     const double touch = data.bodies.touch_gap(pair.a, pose_a.position, pair.b, pose_b.position);
     const auto is_here = [&](const Outline::Corner& corner, const Vec2& point) {
-        return corner.radius == 0.0 && (corner.place - point).squaredNorm() <= near * near;
+        return (corner.place - point).squaredNorm() <= near * near;
     };
     const Pose b_from_a = relative_pose(pose_b, pose_a);
     const Vec2 seen_by_a = inverse(pose_a.rotation) * Vec2(contact.point - pose_a.position);

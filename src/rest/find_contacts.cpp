@@ -51,9 +51,7 @@ struct Closing
 /// Where a body's centre will be at a moment of the step, if it goes on as it did.
 Vec2 place_at(const RestData& data, int body, double moment)
 {
-    if (moment == 0.0) return data.bodies.poses[body].position;
     const BodyState& s = data.bodies.list[body].state;
-    if (data.bodies.list[body].is_static) return s.position;
     return s.position + moment * (s.velocity + (0.5 * moment) * data.motion.pull[body]);
 }
 
@@ -117,7 +115,7 @@ double next_closing(const RestData& data, const RestPair& pair, const Manifold& 
         if (moment == 0.0) closing.open[closing.count++] = contact.feature;
         const double fall = fall_at(data, pair, contact, moment);
         const double time = time_to_close(contact.separation, u, fall, left);
-        if (time > left || (u > 0.0 && moment == 0.0 && stays_open(data, pair, closing.closed))) continue;
+        if (time > left || (u > 0.0 && stays_open(data, pair, closing.closed))) continue;
         wait = std::min(wait, time);
     }
     return wait;
@@ -133,7 +131,7 @@ double next_closing(const RestData& data, const RestPair& pair, const Manifold& 
 [[nodiscard]] bool stands(const RestData& data, int body)
 {
     const BodyState& s = data.bodies.list[body].state;
-    return data.bodies.list[body].is_static || (s.velocity.isZero(0.0) && s.spin == 0.0);
+    return s.velocity.isZero(0.0) && s.spin == 0.0;
 }
 
 /// Where a body is when a step or a part of one begins: what the last such look has found may answer.

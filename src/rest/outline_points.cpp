@@ -226,7 +226,7 @@ void take_middle_way(const OutlineSide& a, const OutlineSide& b, const Pose& a_f
 {
     Contact& lowest = manifold.contacts[0];
     const auto is_here = [&](const Corner& corner) {
-        return corner.radius == 0.0 && (corner.place - lowest.point).norm() <= near;
+        return (corner.place - lowest.point).norm() <= near;
     };
     const auto has = [](const OutlineSide& side, const Corner& corner) {
         const std::span<const Corner> own = side.outline.corners_of(side.part);

@@ -30,7 +30,7 @@ struct RestBodies
     /// Velocity of a body's point.  [m/s]
     [[nodiscard]] Vec2 velocity_of(int body, const Vec2& point) const
     {
-        return list[body].is_static ? Vec2(Vec2::Zero()) : velocity_at(list[body].state, point - poses[body].position);
+        return velocity_at(list[body].state, point - poses[body].position);
     }
     /// A gap below which two bodies touch, for all that rounding tells.  [m]
     [[nodiscard]] double touch_gap(int a, int b) const;

@@ -13,7 +13,7 @@ struct RestBody
     Inertia inertia; ///< both zero for a static body
     Material material;
     Vec2 acceleration = Vec2::Zero(); ///< of a field that is the same everywhere [m/s^2]
-    bool is_static = false;           ///< never moves
+    bool is_static = false;           ///< never moves: no velocity, no spin
     bool is_active = true;            ///< false: elsewhere; touches nothing, and keeps its state
 };
 
