@@ -78,18 +78,10 @@ double Projection::measure_overlap(RestData& data, const Island& island)
     points_.clear();
     const std::span<const ContactPoint> points = island.points;
     if (is_heap(island)) return measure_overlap_of_heap(data, island);
-    const bool any_nearer =
-        std::any_of(points.begin(), points.end(), [&](const ContactPoint& c) { return comes_nearer(data, c.a, c.b); });
-    const bool may_any =
-        std::any_of(points.begin(), points.end(), [&](const ContactPoint& c) { return may_overlap(data, c); });
-    if (!may_any && !any_nearer) return 0.0;
+    const auto may_any = [&](const ContactPoint& c) { return may_overlap(data, c); };
+    if (std::none_of(points.begin(), points.end(), may_any)) return 0.0;
     set_end_poses(data, island, 1.0);
     list_pairs_of(data, points);
-    const auto is_overlap = [&](int index) {
-        const RestPair& pair = data.pairs.pairs()[index];
-        return comes_nearer(data, pair.a, pair.b) && overlap_at_end(data, pair).separation < 0.0;
-    };
-    if (!may_any && std::none_of(pairs_near_.begin(), pairs_near_.end(), is_overlap)) return 0.0;
     double worst = 0.0;
     for (const int pair : pairs_near_) worst = std::max(worst, find_overlap_of_pair(data, pair));
     return worst;
@@ -206,8 +198,7 @@ double Projection::find_overlap_of_pair(RestData& data, int index)
         worst = std::max(worst, depth / breadth);
     };
     for (int k = 0; k < manifold.count; ++k) add(manifold.contacts[k]);
-    if (worst > 0.0 || !comes_nearer(data, pair.a, pair.b)) return worst;
-    if (data.bodies.has_cuts(pair.a, pair.b)) return worst; // its edge may be a cut
+    if (worst > 0.0 || data.bodies.has_cuts(pair.a, pair.b)) return worst; // of cuts its edge may be one
 
     // What sticks out beyond the ends of the edge that it lies deepest under is clipped there
     const Contact clipped = overlap_at_end(data, pair);
