@@ -52,14 +52,6 @@ bool is_fair(const RestData& data, const Island& island, double overlap)
     });
 }
 
-/// None of it moved when the step began, nor was any sped up in the step before.
-[[nodiscard]] bool stood_on(const RestData& data, const Island& island)
-{
-    return stood(data, island) && std::all_of(island.members.begin(), island.members.end(), [&](int member) {
-               return data.motion.pull[member].isZero(0.0) && data.motion.expected_angular_acceleration[member] == 0.0;
-           });
-}
-
 /// Ways of an island whose velocities are found.
 void find_places(RestData& data, const Island& island)
 {
@@ -93,7 +85,7 @@ void IslandStep::find(RestData& data, Island& island, bool may_be_parted)
     const bool is_followed = !sweeps && CurvedWays::may_follow(data, island);
     if (is_lossless(island)) {
         find_lossless(data, island, sweeps);
-    } else if (is_heap(island) && stood_on(data, island) && sweeps_.stays(data, island)) {
+    } else if (is_heap(island) && sweeps_.stays(data, island)) {
         return; // another search would end as that of the last step
     } else if (sweeps) {
         sweeps_.sweep_large(data, island);
@@ -198,9 +190,6 @@ double IslandStep::end_early(RestData& data, Island& island, bool may_be_halved,
     }
     if (within) look_within(data, island, *within);
     if (island.points.empty()) return 0.0;
-    // Where nothing gets anywhere, halves lead nowhere else
-    const auto goes = [&](int member) { return farthest_way(data, member) > 0.0; };
-    may_be_halved = may_be_halved && std::any_of(island.members.begin(), island.members.end(), goes);
     const bool is_even = is_heap(island) && !are_unequal(data, island.members);
     const double overlap = projection_.measure_overlap(data, island);
     if (may_be_halved && !is_even && !is_fair(data, island, overlap)) return 0.5 * data.motion.span;
