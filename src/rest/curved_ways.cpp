@@ -239,7 +239,7 @@ void CurvedWays::take_lines_halfway(RestData& data, Island& island)
     look_along(data, island, 0.5, half_);
     for (std::size_t k = 0; k < half_.size(); ++k) {
         ContactPoint& c = island.points[k];
-        if (!is_seen_[k] || c.normal == 0.0) continue;
+        if (c.normal == 0.0) continue;
         half_[k].gap = c.gap;
         c = half_[k];
     }
@@ -292,9 +292,7 @@ CurvedWays::Bend CurvedWays::bend_lines(RestData& data, const Island& island, bo
     // What slides over a heap without turning goes straight, though it is pushed elsewhere as it goes
     const double still = still_speed(data, island);
     const auto turns = [&](const ContactPoint& c, const ContactPoint& end) {
-        const StepMotion& ways = data.motion;
-        return !is_heap(island) || change_by(c, end, ways.before[c.a], ways.before[c.b]) > still ||
-               change_by(c, end, ways.now[c.a], ways.now[c.b]) > still;
+        return !is_heap(island) || change_by(c, end, data.motion.now[c.a], data.motion.now[c.b]) > still;
     };
     // What touches may come to bear where its line bends, though nothing presses on it: a way that was followed leaves
     // half as much again as counts as touching. What hops without any loss hops on

@@ -93,7 +93,7 @@ double hardly_open(const RestData& data, const ContactPoint& c)
 bool comes_as_blow(const RestData& data, const Island& island, const ContactPoint& c)
 {
     const double u = normal_speed(c, data.motion.before[c.a], data.motion.before[c.b]);
-    return u < 0.0 && -u > ApproachSpeeds(data, island).slowest_blow(slowest_rebound(data, c));
+    return -u > ApproachSpeeds(data, island).slowest_blow(slowest_rebound(data, c));
 }
 
 /// The moment of the first impact after the beginning; 0 where there is none.  [s]
