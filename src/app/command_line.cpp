@@ -5,10 +5,12 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <regex>
 
 #include "app/commands.hpp"
 #include "app/generate_options.hpp"
 #include "app/messages.hpp"
+#include "app/option_checks.hpp"
 #include "scene/fault.hpp"
 
 namespace flying {
@@ -36,7 +38,8 @@ report, with the key "failure".
 Report: JSON, numbers with 17 digits: time, engine, events, collisions, handovers, handover_log, energy {kinetic,
 potential, total, initial_total}, energy_changes {impacts, steps, handovers}, momentum, angular_momentum, max_overlap,
 hash, plan, stages, wall_seconds, bodies [{name, position, angle, velocity, spin, mass, inertia}]; where bodies leant on
-others, rest {islands, solved, swept, unsolved, parts, projected, limited, energy_limited, elastic_ended, elastic_braked}: how their steps were made; warnings, if any.
+others, rest {islands, solved, swept, unsolved, parts, projected, limited, energy_limited, elastic_ended,
+elastic_braked}: how their steps were made; warnings, if any.
 Trace: one JSON object a line, at the times 0, DT, 2 DT, ... and at the end:
   {"time": t, "events": n, "bodies": [[x, y, angle, vx, vy, spin], ...]}     bodies in the scene's order
 Looking never changes a run: the same hash comes out whatever is traced, drawn or filmed.
@@ -53,7 +56,7 @@ Examples:
 /// Read a scene's path: a positional argument that every command but `generate` has.
 void add_scene(CLI::App& command, std::string& path)
 {
-    command.add_option("SCENE", path, "Scene file, TOML; /dev/stdin for a pipe")->required();
+    command.add_option("SCENE", path, "Scene file, TOML; /dev/stdin for a pipe")->required()->check(is_file_name());
 }
 
 void add_without(CLI::App& command, std::vector<std::string>& names)
@@ -70,33 +73,44 @@ void add_simulate(CLI::App& app, SimulateOptions& options)
     CLI::App* command = app.add_subcommand("simulate", "Run a scene and report; on demand trace, draw and film it");
     command->footer(k_simulate_notes);
     add_scene(*command, options.scene);
-    command->add_option("--until", options.until, "End of the run in place of the scene's [s]")->type_name("T");
+    command->add_option("--until", options.until, "End of the run in place of the scene's [s]")
+        ->type_name("T")
+        ->check(is_number());
     command
         ->add_option("--engine", options.engine,
-                     "events: from impact to impact, exactly; rest: by small steps, for contacts that last; auto: events "
-                     "until impacts crowd without end, then rest")
+                     "events: from impact to impact, exactly; rest: by small steps, for contacts that last; auto, where not "
+                     "given: both at once, each where it is needed")
         ->type_name("NAME")
-        ->check(CLI::IsMember({"auto", "events", "rest"}));
+        ->check(is_one_of({"auto", "events", "rest"}));
     command->add_option("--step", options.step, "Step of the resting engine, 1/60 where not given; the event engine takes none [s]")
-        ->type_name("DT");
+        ->type_name("DT")
+        ->check(is_number());
     add_without(*command, options.without);
-    command->add_option("--report", options.report, "Write the report there")->type_name("FILE.json");
+    command->add_option("--report", options.report, "Write the report there")
+        ->type_name("FILE.json")
+        ->check(is_file_name());
     command->add_option("--trace", options.trace, "Write the motion there, a line for each moment")
-        ->type_name("FILE.ndjson");
+        ->type_name("FILE.ndjson")
+        ->check(is_file_name());
     command
         ->add_option("--every", options.every, "Time between lines of the trace [s]; by default a hundredth of the run")
-        ->type_name("DT");
+        ->type_name("DT")
+        ->check(is_number());
     command->add_option("--picture", options.picture, "Draw the end of the run, with trails")
-        ->type_name("FILE.{png,svg,pdf}");
+        ->type_name("FILE.{png,svg,pdf}")
+        ->check(is_file_name());
     command->add_option("--video", options.video, "Film the run in real time, 60 frames a second (needs ffmpeg)")
-        ->type_name("FILE.mp4");
+        ->type_name("FILE.mp4")
+        ->check(is_file_name());
     command->add_option("--save", options.save, "Write there, at the end, what it takes to go on with the run later")
-        ->type_name("FILE.json");
+        ->type_name("FILE.json")
+        ->check(is_file_name());
     command
         ->add_option("--resume", options.resume,
                      "Go on with a run of this scene that was saved, with its engine, step and skips: the same bits come "
                      "out as of a run that never stopped")
-        ->type_name("FILE.json");
+        ->type_name("FILE.json")
+        ->check(is_file_name());
     command->add_flag("--explain", options.explain, "Print what was skipped, why, and the work it saved");
     command->add_flag("--stats", options.stats, "Print what each stage cost");
     command->add_flag("--quiet", options.quiet, "No report on standard output, no progress");
@@ -107,12 +121,15 @@ void add_window(CLI::App& app, WatchOptions& options)
     CLI::App* command = app.add_subcommand("window", "Play with a scene in a window; F1 there shows all keys");
     command->add_option("SCENE", options.scene, "Scene file, TOML; the course's first scene where none is given");
     command->add_option("--size", options.size, "Of the window, 1280x800 where not given [pixels]")->type_name("WxH");
-    command->add_option("--face", options.face, "A picture on every ball that moves")->type_name("FILE.png");
+    command->add_option("--face", options.face, "A picture on every ball that moves")
+        ->type_name("FILE.png")
+        ->check(is_file_name());
     command->add_flag("--bare", options.is_bare, "Without the controls at the side; F9 brings them");
     command->add_flag("--dark", options.is_dark, "Light on dark; D changes it");
     command->add_flag("--paused", options.is_paused, "Time stands still at first; P lets it run");
     command->add_option("--state", options.state, "Where F8 writes what the window knows, flying-state.json where not given")
-        ->type_name("FILE.json");
+        ->type_name("FILE.json")
+        ->check(is_file_name());
 }
 
 /// The command line as typed, from the command on.
@@ -126,13 +143,13 @@ std::string as_typed(int argc, char** argv)
 }
 
 /// What to say of a command or an option that doesn't exist, with the one that was meant; nothing where all exist.
-std::optional<std::string> unknown_word(const CLI::App& app, int argc, char** argv)
+std::optional<std::string> unknown_word(const CLI::App& app, const std::vector<char*>& words)
 {
     const auto meant = [](const std::string& word, const std::vector<std::string>& known) {
         const std::string near = nearest_word(word, known);
         return near.empty() ? "" : fmt::format("; did you mean {}?", near);
     };
-    const std::string name = argv[1];
+    const std::string name = words[1];
     if (name.starts_with('-')) return std::nullopt;
     std::vector<std::string> commands;
     for (const CLI::App* command : app.get_subcommands(nullptr)) commands.push_back(command->get_name());
@@ -142,12 +159,36 @@ std::optional<std::string> unknown_word(const CLI::App& app, int argc, char** ar
     const CLI::App* command = app.get_subcommand(name);
     std::vector<std::string> options;
     for (const CLI::Option* option : command->get_options()) options.push_back(option->get_name());
-    for (int i = 2; i < argc; ++i) {
-        const std::string word = std::string(argv[i]).substr(0, std::string(argv[i]).find('='));
+    for (std::size_t i = 2; i < words.size(); ++i) {
+        const std::string typed = words[i];
+        const std::string word = typed.substr(0, typed.find('='));
         if (!word.starts_with("--") || word == "--" || command->get_option_no_throw(word)) continue;
         return fmt::format("flying {} has no option {}{}", name, word, meant(word, options));
     }
     return std::nullopt;
+}
+
+/// What the parser says of too few or too many words behind an option, in the words of the other complaints.
+std::string of_count(const std::string& text)
+{
+    static const std::regex none("(.+): \\d+ required (.+) missing");
+    static const std::regex other("(.+): At (Most|least) (\\d+) required but received (\\d+)");
+    std::smatch part;
+    if (std::regex_match(text, part, none)) return fmt::format("{}: found nothing, expected {}", part.str(1), part.str(2));
+    if (!std::regex_match(text, part, other)) return text;
+    return fmt::format("{}: found {} values, expected at {} {}", part.str(1), part.str(4), part.str(2) == "Most" ? "most" : "least",
+                       part.str(3));
+}
+
+/// `flying help COMMAND` is `flying COMMAND --help`.
+std::vector<char*> without_help_first(int argc, char** argv)
+{
+    static char option[] = "--help";
+    std::vector<char*> words(argv, argv + argc);
+    if (words[1] != std::string("help")) return words;
+    words.erase(words.begin() + 1);
+    words.push_back(option);
+    return words;
 }
 
 } // namespace
@@ -180,12 +221,16 @@ int run_command_line(int argc, char** argv)
         std::fputs(app.help().c_str(), stderr);
         return status::k_usage;
     }
+    std::vector<char*> words = without_help_first(argc, argv);
+    const std::optional<std::string> unknown = unknown_word(app, words);
     try {
-        app.parse(argc, argv);
+        if (unknown) throw CLI::ExtrasError({words[1]});
+        app.parse(static_cast<int>(words.size()), words.data());
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) return app.exit(error);
-        complain(unknown_word(app, argc, argv).value_or(error.what()));
-        std::fputs("Run flying --help, or flying COMMAND --help.\n", stderr);
+        complain(unknown.value_or(of_count(error.what())));
+        const bool is_command = !app.get_subcommands([&](const CLI::App* one) { return one->get_name() == words[1]; }).empty();
+        fmt::print(stderr, "Run flying {} --help.\n", is_command ? words[1] : "--help, or flying COMMAND");
         return status::k_usage;
     }
     if (app.got_subcommand("simulate")) return simulate(simulate_options);

@@ -6,6 +6,7 @@
 
 #include "app/commands.hpp"
 #include "app/messages.hpp"
+#include "files/interrupt.hpp"
 #include "scene/fault.hpp"
 #include "scene/write.hpp"
 
@@ -32,6 +33,10 @@ int generate_to_stdout(const std::string& kind, const GenerateOptions& options, 
             complain(format_fault(fault));
         }
         return status::k_usage;
+    }
+    if (const int signal = interrupted()) {
+        complain("stopped; nothing was written");
+        return 128 + signal;
     }
     fmt::print("{}", write_scene(scene.value(), command));
     return status::k_done;

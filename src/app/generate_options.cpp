@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/commands.hpp"
+#include "app/option_checks.hpp"
 
 namespace flying {
 
@@ -46,7 +47,7 @@ void add_numbers(CLI::App& command, const std::string& name, std::vector<double>
         ->expected(least, most)
         ->delimiter(',')
         ->type_name(type)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+        ->check(is_number());
 }
 
 std::optional<Bounds> bounds(const std::vector<double>& numbers)
@@ -63,36 +64,48 @@ void add_generate(CLI::App& app, GenerateCommand& command)
     generate->footer("\n" + kinds_text() + k_generate_examples);
     std::vector<std::string> kinds;
     for (const GeneratorKind& kind : generator_kinds()) kinds.push_back(kind.name);
-    generate->add_option("KIND", command.kind, "What to make; see below")->required()->check(CLI::IsMember(kinds));
+    generate->add_option("KIND", command.kind, "What to make; see below")->required()->check(is_one_of(kinds));
 
     GenerateOptions& options = command.options;
-    generate->add_option("--seed", options.seed, "Start of the random numbers; 1 by default")->type_name("N");
+    generate->add_option("--seed", options.seed, "Start of the random numbers; 1 by default")
+        ->type_name("N")
+        ->check(is_seed());
     generate->add_option("--count", options.count, "Bodies that move; of a pyramid, boxes in the lowest row")
-        ->type_name("N");
+        ->type_name("N")
+        ->check(is_whole_number());
     add_numbers(*generate, "--radius", command.radius, 1, 2,
                 "Of discs, or of the circle round a polygon [m]: one, or least and greatest", "R [R]");
     add_numbers(*generate, "--speed", command.speed, 1, 2, "In any direction [m/s]: one, or least and greatest",
                 "V [V]");
-    generate->add_option("--rms-speed", options.rms_speed, "Of all bodies together [m/s]")->type_name("V");
+    generate->add_option("--rms-speed", options.rms_speed, "Of all bodies together [m/s]")
+        ->type_name("V")
+        ->check(is_number());
     generate->add_option("--max-spin", options.max_spin, "Spins lie between this and its opposite [rad/s]")
-        ->type_name("W");
+        ->type_name("W")
+        ->check(is_number());
     generate->add_option("--packing", options.packing, "Area of the bodies over that of the box, which it sizes")
-        ->type_name("SHARE");
+        ->type_name("SHARE")
+        ->check(is_number());
     add_numbers(*generate, "--box", command.box, 4, 4, "Four walls [m]", "XMIN YMIN XMAX YMAX");
     add_numbers(*generate, "--gravity", command.gravity, 2, 2, "Uniform field, 0 0 for none [m/s^2]", "X Y");
-    generate->add_option("--restitution", options.restitution, "0 ... 1")->type_name("E");
-    generate->add_option("--friction", options.friction, "0 or more")->type_name("MU");
-    generate->add_option("--density", options.density, "Over 0 [kg/m^2]")->type_name("D");
-    generate->add_option("--until", options.until, "End of the run [s]")->type_name("T");
-    generate->add_option("--min-sides", options.min_sides, "Of polygons, 3 or more")->type_name("N");
-    generate->add_option("--max-sides", options.max_sides, "Of polygons")->type_name("N");
+    generate->add_option("--restitution", options.restitution, "0 ... 1")->type_name("E")->check(is_number());
+    generate->add_option("--friction", options.friction, "0 or more")->type_name("MU")->check(is_number());
+    generate->add_option("--density", options.density, "Over 0 [kg/m^2]")->type_name("D")->check(is_number());
+    generate->add_option("--until", options.until, "End of the run [s]")->type_name("T")->check(is_number());
+    generate->add_option("--min-sides", options.min_sides, "Of polygons, 3 or more")
+        ->type_name("N")
+        ->check(is_whole_number());
+    generate->add_option("--max-sides", options.max_sides, "Of polygons")->type_name("N")->check(is_whole_number());
     generate->add_option("--shape", options.shape, "gas: disc, polygon or dumbbell; pile: disc, box or polygon")
         ->type_name("NAME");
     generate->add_option("--mass-ratio", options.mass_ratio, "stack: mass of the top box over that of the others")
-        ->type_name("RATIO");
-    generate->add_option("--gap", options.gap, "Between neighbours [m]")->type_name("LENGTH");
+        ->type_name("RATIO")
+        ->check(is_number());
+    generate->add_option("--gap", options.gap, "Between neighbours [m]")->type_name("LENGTH")->check(is_number());
     generate->add_option("--billiard", options.billiard, "pi or rectangle")->type_name("NAME");
-    generate->add_option("--exponent", options.exponent, "billiard pi: masses 1 and 100^exponent")->type_name("K");
+    generate->add_option("--exponent", options.exponent, "billiard pi: masses 1 and 100^exponent")
+        ->type_name("K")
+        ->check(is_whole_number());
 }
 
 int run_generate(const GenerateCommand& command, const std::string& typed)

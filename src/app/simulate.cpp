@@ -311,6 +311,7 @@ int simulate(const SimulateOptions& options)
     if (options.step && chosen.engine == EngineChoice::events && !options.quiet) {
         complain("--step has no effect: the event engine takes no steps");
     }
+    if (scene->bodies.empty() && !options.quiet) complain(options.scene + " has no bodies: nothing will happen");
     if (options.stats) world.set_stopwatch(seconds_now);
 
     const double started = seconds_now();

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
+#include <filesystem>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -18,6 +19,12 @@ constexpr std::size_t k_buffer = std::size_t{1} << 18;
 
 Fault fault(const std::string& path, int error)
 {
+    // "No such file or directory" would seem to speak of the file, which is not expected to exist
+    const std::string folder = std::filesystem::path(path).parent_path().string();
+    std::error_code ignored;
+    if (error == ENOENT && !folder.empty() && !std::filesystem::exists(folder, ignored)) {
+        return {path, "no directory " + folder, "one that exists"};
+    }
     return {path, std::strerror(error), ""};
 }
 

@@ -53,7 +53,9 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
     std::string nearest;
     std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;
     for (const std::string& candidate : known) {
-        const std::size_t distance = edit_distance(word, candidate);
+        // A word that is cut short, such as pos, is nearer than any slip
+        const bool is_cut = word.size() >= 3 && candidate.starts_with(word);
+        const std::size_t distance = is_cut ? 0 : edit_distance(word, candidate);
         if (distance < least) {
             least = distance;
             nearest = candidate;

@@ -133,6 +133,14 @@ std::vector<Vec2> draw_velocities(Random& random, const GenerateOptions& options
     return velocities;
 }
 
+/// A positive number with four digits or so: what a message needs of it.
+std::string write_roughly(double value)
+{
+    double scale = 1000.0;
+    while (value * scale < 1000.0) scale *= 10.0;
+    return write_number(std::round(value * scale) / scale);
+}
+
 Fault too_dense(const GenerateOptions& options, const BoxDef& box, const std::vector<Piece>& pieces)
 {
     double area = 0.0;
@@ -143,9 +151,9 @@ Fault too_dense(const GenerateOptions& options, const BoxDef& box, const std::ve
     }
     const Vec2 size = box.max - box.min;
     const std::string found = std::to_string(pieces.size()) + (pieces.size() == 1 ? " body" : " bodies") +
-                              " in circles of up to " + write_number(widest) + " m that take " +
-                              write_number(area / (size.x() * size.y())) + " of a box of " + write_number(size.x()) +
-                              " m x " + write_number(size.y()) + " m";
+                              " in circles of up to " + write_roughly(widest) + " m that take " +
+                              write_roughly(area / (size.x() * size.y())) + " of a box of " + write_roughly(size.x()) +
+                              " m x " + write_roughly(size.y()) + " m";
     const char* place = options.packing ? "packing" : options.box ? "box" : "count";
     return {place, found, "room to place them apart: fewer or smaller bodies, a lower packing, or a larger box"};
 }

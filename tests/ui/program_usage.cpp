@@ -9,7 +9,7 @@ TEST_CASE("help and version go to standard output with status 0")
 {
     const Folder folder;
     for (const std::string command : {"--help", "--version", "simulate --help", "check --help", "explain --help",
-                                      "generate --help", "window --help"}) {
+                                      "generate --help", "window --help", "help", "help generate"}) {
         CAPTURE(command);
         const Outcome outcome = folder.run("$FLYING " + command);
         CHECK(outcome.status == 0);
@@ -38,8 +38,14 @@ TEST_CASE("bad usage says what is wrong, ends with status 2 and writes nothing")
         {"simulate s.toml --pictur x.png", "did you mean --picture?"},
         {"simulate s.toml --until -1", "--until: found -1"},
         {"simulate s.toml --until nan", "--until: found nan"},
-        {"simulate s.toml --until ten", "--until"},
-        {"simulate s.toml --engine fast", "--engine"},
+        {"simulate s.toml --until ten", "--until: found ten, expected a number"},
+        {"simulate s.toml --until", "--until: found nothing, expected T"},
+        {"simulate s.toml --until 1 --until 2", "--until: found 2 values, expected at most 1"},
+        {"simulate s.toml --report ''", "--report: found an empty name"},
+        {"simulate s.toml --report nowhere/r.json", "found no directory nowhere"},
+        {"simulate ''", "SCENE: found an empty name"},
+        {"help simulat", "did you mean simulate?"},
+        {"simulate s.toml --engine evnts", "--engine: found evnts, expected one of auto, events, rest; did you mean events?"},
         {"simulate s.toml --engine rest --step 0 --report r.json", "--step"},
         {"simulate s.toml --step 0 --report r.json", "--step: found 0"},
         {"simulate s.toml --without gird --report r.json", "did you mean grid?"},
@@ -54,6 +60,13 @@ TEST_CASE("bad usage says what is wrong, ends with status 2 and writes nothing")
         {"generate", "KIND"},
         {"generate heap", "heap"},
         {"generate balls --gap 1", "--gap"},
+        {"generate balls --count 1e3", "--count: found 1e3, expected a whole number"},
+        {"generate balls --seed -1", "--seed: found -1, expected a whole number from 0"},
+        {"generate balls --seed 18446744073709551616", "--seed: found 18446744073709551616"},
+        {"generate balls --box 1 1", "--box"},
+        {"generate balls --box 1 1 --count 2", "--box"},
+        {"generate balls --gravity 1 --count 2", "--gravity"},
+        {"generate gas --packing 0.99", "that take 0.99 of a box"},
     };
     for (const Case& one : cases) {
         const Folder folder;
@@ -81,6 +94,7 @@ position = [0.0, 0.0]
 shape = { kind = "disc", radius = 1.0 }
 position = [5.0, 0.0]
 velocty = [1.0, 0.0]
+rest = 1.0
 )");
     for (const std::string command : {"check", "explain", "simulate --report r.json"}) {
         CAPTURE(command);
@@ -90,6 +104,7 @@ velocty = [1.0, 0.0]
         CHECK(contains(outcome.errors, "bad.toml:2:"));
         CHECK(contains(outcome.errors, "bad.toml:4:"));
         CHECK(contains(outcome.errors, "bad.toml:9:"));
+        CHECK(contains(outcome.errors, "did you mean restitution?"));
         CHECK(folder.names() == Names{"bad.toml"});
     }
 }
