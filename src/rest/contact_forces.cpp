@@ -65,14 +65,14 @@ namespace {
 {
     const bool is_long = are_many(island.points);
     const double rest = is_long ? rest_tolerance::k_still : rest_tolerance::k_rest_speed;
-    if (!is_heap(island) || hardly_any_moves(data, island, rest)) return false;
+    if (!is_heap(island) || is_chain(data, island) || hardly_any_moves(data, island, rest)) return false;
     if (!is_long && top_speed(data, island) <= field_speed(data, island)) return false;
     const auto flies = [&](int member) {
         const double way = data.motion.span * greatest_speed(data.motion.before, data.bodies.radius, {&member, 1});
         return way > data.bodies.radius[member];
     };
-    return is_large(island) || (!is_chain(data, island) && !are_unequal(data, island.members) &&
-                                std::none_of(island.members.begin(), island.members.end(), flies));
+    return is_large(island) ||
+           (!are_unequal(data, island.members) && std::none_of(island.members.begin(), island.members.end(), flies));
 }
 
 } // namespace

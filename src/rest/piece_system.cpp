@@ -4,7 +4,6 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "rest/push_lines.hpp"
 #include "rest/rest_tolerance.hpp"
@@ -235,19 +234,17 @@ struct Wish
 bool find_by_newton(PieceSystem& pieces, ContactProblem& problem, Effort effort)
 {
     guess(pieces, problem);
-    constexpr int k_most = rest_tolerance::k_quick_rounds + rest_tolerance::k_few_rounds;
-    std::size_t last = problem.points.size() + 1; // changes that the last guess, and the one before, led to
-    std::size_t before_last = last;
+    std::size_t last_changes = problem.points.size() + 1;
     std::vector<Mode> met; // an earlier guess; one that comes again would come for ever (Brent 1980)
-    for (int step = 1; step <= k_most; ++step) {
+    for (int step = 1; step <= rest_tolerance::k_quick_rounds; ++step) {
         if (!pieces.factorise(problem)) return false;
         push_imbalance(pieces, problem);
         pieces.solve();
         const std::size_t changes = take_wishes(pieces, problem);
         if (changes == 0) return true;
-        // From near its end guesses change less and less; in a heap that moves they soon don't
-        if (effort == Effort::brief && changes >= std::max(last, before_last)) return false;
-        before_last = std::exchange(last, changes);
+        // From near its end each guess changes less than the last one; in a heap that moves a search soon doesn't
+        if (effort == Effort::brief && changes >= last_changes) return false;
+        last_changes = changes;
         if (pieces.modes() == met) return false;
         if (std::has_single_bit(static_cast<unsigned>(step))) met = pieces.modes();
     }
