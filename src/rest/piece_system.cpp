@@ -234,9 +234,10 @@ struct Wish
 bool find_by_newton(PieceSystem& pieces, ContactProblem& problem, Effort effort)
 {
     guess(pieces, problem);
+    constexpr int k_most = rest_tolerance::k_quick_rounds + rest_tolerance::k_few_rounds;
     std::size_t last_changes = problem.points.size() + 1;
     std::vector<Mode> met; // an earlier guess; one that comes again would come for ever (Brent 1980)
-    for (int step = 1; step <= rest_tolerance::k_quick_rounds; ++step) {
+    for (int step = 1; step <= k_most; ++step) {
         if (!pieces.factorise(problem)) return false;
         push_imbalance(pieces, problem);
         pieces.solve();

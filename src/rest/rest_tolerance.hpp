@@ -76,8 +76,9 @@ inline constexpr int k_patience = 64;
 inline constexpr int k_quick_rounds = 8;
 
 /// Rounds of what is near after two or three: pushes that take off overlap, each of which leaves about the square of
-/// what it found; for each point, pieces of a path that begins with nothing; and for each body of the largest island
-/// that is solved whole, points of the largest one in which such a path is followed.
+/// what it found; what Newton's method may take beyond k_quick_rounds; for each point, pieces of a path that begins with
+/// nothing; and for each body of the largest island that is solved whole, points of the largest one in which such a path
+/// is followed.
 inline constexpr int k_few_rounds = 4;
 
 /// Bodies of the largest island that is followed in detail: the end of each slip, the moment of each impact. In larger
