@@ -1,6 +1,8 @@
 // Generators of many bodies at random: balls, gas, polygons, pile.
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <utility>
 
@@ -133,12 +135,12 @@ std::vector<Vec2> draw_velocities(Random& random, const GenerateOptions& options
     return velocities;
 }
 
-/// A positive number with four digits or so: what a message needs of it.
+/// A number with four digits: what a message needs of it.
 std::string write_roughly(double value)
 {
-    double scale = 1000.0;
-    while (value * scale < 1000.0) scale *= 10.0;
-    return write_number(std::round(value * scale) / scale);
+    std::array<char, 32> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 4).ptr;
+    return {text.data(), end};
 }
 
 Fault too_dense(const GenerateOptions& options, const BoxDef& box, const std::vector<Piece>& pieces)
