@@ -1,12 +1,11 @@
 // Generators of many bodies at random: balls, gas, polygons, pile.
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
 #include "mass/polygon.hpp"
+#include "math/number_text.hpp"
 #include "math/sine_cosine.hpp"
 #include "scene/generators.hpp"
 #include "scene/place.hpp"
@@ -135,14 +134,6 @@ std::vector<Vec2> draw_velocities(Random& random, const GenerateOptions& options
     return velocities;
 }
 
-/// A number with four digits: what a message needs of it.
-std::string write_roughly(double value)
-{
-    std::array<char, 32> text{};
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 4).ptr;
-    return {text.data(), end};
-}
-
 Fault too_dense(const GenerateOptions& options, const BoxDef& box, const std::vector<Piece>& pieces)
 {
     double area = 0.0;
@@ -153,9 +144,9 @@ Fault too_dense(const GenerateOptions& options, const BoxDef& box, const std::ve
     }
     const Vec2 size = box.max - box.min;
     const std::string found = std::to_string(pieces.size()) + (pieces.size() == 1 ? " body" : " bodies") +
-                              " in circles of up to " + write_roughly(widest) + " m that take " +
-                              write_roughly(area / (size.x() * size.y())) + " of a box of " + write_roughly(size.x()) +
-                              " m x " + write_roughly(size.y()) + " m";
+                              " in circles of up to " + rounded_text(widest, 4) + " m that take " +
+                              rounded_text(area / (size.x() * size.y()), 4) + " of a box of " +
+                              rounded_text(size.x(), 4) + " m x " + rounded_text(size.y(), 4) + " m";
     const char* place = options.packing ? "packing" : options.box ? "box" : "count";
     return {place, found, "room to place them apart: fewer or smaller bodies, a lower packing, or a larger box"};
 }
