@@ -225,7 +225,7 @@ void add_points(const RestData& data, int index, const Manifold& manifold, doubl
                 std::vector<ContactPoint>& found)
 {
     const RestPair& pair = data.pairs.pairs()[index];
-    const double part = data.motion.span / data.options.step;
+    const double part = data.motion.span / data.whole_step;
     for (int k = 0; k < pair.count; ++k) {
         const Contact& contact = manifold.contacts[k];
         found.push_back({.a = pair.a,

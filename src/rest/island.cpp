@@ -168,7 +168,7 @@ void scale_impulses(const Island& island, double factor)
 
 void recall_impulses(const RestData& data, const Island& island)
 {
-    const double part = data.motion.span / data.options.step;
+    const double part = data.motion.span / data.whole_step;
     for (ContactPoint& c : island.points) {
         const RestPair& pair = data.pairs.pairs()[c.pair];
         c.normal = part * pair.normal[c.own];

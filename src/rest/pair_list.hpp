@@ -21,15 +21,6 @@ struct PairLoads
     Vec2 place[2] = {Vec2::Zero(), Vec2::Zero()}; ///< their places, in the frame of the one of the two that moves [m]
     double normal[2] = {0.0, 0.0};                ///< impulses at the end of the step, for a whole one [N s]
     double tangent[2] = {0.0, 0.0};               ///< [N s]
-
-    /// Impulses of another length of time.
-    void scale(double factor)
-    {
-        for (int k = 0; k < count; ++k) {
-            normal[k] *= factor;
-            tangent[k] *= factor;
-        }
-    }
 };
 
 /// What the last look at two parts has found when a step, or a part of one, began and neither of the bodies had any

@@ -17,12 +17,13 @@ namespace flying {
 struct RestData
 {
     RestData(const RestOptions& how, RestBodies what)
-        : options(how), bodies(std::move(what)), motion(bodies, options.step), looks(bodies)
+        : options(how), whole_step(how.step), bodies(std::move(what)), motion(bodies, options.step), looks(bodies)
     {
         solver.set_warm(options.warm_starts);
     }
 
     RestOptions options;
+    double whole_step; ///< of which length loads are remembered, while `options` say that of the present one [s]
     RestBodies bodies;
     StepMotion motion;
     PairList pairs;

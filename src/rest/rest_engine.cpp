@@ -22,8 +22,7 @@ RestEngine::RestEngine(std::vector<RestBody> bodies, const RestOptions& options,
       start_(time),
       farthest_(data_.bodies.list.size(), 0.0),
       sleepers_(data_.bodies.count()),
-      still_(data_.bodies.list.size(), 0),
-      awake_(data_.bodies.count()),
+      stepped_(data_.bodies.count()),
       before_(data_.bodies.list.size()),
       marks_(data_.bodies.list.size(), 0)
 {
@@ -141,26 +140,27 @@ void RestEngine::step_by(double length, double end)
     if (length == whole) {
         step();
     } else {
-        // Loads are remembered for a whole step. One that was halved shows, as well as that, that nothing changes: what
-        // it is made of is half of the same numbers, or a quarter
+        // What a step leaves as it was, a halved one does too, and shows that it does: it is made of half of the same
+        // numbers, or a quarter. One of another length rounds
         const bool sleeps = data_.options.sleeps;
         int halvings = 0;
-        const bool is_halved = std::frexp(length / whole, &halvings) == 0.5;
-        scale_loads_awake(length / whole);
+        may_fall_asleep_ = std::frexp(length / whole, &halvings) == 0.5;
+        leave_out_sleepers(sleeps || !may_fall_asleep_);
         data_.options.step = length;
-        data_.options.sleeps = sleeps && is_halved;
         step();
         data_.options.step = whole;
-        data_.options.sleeps = sleeps;
-        scale_loads_awake(whole / length);
+        leave_out_sleepers(sleeps);
+        may_fall_asleep_ = true;
     }
     set_time(end);
 }
 
-void RestEngine::scale_loads_awake(double factor)
+void RestEngine::leave_out_sleepers(bool are_left_out)
 {
-    list_awake();
-    for (RestPair& pair : data_.pairs.pairs()) pair.scale(factor);
+    if (std::exchange(data_.options.sleeps, are_left_out) == are_left_out) return;
+    for (int k = 0; k < data_.bodies.count(); ++k) {
+        if (sleepers_.is_asleep(k)) stirred_.push_back(k);
+    }
 }
 
 void RestEngine::set_time(double time)
@@ -171,14 +171,14 @@ void RestEngine::set_time(double time)
 
 std::vector<int> RestEngine::find_clear(double within)
 {
-    list_awake();
+    list_stepped();
     // The list was made for the last step, and that may have been a short one
-    for (const int k : awake_.list()) {
+    for (const int k : stepped_.list()) {
         farthest_[k] = reach_of(data_, k, within);
         data_.bodies.set_pose(k, data_.bodies.list[k].state);
     }
     (void)list_pairs();
-    for (const int k : awake_.list()) marks_[k] = 1;
+    for (const int k : stepped_.list()) marks_[k] = sleepers_.is_asleep(k) ? 0 : 1;
     for (const RestPair& pair : data_.pairs.pairs()) {
         if (!marks_[pair.a] && !marks_[pair.b]) continue;
         double load = 0.0;
@@ -186,7 +186,7 @@ std::vector<int> RestEngine::find_clear(double within)
         if ((load > 0.0 || !stays_apart(pair, within)) && !bounces(pair, load)) marks_[pair.a] = marks_[pair.b] = 0;
     }
     std::vector<int> clear;
-    for (const int k : awake_.list()) {
+    for (const int k : stepped_.list()) {
         if (marks_[k]) clear.push_back(data_.bodies.order[k]);
         marks_[k] = 0;
     }
@@ -299,7 +299,6 @@ void RestEngine::go_on_from(const Memory& memory)
         data_.motion.reach[k] = body.reach;
         stirred_.push_back(static_cast<int>(k));
         data_.bodies.in_large_island[k] = body.in_large_island ? 1 : 0;
-        still_[k] = body.sleep_island >= 0 ? 1 : 0;
         data_.bodies.set_pose(static_cast<int>(k), body.state);
         data_.motion.end_poses[k] = data_.bodies.poses[k];
         if (data_.bodies.list[k].is_static) continue;
@@ -318,13 +317,13 @@ void RestEngine::go_on_from(const Memory& memory)
         const int island = memory.bodies[k].sleep_island;
         if (island >= 0 && !sleepers_.is_asleep(body)) sleepers_.put_to_sleep(body, island);
     }
-    list_awake();
+    list_stepped();
     std::vector<RestPair> pairs = memory.pairs;
     for (RestPair& pair : pairs) { // ways, and moves, are counted from another beginning
         pair.memory = {};
         pair.last_look = {};
     }
-    data_.pairs.remember(std::move(pairs), data_.bodies, awake_);
+    data_.pairs.remember(std::move(pairs), data_.bodies, stepped_);
 }
 
 std::vector<std::optional<BodyState>> RestEngine::foresee(double length, double end, double since)

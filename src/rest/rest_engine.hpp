@@ -115,14 +115,17 @@ public:
     /// For each body, the number of its island: bodies that touch, by whatever chain of moving bodies, share one, which
     /// is its lowest body. -1 for static bodies and those not active.
     [[nodiscard]] std::vector<int> islands() const;
-    /// Steps leave it out, since one of them has changed nothing of its island.
+    /// A whole step has changed nothing of its island, and nothing has touched that since: steps leave it out, unless
+    /// the options say that they don't, which shows that it changes nothing.
     [[nodiscard]] bool is_asleep(int body) const { return sleepers_.is_asleep(data_.bodies.place[body]); }
-    /// Those that are awake, as they lie in memory.
+    /// The others that can move, as they lie in memory.
     template <typename Visit>
     void for_each_awake(Visit&& visit)
     {
-        list_awake();
-        for (const int k : awake_.list()) visit(data_.bodies.order[k]);
+        list_stepped();
+        for (const int k : stepped_.list()) {
+            if (!sleepers_.is_asleep(k)) visit(data_.bodies.order[k]);
+        }
     }
     /// Call visit(body, before) for every body that the last step had to move, with its state as the step began.
     template <typename Visit>
@@ -130,8 +133,6 @@ public:
     {
         for (const int k : moved_) visit(data_.bodies.order[k], before_[k].state);
     }
-    /// The last step changed nothing of the body.
-    [[nodiscard]] bool is_still(int body) const { return still_[data_.bodies.place[body]] != 0; }
 
     /// The work done so far.
     [[nodiscard]] const RestCounts& counts() const { return data_.counts; }
@@ -170,8 +171,10 @@ private:
         std::vector<int> of;    ///< of each body: the cut island that it is of, while pairs are sorted out; else -1
     };
 
-    void list_awake();
-    void begin_awake();
+    [[nodiscard]] bool is_left_out(int body) const { return data_.options.sleeps && sleepers_.is_asleep(body); }
+    void leave_out_sleepers(bool are_left_out);
+    void list_stepped();
+    void begin_stepped();
     void begin(std::span<const int> bodies);
     void measure_reach(std::span<const int> bodies);
     [[nodiscard]] bool list_pairs();
@@ -188,7 +191,6 @@ private:
     void begin_part(std::span<const int> bodies, int depth);
     [[nodiscard]] std::vector<CutIsland> go_back(Meetings& met);
     void wake_met(Meetings& met);
-    void scale_loads_awake(double factor);
     [[nodiscard]] bool stood_alike(int member) const;
     void move_island(const Island& island);
     [[nodiscard]] bool bounces(const RestPair& pair, double load) const;
@@ -204,9 +206,9 @@ private:
     IslandStep island_step_;
 
     Sleepers sleepers_;
-    std::vector<char> still_;        // of each body: the last step left it as it was
+    bool may_fall_asleep_ = true;    // in steps of this length
     std::vector<int> stirred_;       // came or went since the list of those awake was made
-    BodySet awake_;                  // and can move
+    BodySet stepped_;                // can move, and aren't left out
     std::vector<int> moved_;         // those that the last step was for, ascending
     std::vector<BodyBefore> before_; // of those
     std::vector<char> marks_;        // of each body, while some are marked; else 0

@@ -45,12 +45,14 @@ void RestEngine::move_island(const Island& island)
 {
     // Remember what the points bore, as if a whole step had been like this part of it
     bool same = true;
-    const double parts = data_.options.step / data_.motion.span;
+    const double parts = data_.whole_step / data_.motion.span;
     for (const ContactPoint& c : island.points) {
         RestPair& pair = data_.pairs.pairs()[c.pair];
-        same = same && pair.normal[c.own] == c.normal && pair.tangent[c.own] == c.tangent;
-        pair.normal[c.own] = parts * c.normal;
-        pair.tangent[c.own] = parts * c.tangent;
+        const double normal = parts * c.normal;
+        const double tangent = parts * c.tangent;
+        same = same && pair.normal[c.own] == normal && pair.tangent[c.own] == tangent;
+        pair.normal[c.own] = normal;
+        pair.tangent[c.own] = tangent;
     }
 
     expect(data_, island, marks_);
@@ -77,10 +79,9 @@ void RestEngine::move_island(const Island& island)
     }
 
     // What a whole step leaves as it was, the next leaves too
-    same = same && data_.motion.span == data_.options.step;
+    if (!same || data_.motion.span != data_.options.step || !may_fall_asleep_) return;
     for (const int member : island.members) {
-        still_[member] = same ? 1 : 0;
-        if (same && data_.options.sleeps) sleepers_.put_to_sleep(member, island.members.front());
+        if (!sleepers_.is_asleep(member)) sleepers_.put_to_sleep(member, island.members.front());
     }
 }
 

@@ -24,7 +24,7 @@ void RestEngine::step()
     Stopwatch watch(data_.options.seconds);
     data_.motion.span = data_.options.step;
     data_.motion.after = 0.0;
-    begin_awake();
+    begin_stepped();
     if (moved_.empty()) {
         ++steps_;
         ++data_.counts.steps;
@@ -63,8 +63,8 @@ void RestEngine::step()
     ++data_.counts.steps;
 }
 
-/// Puts right the list of those that are awake, and the pairs of theirs, where any fell asleep, woke, came or went.
-void RestEngine::list_awake()
+/// Puts right the list of those that steps are for, and the pairs of theirs, where any fell asleep, woke, came or went.
+void RestEngine::list_stepped()
 {
     std::vector<int> changed = sleepers_.fetch_changed();
     bool any_pairs = !stirred_.empty();
@@ -75,21 +75,21 @@ void RestEngine::list_awake()
     std::vector<int> gone;
     for (const int k : changed) {
         const RestBody& body = data_.bodies.list[k];
-        const bool is_awake = body.is_active && !body.is_static && !sleepers_.is_asleep(k);
-        if (is_awake != awake_.has(k)) (is_awake ? woken : gone).push_back(k);
+        const bool is_stepped = body.is_active && !body.is_static && !is_left_out(k);
+        if (is_stepped != stepped_.has(k)) (is_stepped ? woken : gone).push_back(k);
     }
-    awake_.insert(woken);
-    awake_.erase(gone);
+    stepped_.insert(woken);
+    stepped_.erase(gone);
     any_pairs = any_pairs || !woken.empty() || !gone.empty();
-    if (any_pairs) data_.pairs.separate(data_.bodies, awake_);
+    if (any_pairs) data_.pairs.separate(data_.bodies, stepped_);
 }
 
-/// A step begins for those that are awake.
-void RestEngine::begin_awake()
+/// A step begins for those that it is for.
+void RestEngine::begin_stepped()
 {
-    list_awake();
-    data_.counts.asleep += sleepers_.count();
-    moved_.assign(awake_.list().begin(), awake_.list().end());
+    list_stepped();
+    data_.counts.asleep += data_.options.sleeps ? sleepers_.count() : 0;
+    moved_.assign(stepped_.list().begin(), stepped_.list().end());
     begin(moved_);
 }
 
@@ -111,24 +111,29 @@ void RestEngine::begin(std::span<const int> bodies)
 }
 
 /// Islands that something awake touches, or may come to touch within the step, wake. What is only near, as a disc that
-/// rolls slowly beside a heap, leaves them asleep.
+/// rolls slowly beside a heap, leaves them asleep: they are no island with it, whether sleepers are left out or not.
 bool RestEngine::wake_touched()
 {
     if (sleepers_.count() == 0) return false;
-    bool any = false;
-    const auto is_kept = [&](const ContactPoint& point) {
+    const auto is_between = [&](const ContactPoint& point) {
+        return data_.motion.is_moved(point.a) && data_.motion.is_moved(point.b) &&
+               sleepers_.island_of(point.a) != sleepers_.island_of(point.b);
+    };
+    const auto touches = [&](const ContactPoint& point) {
         const bool a_sleeps = sleepers_.is_asleep(point.a);
-        if (!a_sleeps && !sleepers_.is_asleep(point.b)) return true;
+        if (a_sleeps && sleepers_.is_asleep(point.b)) return false;
         const int awake = a_sleeps ? point.b : point.a;
         return goes_far(data_, awake) || holds(data_, point, data_.motion.field_size[awake]);
     };
+    std::vector<int> touched;
     for (const ContactPoint& point : found_) {
-        if (!is_kept(point)) continue;
-        for (const int body : {point.a, point.b}) any = sleepers_.wake(sleepers_.island_of(body)) || any;
+        if (is_between(point) && touches(point))
+            touched.push_back(sleepers_.is_asleep(point.a) ? point.a : point.b);
     }
-    if (any) begin_awake();
-    else std::erase_if(found_, [&](const ContactPoint& point) { return !is_kept(point); });
-    return any;
+    for (const int body : touched) sleepers_.wake(sleepers_.island_of(body));
+    if (touched.empty()) std::erase_if(found_, is_between);
+    else begin_stepped();
+    return !touched.empty();
 }
 
 /// Begins a step, or a part of one, for some bodies: how far each may get in it, and what is expected to act.
@@ -163,7 +168,7 @@ void RestEngine::measure_reach(std::span<const int> bodies)
 bool RestEngine::list_pairs()
 {
     const PairReach reach{farthest_, data_.motion.reach};
-    const int boxes = data_.pairs.update(data_.bodies, reach, awake_);
+    const int boxes = data_.pairs.update(data_.bodies, reach, stepped_);
     data_.counts.looks += boxes > 0 ? 1 : 0;
     data_.counts.boxes += boxes;
     return boxes > 0;
@@ -346,7 +351,7 @@ std::vector<RestEngine::CutIsland> RestEngine::go_back(Meetings& met)
     }
     if (thrown.empty()) return {};
     const std::vector<RestPair> pairs = data_.pairs.pairs_at(thrown, data_.bodies);
-    if (!find_meetings(data_, pairs, before_, awake_, met)) return {};
+    if (!find_meetings(data_, pairs, before_, stepped_, met)) return {};
     wake_met(met);
     bool any_heap = false;
     std::vector<CutIsland> again(1);
@@ -394,7 +399,7 @@ void RestEngine::wake_met(Meetings& met)
     moved_.insert(moved_.end(), woken.begin(), woken.end());
     std::sort(moved_.begin(), moved_.end());
     moved_.erase(std::unique(moved_.begin(), moved_.end()), moved_.end());
-    list_awake();
+    list_stepped();
 }
 
 } // namespace flying

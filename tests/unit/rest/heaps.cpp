@@ -232,7 +232,8 @@ TEST_CASE("sleep changes no bit of heaps that are solved whole, whether a solve 
 {
     RestOptions awake;
     awake.sleeps = false;
-    for (const int seed : {9, 12, 15}) {
+    for (int seed = 1; seed <= 20; ++seed) {
+        CAPTURE(seed);
         RestEngine one(narrow_heap(20, seed));
         RestEngine other(narrow_heap(20, seed), awake);
         for (int k = 0; k < 60 * 6; ++k) {

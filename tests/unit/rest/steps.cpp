@@ -75,7 +75,7 @@ TEST_CASE("at mu = 1.001 tan a block doesn't creep by a bit in an hour")
     const Vec2 start = engine.state(1).position;
     engine.advance(3600.0);
     CHECK(engine.state(1).position == start);
-    CHECK(engine.is_still(1));
+    CHECK(engine.is_asleep(1));
 }
 
 TEST_CASE("a block on a rough slope tips where the tangent passes width over height, to 1e-9")
