@@ -30,8 +30,9 @@ double overlap_at_start(const RestData& data, const Island& island)
 double end_of_load(const RestData& data, const Island& island)
 {
     double first = data.motion.span;
+    const double part = first / data.whole_step;
     for (const ContactPoint& c : island.points) {
-        const double before = data.pairs.pairs()[c.pair].normal[c.own];
+        const double before = part * data.pairs.pairs()[c.pair].normal[c.own];
         if (!(3.0 * c.normal < before)) continue;
 
         // Both are means, and stand for the middles of their steps; of one that has ended before that, less is known

@@ -81,7 +81,9 @@ void RestEngine::move_island(const Island& island)
     // What a whole step leaves as it was, the next leaves too
     if (!same || data_.motion.span != data_.options.step || !may_fall_asleep_) return;
     for (const int member : island.members) {
-        if (!sleepers_.is_asleep(member)) sleepers_.put_to_sleep(member, island.members.front());
+        if (sleepers_.is_asleep(member)) continue;
+        sleepers_.put_to_sleep(member, island.members.front());
+        data_.motion.reach[member] = farthest_[member] = reach_of(data_, member, 0.0);
     }
 }
 

@@ -145,7 +145,7 @@ void RestEngine::measure_reach(std::span<const int> bodies)
         const RestBody& body = data_.bodies.list[k];
         const double radius = data_.bodies.radius[k];
         const double speed = body.state.velocity.norm() + std::abs(body.state.spin) * radius;
-        motion.reach[k] = reach_of(data_, k, dt);
+        motion.reach[k] = reach_of(data_, k, sleepers_.is_asleep(k) ? 0.0 : dt);
         // What would carry a body beyond its reach in a part of a step was no load: it was taken from a shorter one
         const double more =
             0.5 * (dt * dt) * (motion.pull[k].norm() + std::abs(motion.expected_angular_acceleration[k]) * radius);
