@@ -163,18 +163,18 @@ struct Census
     return skip;
 }
 
-/// What the resting integrator leaves out, where bodies lean on each other. What sleeps is
-/// struck as what lies, and sweeps that begin elsewhere end elsewhere: both show in results.
+/// Bodies that lean on each other, and that steps leave as they are.
 [[nodiscard]] Skip sleeping(const Census& census)
 {
     const bool pays = census.movers > 0;
-    Skip skip{k_sleeping, SkipClass::altering, pays, "", 0, "bodies in steps"};
+    Skip skip{k_sleeping, SkipClass::neutral, pays, "", 0, "bodies in steps"};
     skip.reason = pays ? "bodies that a step leaves as they were are left out of the next, "
                          "until something touches them"
                        : "nothing moves";
     return skip;
 }
 
+/// Sweeps that begin elsewhere end elsewhere.
 [[nodiscard]] Skip warm_start(const Census& census)
 {
     const bool pays = census.movers > 0;
