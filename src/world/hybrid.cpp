@@ -309,9 +309,10 @@ bool Hybrid::comes_near(int body) const
     return !std::isfinite(box.max.x()) || hand_over_.is_near(box);
 }
 
+/// There is a body that steps are for.
 bool Hybrid::any_leans() const
 {
-    return !movers_.list(BodyMover::rest).empty();
+    return !movers_.list(BodyMover::rest).empty() || (!setting_.sleeps && !movers_.list(BodyMover::asleep).empty());
 }
 
 void Hybrid::let_go_of_the_clear()
