@@ -26,8 +26,8 @@ void print_plan(const char* name)
 {
     std::printf("%s\n", name);
     for (const Skip& skip : make_plan(scene_of_course(FLYING_SCENES, name)).skips) {
-        std::printf("  %-8s %s\n    %s\n", skip.active ? "skipped" : "done",
-                    skip.name.c_str(), skip.reason.c_str());
+        std::printf("  %-8s %s\n    %s\n", fate_of(skip), skip.name.c_str(),
+                    skip.reason.c_str());
     }
 }
 

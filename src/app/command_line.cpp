@@ -42,7 +42,11 @@ others, rest {islands, solved, swept, unsolved, parts, projected, limited, energ
 elastic_braked}: how their steps were made; warnings, if any.
 Trace: one JSON object a line, at the times 0, DT, 2 DT, ... and at the end:
   {"time": t, "events": n, "bodies": [[x, y, angle, vx, vy, spin], ...]}     bodies in the scene's order
-Looking never changes a run: the same hash comes out whatever is traced, drawn or filmed.
+Looking never changes a run: the same hash comes out whatever is traced, drawn or filmed. Nor does saving and resuming.
+A resumed run foresees everything anew, in cells that fit where the bodies are by then: how often pairs are looked at
+again and cells are left is another number, and so is "events", which counts both beside impacts and steps.
+"collisions" counts impacts alone and is the same. plan, stages, rest, warnings and wall_seconds tell of the resumed
+part only.
 
 Examples:
   flying simulate scene.toml
@@ -176,7 +180,8 @@ std::string of_count(const std::string& text)
     std::smatch part;
     if (std::regex_match(text, part, none)) return fmt::format("{}: found nothing, expected {}", part.str(1), part.str(2));
     if (!std::regex_match(text, part, other)) return text;
-    return fmt::format("{}: found {} values, expected at {} {}", part.str(1), part.str(4), part.str(2) == "Most" ? "most" : "least",
+    return fmt::format("{}: found {}, expected at {} {}", part.str(1),
+                       counted(std::stol(part.str(4)), "value", "values"), part.str(2) == "Most" ? "most" : "least",
                        part.str(3));
 }
 

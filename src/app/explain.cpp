@@ -27,8 +27,7 @@ const char* class_text(SkipClass kind)
 
 std::string skip_text(const Skip& skip, PlanMoment moment)
 {
-    std::string text =
-        fmt::format("  {}  {} ({})\n", skip.active ? "skipped" : "done   ", skip.name, class_text(skip.kind));
+    std::string text = fmt::format("  {:<7}  {} ({})\n", fate_of(skip), skip.name, class_text(skip.kind));
     text += fmt::format("           {}\n", skip.reason);
     if (moment == PlanMoment::after_run && skip.active && !skip.saved_unit.empty()) {
         text += fmt::format("           saved {} {}\n", skip.saved, skip.saved_unit);

@@ -6,9 +6,8 @@
 
 #include "app/commands.hpp"
 #include "app/messages.hpp"
-#include "files/interrupt.hpp"
 #include "scene/fault.hpp"
-#include "scene/write.hpp"
+#include "scene/generate_words.hpp"
 
 namespace flying {
 
@@ -25,20 +24,16 @@ std::string as_option(std::string member)
 
 int generate_to_stdout(const std::string& kind, const GenerateOptions& options, const std::string& command)
 {
-    const Expected<Scene> scene = generate(kind, options);
-    if (!scene) {
-        for (Fault fault : scene.faults()) {
+    const Expected<std::string> text = generate_text(kind, options, command);
+    if (!text) {
+        for (Fault fault : text.faults()) {
             if (!fault.place.empty()) fault.place = as_option(fault.place);
             std::replace(fault.expected.begin(), fault.expected.end(), '_', '-');
             complain(format_fault(fault));
         }
         return status::k_usage;
     }
-    if (const int signal = interrupted()) {
-        complain("stopped; nothing was written");
-        return 128 + signal;
-    }
-    fmt::print("{}", write_scene(scene.value(), command));
+    fmt::print("{}", text.value());
     return status::k_done;
 }
 

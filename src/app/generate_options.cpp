@@ -47,6 +47,7 @@ void add_numbers(CLI::App& command, const std::string& name, std::vector<double>
         ->expected(least, most)
         ->delimiter(',')
         ->type_name(type)
+        ->option_text(type)
         ->check(is_number());
 }
 

@@ -11,7 +11,7 @@
 /// The program `flying`: see `flying --help`.
 int main(int argc, char** argv)
 {
-    flying::watch_for_interrupts();
+    flying::let_writing_fail();
     int status = flying::status::k_failed;
     try {
         status = flying::run_command_line(argc, argv);

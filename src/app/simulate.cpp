@@ -13,6 +13,7 @@
 #include "app/report_text.hpp"
 #include "app/run.hpp"
 #include "draw/image.hpp"
+#include "files/interrupt.hpp"
 #include "json/report_json.hpp"
 #include "json/saved_run.hpp"
 #include "scene/fault.hpp"
@@ -302,6 +303,7 @@ int simulate(const SimulateOptions& options)
     std::optional<World> made = make_world_or_complain(options, *scene, end, chosen);
     if (!made) return status::k_usage;
     World& world = *made;
+    watch_for_interrupts();
     Outputs outputs;
     if (const std::optional<Faults> faults = open_outputs(options, world, end, outputs)) {
         complain(*faults);

@@ -10,6 +10,7 @@
 #include "app/commands.hpp"
 #include "app/messages.hpp"
 #ifdef FLYING_WINDOW
+#include "files/interrupt.hpp"
 #include "window/window.hpp"
 #endif
 
@@ -78,6 +79,7 @@ int watch(const WatchOptions& options)
     }
     stage.value().look.is_dark = options.is_dark;
     stage.value().clock.is_paused = options.is_paused;
+    watch_for_interrupts();
     return run_window(std::move(stage).value(), wanted);
 }
 

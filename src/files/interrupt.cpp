@@ -43,6 +43,12 @@ void replace(const char* from, const char* to)
 
 } // namespace
 
+void let_writing_fail()
+{
+    std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
+}
+
 void watch_for_interrupts()
 {
     struct sigaction action = {};
@@ -54,8 +60,6 @@ void watch_for_interrupts()
         sigaction(signal, nullptr, &before);
         if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);
     }
-    std::signal(SIGPIPE, SIG_IGN);
-    std::signal(SIGXFSZ, SIG_IGN);
 }
 
 int interrupted()

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include "play/paint_stage.hpp"
 #include "play/pick.hpp"
@@ -12,7 +13,7 @@ namespace flying {
 
 namespace {
 
-constexpr double k_follows_in = 0.06;     ///< what is held is where the pointer was so long ago, about [s]
+constexpr double k_follows_in = 0.06;     ///< how far what is held lags the pointer, where pulls are not rarer [s]
 constexpr double k_throw_over = 0.08;     ///< a throw has the pointer's mean speed over this time [s]
 constexpr double k_near = 9.0;            ///< of a click at something small [pixels]
 constexpr double k_damping = 0.85;        ///< of the spin of what is held, at each pull
@@ -149,7 +150,8 @@ void press_button(Stage& stage, Button button)
     hand.selected = body;
     if (body < 0) return;
     const BodyState state = stage.run.world().state(body);
-    hand.grip = Hand::Grip{body, inverse(Rotation::of(state.angle)) * Vec2(hand.pointer - state.position)};
+    const Vec2 local = inverse(Rotation::of(state.angle)) * Vec2(hand.pointer - state.position);
+    hand.grip = Hand::Grip{body, local, stage.run.time()};
 }
 
 void release_button(Stage& stage)
@@ -205,7 +207,10 @@ void pull(Stage& stage, double (*seconds)())
     Scene scene = stage.run.scene_now();
     BodyDef& def = scene.bodies[static_cast<std::size_t>(hand.grip->body)];
     const Vec2 there = def.position + Rotation::of(def.angle) * hand.grip->local;
-    push_grip(stage, (hand.pointer - there) / (k_follows_in * stage.clock.speed), true, def);
+
+    // It keeps this velocity until the next pull, about as late as this one
+    const double since = stage.run.time() - std::exchange(hand.grip->pulled_at, stage.run.time());
+    push_grip(stage, (hand.pointer - there) / std::max(k_follows_in * stage.clock.speed, since), true, def);
     stage.change(std::move(scene), "throw", Crowding::refuse);
     hand.wait_until = stage.now + k_largest_share * (seconds() - started);
 }

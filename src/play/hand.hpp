@@ -32,6 +32,7 @@ struct Hand
     {
         int body = -1;
         Vec2 local = Vec2::Zero(); ///< the point, in the body's frame [m]
+        double pulled_at = 0.0;    ///< last, by the run's clock, or taken hold of [s]
     };
     /// Where the pointer was, for the speed of a throw.
     struct Trace

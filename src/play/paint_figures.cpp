@@ -142,7 +142,7 @@ std::vector<std::string> plan_lines(const Plan& plan)
         const char* kind = skip.kind == SkipClass::neutral   ? "same bits"
                            : skip.kind == SkipClass::ordered ? "same bits, by order"
                                                              : "alters results";
-        std::string line = fmt::format("{}  {} ({})", skip.active ? "skipped" : "done", skip.name, kind);
+        std::string line = fmt::format("{}  {} ({})", fate_of(skip), skip.name, kind);
         if (skip.active && !skip.saved_unit.empty()) line += fmt::format(": saved {} {}", skip.saved, skip.saved_unit);
         lines.push_back(line);
     }

@@ -7,7 +7,6 @@
 #include <map>
 #include <vector>
 
-#include "scene/generate.hpp"
 #include "scene/write.hpp"
 
 namespace flying {
@@ -159,6 +158,21 @@ std::string joined(const std::vector<std::string>& words)
 
 } // namespace
 
+Expected<std::string> generate_text(const std::string& kind, const GenerateOptions& options, const std::string& comment,
+                                    std::size_t largest)
+{
+    const Expected<Scene> scene = generate(kind, options);
+    if (!scene) return scene.faults();
+    std::string text = write_scene(scene.value(), comment);
+    if (text.size() <= largest) return text;
+
+    // Round down: bodies in a larger box have longer numbers
+    const std::size_t bodies = scene.value().bodies.size();
+    const std::size_t most = largest / (text.size() / bodies + 1);
+    return Fault{"count", std::to_string(bodies) + " bodies, a scene of " + std::to_string(text.size()) + " bytes",
+                 "at most " + std::to_string(largest) + " bytes: " + std::to_string(most) + " such bodies"};
+}
+
 Expected<std::string> generate_from_words(std::string_view words)
 {
     const std::vector<std::string> list = split(words);
@@ -176,9 +190,9 @@ Expected<std::string> generate_from_words(std::string_view words)
     }
     if (!faults.empty()) return faults;
 
-    const Expected<Scene> scene = generate(list.front(), options);
-    if (scene) return write_scene(scene.value(), "flying generate " + joined(list));
-    faults = scene.faults();
+    Expected<std::string> text = generate_text(list.front(), options, "flying generate " + joined(list));
+    if (text) return text;
+    faults = text.faults();
     for (Fault& fault : faults) {
         std::replace(fault.place.begin(), fault.place.end(), '_', '-');
         std::replace(fault.expected.begin(), fault.expected.end(), '_', '-');

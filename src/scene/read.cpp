@@ -156,8 +156,10 @@ Field read_field(TableReader& world)
     const std::string kind = field->word("kind", {"none", "uniform", "central"});
     if (kind.empty()) return NoField{};
 
+    // Without its centre there is no core to compare bodies with
     CentralField central;
     if (kind == "central") {
+        central.centre = Vec2::Constant(std::nan(""));
         field->vector("centre", central.centre, "two numbers [x, y] [m]", Need::required);
         field->number("mu", central.mu, "a positive number [m^3/s^2]", Need::required);
         field->number("radius", central.radius, "a number of 0 or more [m]", Need::optional);
@@ -357,7 +359,9 @@ Expected<Scene> read_scene_text(std::string_view text, const std::string& filena
 
     const toml::parse_result parsed = toml::parse(text);
     if (!parsed) {
-        faults.add(parsed.error().source().begin, "", "this is no TOML: " + on_one_line(parsed.error().description()), "");
+        std::string told = on_one_line(parsed.error().description());
+        if (told.ends_with("could not determine value type")) told += " (a word stands between quotation marks)";
+        faults.add(parsed.error().source().begin, "", "this is no TOML: " + told, "");
         return faults.in_order();
     }
 

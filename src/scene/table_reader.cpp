@@ -95,9 +95,59 @@ std::string describe(const toml::node& node)
     return "a date or time";
 }
 
+namespace {
+
+/// Words that others use, with the word of ours that stands in their place, and what to write.
+struct OtherWord
+{
+    std::string_view word;
+    std::string_view known;
+    std::string_view written;
+};
+constexpr std::string_view k_gravity = "field = { kind = \"uniform\", gravity = [x, y] }";
+constexpr std::string_view k_disc = "shape = { kind = \"disc\", radius = r }";
+constexpr std::string_view k_polygon = "shape = { kind = \"polygon\", vertices = [[x, y], ...] }";
+constexpr OtherWord k_other_words[] = {{"gravity", "field", k_gravity},
+                                       {"gravity", "uniform", "uniform"},
+                                       {"gravity", "world", "field, under [world]"},
+                                       {"field", "world", "field, under [world]"},
+                                       {"box", "world", "box, under [world]"},
+                                       {"bodies", "body", "[[body]]"},
+                                       {"until", "position", "until, above the first [[body]]"},
+                                       {"title", "position", "title, above the first [[body]]"},
+                                       {"radius", "shape", k_disc},
+                                       {"vertices", "shape", k_polygon},
+                                       {"circle", "disc", "disc"},
+                                       {"ball", "disc", "disc"},
+                                       {"box", "rectangle", "rectangle"},
+                                       {"hexagon", "regular", "regular"},
+                                       {"pentagon", "regular", "regular"},
+                                       {"type", "kind", "kind"},
+                                       {"points", "vertices", "vertices"},
+                                       {"size", "side", "side"},
+                                       {"fixed", "static", "static"},
+                                       {"rotation", "angle", "angle"},
+                                       {"omega", "spin", "spin"},
+                                       {"angular_velocity", "spin", "spin"},
+                                       {"mu", "friction", "friction"},
+                                       {"elasticity", "restitution", "restitution"},
+                                       {"bounce", "restitution", "restitution"}};
+
+/// What to write in place of a word, as far as that can be guessed.
+std::string meant_by(std::string_view word, const std::vector<std::string>& known)
+{
+    for (const OtherWord& other : k_other_words) {
+        if (word == other.word && std::find(known.begin(), known.end(), other.known) != known.end())
+            return std::string(other.written);
+    }
+    return nearest_word(word, known);
+}
+
+} // namespace
+
 std::string one_of(std::string_view word, const std::vector<std::string>& known)
 {
-    const std::string nearest = nearest_word(word, known);
+    const std::string nearest = meant_by(word, known);
     std::string text;
     for (const std::string& candidate : known) text += (text.empty() ? "one of " : ", ") + candidate;
     if (known.size() == 1) text = known.front();

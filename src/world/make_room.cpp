@@ -16,7 +16,7 @@ namespace flying {
 namespace {
 
 constexpr int k_rounds = 60;
-/// What is hardly moved takes next to no time, but arches of typed stones take a thousand rounds; in all [bodies].
+/// Arches of typed stones and houses of cards take a thousand rounds; in all [bodies].
 constexpr int k_most_rounds = 2000;
 constexpr std::size_t k_most_work = 200000;
 constexpr std::size_t k_most_pairs = 20000;
@@ -90,8 +90,12 @@ std::vector<PlacedBody> place(const Scene& scene)
     return placed;
 }
 
-bool make_room_in(Scene& scene, double most, int rounds)
+} // namespace
+
+bool make_room(Scene& scene, double most)
 {
+    const std::size_t affordable = k_most_work / std::max<std::size_t>(scene.bodies.size(), 1);
+    const int rounds = std::clamp(static_cast<int>(affordable), k_rounds, k_most_rounds);
     std::vector<PlacedBody> bodies = place(scene);
     const std::vector<PlacedBody> around = surroundings(scene.world);
     std::vector<int> by_index(scene.bodies.size(), -1);
@@ -144,16 +148,10 @@ bool make_room_in(Scene& scene, double most, int rounds)
     return true;
 }
 
-} // namespace
-
-bool make_room(Scene& scene, double most) { return make_room_in(scene, most, k_rounds); }
-
 bool make_room_for_digits(Scene& scene)
 {
     Scene roomy = scene;
-    const std::size_t rounds = k_most_work / std::max<std::size_t>(scene.bodies.size(), 1);
-    if (!make_room_in(roomy, k_typed, std::clamp(static_cast<int>(rounds), k_rounds, k_most_rounds))) return false;
-    if (!validate(roomy).empty()) return false;
+    if (!make_room(roomy, k_typed) || !validate(roomy).empty()) return false;
     scene = std::move(roomy);
     return true;
 }

@@ -85,7 +85,8 @@ Expected<Shape> make(const TriangleDef& def)
     checks.positive("sides[0]", def.sides[0], k_length);
     checks.positive("sides[1]", def.sides[1], k_length);
     const bool angle_fits = def.angle >= k_least_number && def.angle < std::numbers::pi;
-    if (!angle_fits) checks.fault("angle", number_text(def.angle), "an angle between the sides, above 0 and below pi");
+    if (!angle_fits)
+        checks.fault("angle", number_text(def.angle), "an angle between the sides in rad, above 0 and below pi");
     if (!faults.empty()) return faults;
 
     // Both sides start at the origin; the door to polygons moves the centroid there

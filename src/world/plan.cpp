@@ -60,7 +60,7 @@ struct Census
 [[nodiscard]] Skip far_pairs(const Census& census)
 {
     const bool pays = census.movers >= k_fewest_for_grid;
-    Skip skip{k_grid, SkipClass::ordered, pays && !census.is_central, "", 0, "pairs"};
+    Skip skip{k_grid, SkipClass::ordered, pays && !census.is_central, true, "", 0, "pairs"};
     if (census.is_central) {
         skip.reason = "a central field: when a flight leaves its cell is foreseen for "
                       "straight lines and parabolas only";
@@ -76,7 +76,8 @@ struct Census
 
 [[nodiscard]] Skip static_pairs(const Census& census)
 {
-    Skip skip{k_static_pairs, SkipClass::neutral, census.statics >= 2, "", 0, "pairs"};
+    const bool any = census.statics >= 2;
+    Skip skip{k_static_pairs, SkipClass::neutral, any, any, "", 0, "pairs"};
     const std::string statics = count_of(census.statics, "static body", "static bodies");
     skip.reason =
         skip.active
@@ -89,7 +90,7 @@ struct Census
 {
     const bool any_corners = census.movers_with_corners + census.statics_with_corners > 0;
     const bool pays = any_corners || census.is_central;
-    Skip skip{k_far_features, SkipClass::neutral, pays, "", 0, "looks at features"};
+    Skip skip{k_far_features, SkipClass::neutral, pays, pays, "", 0, "looks at features"};
     if (census.is_central) {
         skip.reason =
             "features are looked at only while the bounding circles of a pair overlap";
@@ -105,8 +106,8 @@ struct Census
 [[nodiscard]] Skip cells(const Census& census)
 {
     const bool few = census.movers < k_fewest_for_grid;
-    const bool pays = few && census.movers > 0 && !census.is_central;
-    Skip skip{k_cells, SkipClass::ordered, pays, "", 0, ""};
+    const bool any = census.movers > 0 && !census.is_central;
+    Skip skip{k_cells, SkipClass::ordered, few && any, any, "", 0, ""};
     const std::string limit = std::to_string(k_fewest_for_grid);
     skip.reason = few ? "fewer than " + limit + " moving bodies: no cells are kept for them"
                       : "so many moving bodies are found faster by their cells";
@@ -118,8 +119,8 @@ struct Census
 /// features by windows.
 [[nodiscard]] Skip search(const Census& census)
 {
-    const bool two_fly = census.movers >= 2 && !census.is_central;
-    Skip skip{k_search, SkipClass::neutral, two_fly, "", 0, "searches"};
+    const bool any = census.movers >= 2;
+    Skip skip{k_search, SkipClass::neutral, any && !census.is_central, any, "", 0, "searches"};
     skip.reason = census.movers_with_corners > 0
                       ? "two moving bodies are first foreseen as circles on straight "
                         "paths, the roots of a quadratic"
@@ -135,7 +136,8 @@ struct Census
 /// The terms of an acceleration that isn't there.
 [[nodiscard]] Skip field(const Census& census)
 {
-    Skip skip{k_field, SkipClass::neutral, !census.falls && !census.is_central, "", 0, ""};
+    const bool accelerates = census.falls || census.is_central;
+    Skip skip{k_field, SkipClass::neutral, !accelerates, true, "", 0, ""};
     skip.reason = skip.active ? "no field: flights are straight lines"
                               : "a field accelerates what moves";
     return skip;
@@ -144,9 +146,9 @@ struct Census
 /// Pairs whose orbits keep them apart for ever.
 [[nodiscard]] Skip rings(const Census& census)
 {
-    Skip skip{k_rings, SkipClass::neutral, census.is_central, "", 0, ""};
-    skip.reason = census.is_central
-                      ? "bodies whose rings round the centre don't overlap never meet"
+    const bool any = census.is_central;
+    Skip skip{k_rings, SkipClass::neutral, any, any, "", 0, ""};
+    skip.reason = any ? "bodies whose rings round the centre don't overlap never meet"
                       : "no central field: there are no rings";
     return skip;
 }
@@ -156,7 +158,7 @@ struct Census
 {
     const bool pairs = census.movers_with_corners > 1 ||
                        (census.movers_with_corners == 1 && census.statics_with_corners > 0);
-    Skip skip{k_far_vertices, SkipClass::neutral, pairs, "", 0, ""};
+    Skip skip{k_far_vertices, SkipClass::neutral, pairs, pairs, "", 0, ""};
     skip.reason = pairs ? "a vertex is followed only where it may reach the other body's "
                           "circle, and come behind all its edges"
                         : "no two bodies with corners can meet";
@@ -167,7 +169,7 @@ struct Census
 [[nodiscard]] Skip sleeping(const Census& census)
 {
     const bool pays = census.movers > 0;
-    Skip skip{k_sleeping, SkipClass::neutral, pays, "", 0, "bodies in steps"};
+    Skip skip{k_sleeping, SkipClass::neutral, pays, pays, "", 0, "bodies in steps"};
     skip.reason = pays ? "bodies that a step leaves as they were are left out of the next, "
                          "until something touches them"
                        : "nothing moves";
@@ -178,7 +180,7 @@ struct Census
 [[nodiscard]] Skip warm_start(const Census& census)
 {
     const bool pays = census.movers > 0;
-    Skip skip{k_warm_start, SkipClass::altering, pays, "", 0, "solves of islands"};
+    Skip skip{k_warm_start, SkipClass::altering, pays, pays, "", 0, "solves of islands"};
     skip.reason = pays ? "impulses between bodies that lean on each other are sought from "
                          "those of the step before"
                        : "nothing moves";
@@ -192,6 +194,11 @@ std::vector<std::string> skip_names()
     return {k_grid,  k_cells, k_static_pairs, k_search,
             k_field, k_rings, k_far_features, k_far_vertices,
             k_sleeping, k_warm_start};
+}
+
+const char* fate_of(const Skip& skip)
+{
+    return skip.active ? "skipped" : skip.has_work ? "done" : "none";
 }
 
 Plan make_plan(const Scene& scene, const std::vector<std::string>& without)

@@ -24,10 +24,14 @@ struct Skip
     std::string name; ///< as `--without NAME` takes it
     SkipClass kind = SkipClass::neutral;
     bool active = false;    ///< the work is left out in this scene
+    bool has_work = true;   ///< there is such work in this scene to leave out
     std::string reason;     ///< why it is, or why it is not
     std::int64_t saved = 0; ///< after a run: how often the work was left out
     std::string saved_unit; ///< what `saved` counts, such as "pairs"
 };
+
+/// What becomes of the work: "skipped", "done", or "none" where there is none to do.
+[[nodiscard]] const char* fate_of(const Skip& skip);
 
 /// What a scene needs, and why the rest is skipped.
 struct Plan

@@ -29,6 +29,10 @@ const std::vector<BadScene>& bad_scenes()
     static const std::vector<BadScene> scenes = {
         // No TOML
         {"a word alone", "until", {"1:6: this is no TOML: "}},
+        {"a word without quotation marks",
+         "[[body]]\nshape = { kind = disc, radius = 1 }\n",
+         {"2:18: this is no TOML: Error while parsing value: could not determine value type (a word stands between "
+          "quotation marks)"}},
         {"no value", "until =\n", {"1:8: this is no TOML: "}},
         {"an open string", "title = \"two\nuntil = 1.0\n", {"1:13: this is no TOML: "}},
         {"a key twice", "until = 1.0\nuntil = 2.0\n", {"2:9: this is no TOML: "}},
@@ -58,6 +62,32 @@ const std::vector<BadScene>& bad_scenes()
          "[world]\nfritcion = 0.5\n",
          {"2:1: world: found the unknown key \"fritcion\", expected one of field, restitution, friction, box (did you "
           "mean friction?)"}},
+        {"gravity beside the field that it belongs into",
+         "[world]\ngravity = [0, -9.81]\n",
+         {"2:1: world: found the unknown key \"gravity\", expected one of field, restitution, friction, box (did you "
+          "mean "
+          "field = { kind = \"uniform\", gravity = [x, y] }?)"}},
+        {"gravity at the top",
+         "gravity = [0, -9.81]\n",
+         {"1:1: found the unknown key \"gravity\", expected one of title, until, world, body (did you mean field, "
+          "under "
+          "[world]?)"}},
+        {"a circle",
+         "[[body]]\nshape = { kind = \"circle\", radius = 1.0 }\nposition = [0, 0]\n",
+         {"2:18: body 0, shape.kind: found \"circle\", expected one of disc, rectangle, square, triangle, regular, "
+          "polygon (did you mean disc?)"}},
+        {"a centre spelt another way: nothing is said of bodies about it",
+         "[world]\nfield = { kind = \"central\", center = [9, 0], mu = 1.0, radius = 2.0 }\n[[body]]\n" SOUND,
+         {"2:9: world.field.centre: found nothing, expected two numbers [x, y] [m]",
+          "2:29: world.field: found the unknown key \"center\", expected one of kind, centre, mu, radius (did you mean "
+          "centre?)"}},
+        {"bodies for body",
+         "[[bodies]]\n" SOUND,
+         {"1:3: found the unknown key \"bodies\", expected one of title, until, world, body (did you mean [[body]]?)"}},
+        {"the end of the run below a body",
+         "[[body]]\n" SOUND "until = 5.0\n",
+         {"4:1: body 0: found the unknown key \"until\", expected one of name, shape, position, angle, velocity, spin, "
+          "static, density, mass, restitution, friction (did you mean until, above the first [[body]]?)"}},
         {"an unknown key beside a field",
          "[world]\nfield = { kind = \"uniform\", gravity = [0, -9.81] }\nfrction = 0.5\n",
          {"3:1: world: found the unknown key \"frction\", expected one of field, restitution, friction, box (did you "

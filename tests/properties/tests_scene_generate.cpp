@@ -9,6 +9,7 @@
 #include "math/random.hpp"
 #include "scene/fault.hpp"
 #include "scene/generate.hpp"
+#include "scene/generate_words.hpp"
 #include "scene/write.hpp"
 
 using namespace flying;
@@ -217,5 +218,26 @@ TEST_CASE("Numbers that are none, and extreme ones, end in a scene or in faults"
                 if (scene) CHECK(validate(scene.value()).empty());
             }
         }
+    }
+}
+
+TEST_CASE("a scene is not written where its text would be too large to be read, and as many bodies as are told fit")
+{
+    constexpr std::size_t k_largest = 20000; // [bytes]
+    for (const std::string kind : {"balls", "gas", "polygons", "pile", "stack", "cradle"}) {
+        CAPTURE(kind);
+        GenerateOptions options;
+        options.count = 1000;
+        if (kind != "stack" && kind != "cradle") options.packing = 0.2;
+        const Expected<std::string> refused = generate_text(kind, options, "", k_largest);
+        REQUIRE_FALSE(refused);
+        const Fault& fault = refused.faults().front();
+        CHECK(fault.place == "count");
+        CHECK(fault.found.starts_with("1000 bodies, a scene of "));
+        const std::string before = "at most 20000 bytes: ";
+        REQUIRE(fault.expected.starts_with(before));
+        options.count = std::stoi(fault.expected.substr(before.size()));
+        CHECK(*options.count >= 50);
+        CHECK(generate_text(kind, options, "", k_largest));
     }
 }

@@ -149,6 +149,22 @@ TEST_CASE("a signal stops a run, takes its files away and gives status 128 and t
     }
 }
 
+TEST_CASE("a signal ends at once what only reads a scene")
+{
+    // The pipe is open, and nothing comes
+    for (const std::string command : {"check", "explain", "simulate --report r.json"}) {
+        CAPTURE(command);
+        const Folder folder;
+        const Outcome outcome =
+            folder.run("mkfifo s.toml && { sleep 4 > s.toml & } && timeout --preserve-status --foreground -s INT "
+                       "-k 2 1 env --default-signal=INT $FLYING " +
+                       command + " s.toml");
+        CAPTURE(outcome.errors);
+        CHECK(outcome.status == 130);
+        CHECK(folder.names() == Names{"s.toml"});
+    }
+}
+
 TEST_CASE("a signal soon stops a run whose steps are slow")
 {
     // Signals were looked at after every 500 events, steps of a large heap among them: that is half a minute and more

@@ -14,7 +14,8 @@ json told(const Folder& folder)
 {
     const json report = json::parse(folder.read("r.json"));
     json same;
-    for (const char* key : {"time", "hash", "collisions", "handover_log", "energy", "energy_changes", "max_overlap", "bodies"}) {
+    for (const char* key : {"time", "engine", "hash", "collisions", "handovers", "handover_log", "energy",
+                            "energy_changes", "momentum", "angular_momentum", "max_overlap", "bodies"}) {
         same[key] = report[key];
     }
     return same;

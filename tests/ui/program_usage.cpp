@@ -133,6 +133,17 @@ TEST_CASE("check and explain say what they found")
     CHECK(folder.names() == Names{"s.toml"});
 }
 
+TEST_CASE("a plan tells work that is left out, work that is done, and work of which there is none")
+{
+    const Folder folder;
+    folder.write("s.toml", two_discs());
+    const std::string plan = folder.run("$FLYING explain s.toml").output;
+    for (const std::string line : {"skipped  cells", "done     grid", "none     rings", "none     far-vertices"}) {
+        CAPTURE(line);
+        CHECK(contains(plan, line));
+    }
+}
+
 TEST_CASE("what generate prints is a scene that runs")
 {
     const Folder folder;
