@@ -38,7 +38,7 @@ namespace {
     return make_manifold(*a, pose_a, *b, pose_b, a_from_b, *axis, 0.0);
 }
 
-/// The points of a pair of which a body is cut into parts, or both are: those of their outlines.
+/// The points of a pair as their outlines have them, where a body is cut into parts or edges don't tell.
 [[nodiscard]] Manifold points_of_outlines(const RestBodies& bodies, const RestPair& pair, const Pose& pose_a,
                                           const Pose& pose_b, double margin)
 {
@@ -213,7 +213,7 @@ void NarrowPhase::mend(const RestBodies& bodies, const PairList& pairs, const Re
 Manifold NarrowPhase::look(const RestBodies& bodies, const PairList& pairs, const RestPair& pair, const Pose& pose_a,
                            const Pose& pose_b, double margin) const
 {
-    Manifold manifold;
+    std::optional<Manifold> manifold;
     if (!bodies.has_cuts(pair.a, pair.b)) {
         // Edges that led by more than two separations can have changed are the best here, too
         NearMemory memory;
@@ -225,9 +225,10 @@ Manifold NarrowPhase::look(const RestBodies& bodies, const PairList& pairs, cons
         }
         manifold = near_points(bodies.shapes[pair.a].parts[0].shape, pose_a, bodies.shapes[pair.b].parts[0].shape,
                                pose_b, margin, memory);
-    } else manifold = points_of_outlines(bodies, pair, pose_a, pose_b, margin);
-    if (manifold.count > 0) mend(bodies, pairs, pair, pose_a, pose_b, margin, manifold);
-    return manifold;
+    }
+    if (!manifold) manifold = points_of_outlines(bodies, pair, pose_a, pose_b, margin);
+    if (manifold->count > 0) mend(bodies, pairs, pair, pose_a, pose_b, margin, *manifold);
+    return *manifold;
 }
 
 Manifold NarrowPhase::find_cached(const RestBodies& bodies, const PairList& pairs, RestPair& pair, double margin) const
@@ -236,12 +237,12 @@ Manifold NarrowPhase::find_cached(const RestBodies& bodies, const PairList& pair
     const Pose& pose_b = bodies.poses[pair.b];
     const Shape& part_a = bodies.shapes[pair.a].parts[pair.part_a].shape;
     const Shape& part_b = bodies.shapes[pair.b].parts[pair.part_b].shape;
-    Manifold manifold;
+    std::optional<Manifold> manifold;
     if (!bodies.has_cuts(pair.a, pair.b)) manifold = near_points(part_a, pose_a, part_b, pose_b, margin, pair.memory);
-    else if (find_separation(part_a, pose_a, part_b, pose_b, pair.memory) <= margin)
-        manifold = points_of_outlines(bodies, pair, pose_a, pose_b, margin);
-    if (manifold.count > 0) mend(bodies, pairs, pair, pose_a, pose_b, margin, manifold);
-    return manifold;
+    else if (find_separation(part_a, pose_a, part_b, pose_b, pair.memory) > margin) return {};
+    if (!manifold) manifold = points_of_outlines(bodies, pair, pose_a, pose_b, margin);
+    if (manifold->count > 0) mend(bodies, pairs, pair, pose_a, pose_b, margin, *manifold);
+    return *manifold;
 }
 
 } // namespace flying

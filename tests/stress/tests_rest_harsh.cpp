@@ -1,5 +1,4 @@
 #include <cmath>
-#include <numbers>
 
 #include <doctest/doctest.h>
 
@@ -7,7 +6,6 @@
 #include "geometry/make_polygon.hpp"
 #include "mass/polygon.hpp"
 #include "math/random.hpp"
-#include "rest/near_points.hpp"
 #include "rest/outline_points.hpp"
 #include "rest/rest_engine.hpp"
 #include "rest_trial.hpp"
@@ -60,23 +58,6 @@ TEST_CASE("who lies still while others have a step made anew still lies on the g
             CHECK(engine.body(1).state.position.y() == 0.5);
             CHECK(engine.body(1).state.velocity.y() == 0.0);
         }
-    }
-}
-
-TEST_CASE("a corner over the second of two edges on one line is as near as over the first")
-{
-    // The lines of both edges part the two shapes equally well, and only one of the edges lies below the corner
-    const Polygon table({{Vec2(-1.0, -1.0), Vec2(1.0, -1.0), Vec2(1.0, 0.0), Vec2(0.0, 0.0), Vec2(-1.0, 0.0)}});
-    const Shape below = table;
-    const Shape above = flying::testing::box(0.2, 0.2);
-    for (const double x : {-0.5, 0.5}) {
-        const Pose pose_below{Vec2::Zero(), Rotation()};
-        const Pose pose_above{Vec2(x, 0.1 * std::numbers::sqrt2 + 1e-3), Rotation::of(0.25 * std::numbers::pi)};
-        const Manifold manifold = near_points(below, pose_below, above, pose_above, 0.01);
-        CAPTURE(x);
-        REQUIRE(manifold.count > 0);
-        CHECK(manifold.contacts[0].separation == doctest::Approx(1e-3).epsilon(1e-9));
-        CHECK(manifold.contacts[0].normal.y() == doctest::Approx(1.0).epsilon(1e-9));
     }
 }
 

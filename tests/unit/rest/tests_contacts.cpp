@@ -5,6 +5,7 @@
 
 #include "collide/separation.hpp"
 #include "rest/near_points.hpp"
+#include "rest/outline_points.hpp"
 #include "rest/rest_engine.hpp"
 #include "stages.hpp"
 #include "support/random_polygons.hpp"
@@ -119,6 +120,20 @@ TEST_CASE("a crossing is found beside a point that is known, at any depth")
     }
 }
 
+namespace {
+
+Manifold points_of_two(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b, double margin)
+{
+    NearMemory nothing;
+    const std::optional<Manifold> over_edge = near_points(a, pose_a, b, pose_b, margin, nothing);
+    if (over_edge) return *over_edge;
+    const Outline outline_a(a, make_collision_shape(a));
+    const Outline outline_b(b, make_collision_shape(b));
+    return outline_points({outline_a, 0, pose_a}, {outline_b, 0, pose_b}, margin, 1e-12);
+}
+
+} // namespace
+
 TEST_CASE("the points of two polygons that are apart have the nearest one among them, as near as their distance")
 {
     // A corner past the end of the side that it is nearest to was left out, where another point lay over the side
@@ -132,12 +147,27 @@ TEST_CASE("the points of two polygons that are apart have the nearest one among 
         const double between = separation(a, pose_a, b, pose_b);
         if (!(between > 1e-9 && between < 0.2)) continue;
         ++apart;
-        const Manifold manifold = near_points(a, pose_a, b, pose_b, 0.3);
+        const Manifold manifold = points_of_two(a, pose_a, b, pose_b, 0.3);
         double lowest = std::numeric_limits<double>::infinity();
         for (int i = 0; i < manifold.count; ++i) lowest = std::min(lowest, manifold.contacts[i].separation);
         CHECK(std::abs(lowest - between) <= 1e-12);
     }
     CHECK(apart > 1000);
+}
+
+TEST_CASE("a corner over the second of two edges on one line is as near as over the first")
+{
+    // The lines of both edges part the two shapes equally well, and only one of the edges lies below the corner
+    const Shape table = Polygon({{Vec2(-1.0, -1.0), Vec2(1.0, -1.0), Vec2(1.0, 0.0), Vec2(0.0, 0.0), Vec2(-1.0, 0.0)}});
+    const Shape above = box(0.2, 0.2);
+    for (const double x : {-0.5, 0.5}) {
+        const Pose pose{Vec2(x, 0.1 * std::sqrt(2.0) + 1e-3), Rotation::of(0.25 * std::acos(-1.0))};
+        const Manifold manifold = points_of_two(table, Pose(), above, pose, 0.01);
+        CAPTURE(x);
+        REQUIRE(manifold.count > 0);
+        CHECK(manifold.contacts[0].separation == doctest::Approx(1e-3).epsilon(1e-9));
+        CHECK(manifold.contacts[0].normal.y() == doctest::Approx(1.0).epsilon(1e-9));
+    }
 }
 
 TEST_CASE("bodies that are cut into parts have their nearest point among the points of their parts, too")
