@@ -42,18 +42,24 @@ bool IslandSolver::solve(std::span<Mover> movers, std::span<const int> members, 
     take_problem(task);
 
     // What was right in the step before most often is right still
+    const double of_none = worst_residual_of_none(points, movers);
     if (!is_warm_) forget_impulses(points);
     warm_start(points, movers);
-    if (worst_residual(points, movers) <= rest_tolerance::k_stagnant * enough(task)) {
+    best_ = worst_residual(points, movers);
+    if (best_ <= rest_tolerance::k_stagnant * enough(task)) {
         ++counts_.accepted;
         return true;
     }
-    forget_what_suits_worse(task);
+    // Impulses that suit this step worse than none go
+    if (of_none < best_) {
+        best_ = of_none;
+        forget_impulses(points);
+        restore_free(task);
+    }
+    kept_.assign(points.begin(), points.end());
 
     const std::int64_t before = pieces_.factorisations();
     pieces_.begin(problem_, members, movers.size());
-    best_ = worst_residual(points, movers);
-    kept_.assign(points.begin(), points.end());
     bool content = improve(task, From::here);
     for (const From from : {From::turns, From::nothing}) {
         if (content || effort == Effort::brief) break;
@@ -84,17 +90,6 @@ void IslandSolver::take_problem(const Task& task)
     problem_.points = task.points;
     problem_.bodies.clear();
     for (const int member : task.members) problem_.bodies.push_back(task.movers[member]);
-}
-
-/// Impulses that suit this step worse than none go.
-void IslandSolver::forget_what_suits_worse(const Task& task)
-{
-    const double warm = worst_residual(task.points, task.movers);
-    kept_.assign(task.points.begin(), task.points.end());
-    forget_impulses(task.points);
-    restore_free(task);
-    if (worst_residual(task.points, task.movers) < warm) return;
-    go_back_to_best(task);
 }
 
 /// A residual that is no motion, nor more than rounding explains.  [m/s]

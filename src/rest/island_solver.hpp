@@ -77,7 +77,6 @@ private:
     [[nodiscard]] bool find_from_here(const Task& task);
     [[nodiscard]] static double enough(const Task& task);
     [[nodiscard]] static double most_left(const Task& task);
-    void forget_what_suits_worse(const Task& task);
     void restore_free(const Task& task) const;
     void apply(const Task& task) const;
     void go_back_to_best(const Task& task) const;

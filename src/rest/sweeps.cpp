@@ -93,4 +93,14 @@ bool are_satisfied(std::span<const ContactPoint> points, std::span<const Mover> 
 }
 // [rest.residual]
 
+double worst_residual_of_none(std::span<const ContactPoint> points, std::span<const Mover> movers)
+{
+    double worst = 0.0;
+    for (ContactPoint c : points) {
+        c.normal = c.tangent = 0.0;
+        worst = std::max(worst, residual(c, movers[c.a], movers[c.b]));
+    }
+    return worst;
+}
+
 } // namespace flying

@@ -13,6 +13,8 @@ void forget_impulses(std::span<ContactPoint> points);
 
 /// How far the worst point is from content: the change of its velocity that it would ask for.  [m/s]
 [[nodiscard]] double worst_residual(std::span<const ContactPoint> points, std::span<const Mover> movers);
+/// The same if none of them pushed anything, of velocities that none of them has changed.  [m/s]
+[[nodiscard]] double worst_residual_of_none(std::span<const ContactPoint> points, std::span<const Mover> movers);
 /// None asks for more than `tolerance`.  [m/s]
 [[nodiscard]] bool are_satisfied(std::span<const ContactPoint> points, std::span<const Mover> movers, double tolerance);
 
