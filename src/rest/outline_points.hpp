@@ -14,9 +14,9 @@ struct OutlineSide
     const Pose& pose;
 };
 
-/// The points at which the boundaries of two parts touch, overlap, or might touch soon, where a body is cut into parts or
-/// `near_points` leaves it to this: corners of one over sides of the other, and corners over corners. Each corner and
-/// side belongs to one part, so that no point is found twice, and none on a cut.
+/// The points at which the boundaries of two parts touch, overlap, or might touch soon, where a body is cut into parts
+/// or `near_points` leaves it to this: corners of one over sides of the other, and corners over corners. Each corner
+/// and side belongs to one part, so that no point is found twice, and none on a cut.
 ///
 /// A corner inside of the other body makes a point with the side that is nearest of those that it faces: a thin wall is
 /// left through the side by which it was entered. Of the points, the lowest counts, and the one beside it that is the

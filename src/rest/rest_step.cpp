@@ -127,8 +127,7 @@ bool RestEngine::wake_touched()
     };
     std::vector<int> touched;
     for (const ContactPoint& point : found_) {
-        if (is_between(point) && touches(point))
-            touched.push_back(sleepers_.is_asleep(point.a) ? point.a : point.b);
+        if (is_between(point) && touches(point)) touched.push_back(sleepers_.is_asleep(point.a) ? point.a : point.b);
     }
     for (const int body : touched) sleepers_.wake(sleepers_.island_of(body));
     if (touched.empty()) std::erase_if(found_, is_between);
