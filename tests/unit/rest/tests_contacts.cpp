@@ -243,7 +243,9 @@ TEST_CASE("what stands and hasn't moved is not looked at again, with the bits of
     CHECK(std::abs(remembers.state(3).spin) <= 1e-12);
     CHECK(remembers.state(3).velocity.x() > 2.5);
     both_step(60);
-    // By its last digit, by a turn, and by a fall
+    // By its last digit, and again, so that it was awake when it was looked at last; by a turn, and by a fall
+    throw_both(5, Vec2::Zero(), 0.0, 0x1p-52);
+    CHECK(looks_in(1) > 0);
     throw_both(5, Vec2::Zero(), 0.0, 0x1p-52);
     CHECK(looks_in(1) > 0);
     throw_both(4, Vec2::Zero(), 2.0);
