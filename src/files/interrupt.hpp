@@ -7,9 +7,9 @@ namespace flying {
 /// Let writing to what is closed or full fail by an error in place of a signal.
 void let_writing_fail();
 
-/// From now on, take note of the signals that ask for an end (Ctrl-C, TERM, HUP) in place of ending at once: whoever
-/// calls it asks `interrupted` often. A second such signal ends the program at once, its temporary files removed, and
-/// says so: impatient hands send it, and `timeout`, which signals its child and then the whole group.
+/// From now on, take note of the signals that ask for an end (Ctrl-C, TERM, HUP) in place of ending at once; for code
+/// that calls `interrupted` often. A second such signal ends the program at once, its temporary files removed, and says
+/// so: impatient hands send it, and `timeout`, which signals its child and then the whole group.
 void watch_for_interrupts();
 
 /// The signal that asked for an end; 0 while none has.

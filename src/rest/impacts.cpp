@@ -206,7 +206,7 @@ bool Impacts::strike(RestData& data, Island& island, HeapSweeps& sweeps)
         return approach > slowest_rebound(data, c) && !(c.gap - within * approach > 0.0);
     };
     // (In a large pile each such look goes over thousands of points; in a row it leads on by one body, to its end.)
-    const int looks = is_chain(data, island) ? std::max(rounds, island.member_count()) : is_large(island) ? 0 : rounds;
+    const int looks = !is_large(island) ? rounds : is_chain(data, island) ? island.member_count() : 0;
     for (int k = 1; k < looks && std::any_of(open_.begin(), open_.end(), is_thrown_on); ++k) {
         if (!find_closed(data, island, speeds, within)) break;
         data.counts.impacts += throw_back(velocities, struck_, rebounds_, speeds.rounding, rounds);

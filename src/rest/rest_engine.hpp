@@ -171,7 +171,6 @@ private:
         std::vector<int> of;    ///< of each body: the cut island that it is of, while pairs are sorted out; else -1
     };
 
-    [[nodiscard]] bool is_left_out(int body) const { return data_.options.sleeps && sleepers_.is_asleep(body); }
     void leave_out_sleepers(bool are_left_out);
     void list_stepped();
     void begin_stepped();
@@ -207,8 +206,8 @@ private:
 
     Sleepers sleepers_;
     bool may_fall_asleep_ = true;    // in steps of this length
-    std::vector<int> stirred_;       // came or went since the list of those awake was made
     BodySet stepped_;                // can move, and aren't left out
+    std::vector<int> stirred_;       // came or went since that list was made
     std::vector<int> moved_;         // those that the last step was for, ascending
     std::vector<BodyBefore> before_; // of those
     std::vector<char> marks_;        // of each body, while some are marked; else 0

@@ -75,7 +75,8 @@ void RestEngine::list_stepped()
     std::vector<int> gone;
     for (const int k : changed) {
         const RestBody& body = data_.bodies.list[k];
-        const bool is_stepped = body.is_active && !body.is_static && !is_left_out(k);
+        const bool is_left_out = data_.options.sleeps && sleepers_.is_asleep(k);
+        const bool is_stepped = body.is_active && !body.is_static && !is_left_out;
         if (is_stepped != stepped_.has(k)) (is_stepped ? woken : gone).push_back(k);
     }
     stepped_.insert(woken);
