@@ -8,13 +8,10 @@
 #include "toi/discs.hpp"
 #include "toi/predict_central.hpp"
 #include "toi/turning_features.hpp"
+#include "toi/window.hpp"
 
 namespace flying {
 namespace {
-
-/// How far the bodies' points may travel in one window, in radii of the smaller body: long
-/// windows make bounds on the bend loose, short ones are looked at more often.
-constexpr double k_window_travel = 1.0;
 
 /// Longest time in which nothing moves farther than `travel`: at speed `speed` now, gaining
 /// `acceleration`.  [s]
@@ -44,12 +41,6 @@ struct Search
     Search search{a, b, relative_flight(a, b, common_start(a, b)), radius_a, radius_b, 0.0, tip_speed, true, {}, {}};
     search.acceleration = search.relative.acceleration.norm();
     return search;
-}
-
-/// Speed of a body's farthest vertex about its centre.  [m/s]
-[[nodiscard]] double tip_speed(const Polygon& polygon, const Flyer& flyer)
-{
-    return std::abs(flyer.state.spin) * polygon.radius();
 }
 
 /// The next window of turning features, no longer than to `latest`.

@@ -6,12 +6,10 @@
 #include "math/tolerance.hpp"
 #include "toi/central_flight.hpp"
 #include "toi/turning_features.hpp"
+#include "toi/window.hpp"
 
 namespace flying {
 namespace {
-
-/// How far the bodies' points may travel in one window, in radii of the smaller body.
-constexpr double k_window_travel = 1.0;
 
 /// [radii] Circles this close count as met: steps shrink with the gap.
 constexpr double k_close = 1e-6;
@@ -36,20 +34,6 @@ struct CentralSearch
 [[nodiscard]] double radius_of(const Polygon& polygon)
 {
     return polygon.radius();
-}
-
-/// Speed of a body's farthest vertex about its centre; none for discs, which look the same from every side.  [m/s]
-[[nodiscard]] double tip_speed(const Disc&, const Flyer&)
-{
-    return 0.0;
-}
-[[nodiscard]] double tip_speed(const HalfPlane&, const Flyer&)
-{
-    return 0.0;
-}
-[[nodiscard]] double tip_speed(const Polygon& polygon, const Flyer& flyer)
-{
-    return std::abs(flyer.state.spin) * polygon.radius();
 }
 
 template <typename A, typename B>

@@ -1,7 +1,6 @@
 #include "world/account.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "broadphase/sweep.hpp"
@@ -15,18 +14,6 @@ namespace {
     const auto inverse_or_zero = [](double x) { return x > 0.0 ? 1.0 / x : 0.0; };
     return {name, body.state, inverse_or_zero(body.inertia.inv_mass),
             inverse_or_zero(body.inertia.inv_moment_of_inertia)};
-}
-
-[[nodiscard]] std::string quoted_label(const Scene& scene, int index)
-{
-    const int walls_start = static_cast<int>(scene.bodies.size());
-    if (index >= walls_start + (scene.world.box ? 4 : 0)) return "the core";
-    if (index >= walls_start) {
-        constexpr std::array<const char*, 4> k_walls = {"the left wall", "the right wall", "the floor", "the ceiling"};
-        return k_walls[static_cast<std::size_t>(index - walls_start)];
-    }
-    const bool named = !scene.bodies[static_cast<std::size_t>(index)].name.empty();
-    return named ? "\"" + body_label(scene, index) + "\"" : body_label(scene, index);
 }
 
 } // namespace

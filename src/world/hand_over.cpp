@@ -5,9 +5,6 @@
 namespace flying {
 namespace {
 
-/// [radii] Room about a body's circle, against rounding and the tolerance of touching.
-constexpr double k_room = 0x1p-10;
-
 /// More that have come than this are better sorted into cells.
 constexpr std::size_t k_few = 64;
 /// So are more than this part of all.

@@ -9,6 +9,9 @@
 
 namespace flying {
 
+/// [radii] Room about a body's circle, or its flight, against rounding and the tolerance of touching.
+inline constexpr double k_room = 0x1p-10;
+
 /// A body that the resting integrator has, as it is when a step begins.
 struct Leaning
 {

@@ -7,6 +7,7 @@
 #include "broadphase/box_cells.hpp"
 #include "collide/touching.hpp"
 #include "toi/gap_tolerance.hpp"
+#include "world/hand_over.hpp"
 
 namespace flying {
 namespace {
@@ -59,8 +60,7 @@ public:
     /// Holds the body, with room for the tolerance of touching.
     [[nodiscard]] Aabb box(int k) const
     {
-        constexpr double k_room = 1.0 + 0x1p-10;
-        const Vec2 reach = Vec2::Constant(k_room * radius_[k]);
+        const Vec2 reach = Vec2::Constant((1.0 + k_room) * radius_[k]);
         return {flyer_[k].state.position - reach, flyer_[k].state.position + reach};
     }
 

@@ -10,8 +10,6 @@
 namespace flying {
 namespace {
 
-/// [radii] Room about a flight, against rounding and the tolerance of touching.
-constexpr double k_room = 0x1p-10;
 /// [radii] Room about the way of a body in a step, within which the resting integrator watches for contacts.
 constexpr double k_near = 0x1p-6;
 

@@ -98,4 +98,8 @@ struct Scene
 /// What to call body number `index` in a message: its name, or "body 3" where it has none.
 [[nodiscard]] std::string body_label(const Scene& scene, int index);
 
+/// The same with a name in quotes, also of what bounds the world: the four walls of a box, left, right, floor and
+/// ceiling, are numbered after the bodies, and the core of a central field after these.
+[[nodiscard]] std::string quoted_label(const Scene& scene, int index);
+
 } // namespace flying

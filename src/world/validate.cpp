@@ -1,5 +1,6 @@
 // What is wrong with a scene, all of it, before anything is built.
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -21,13 +22,6 @@ namespace {
 
 /// Overlapping pairs that are listed one by one.
 constexpr std::size_t k_most_overlaps = 1000;
-
-/// The body's name in quotes, or its number.
-std::string quoted_label(const Scene& scene, int index)
-{
-    const std::string& name = scene.bodies[index].name;
-    return name.empty() ? body_label(scene, index) : '"' + name + '"';
-}
 
 std::string body_place(int index)
 {
@@ -228,6 +222,18 @@ std::string body_label(const Scene& scene, int index)
 {
     const std::string& name = scene.bodies[index].name;
     return name.empty() ? "body " + std::to_string(index) : name;
+}
+
+std::string quoted_label(const Scene& scene, int index)
+{
+    const int walls_start = static_cast<int>(scene.bodies.size());
+    if (index >= walls_start + (scene.world.box ? 4 : 0)) return "the core";
+    if (index >= walls_start) {
+        constexpr std::array<const char*, 4> k_walls = {"the left wall", "the right wall", "the floor", "the ceiling"};
+        return k_walls[static_cast<std::size_t>(index - walls_start)];
+    }
+    const std::string& name = scene.bodies[index].name;
+    return name.empty() ? body_label(scene, index) : '"' + name + '"';
 }
 
 Faults validate(const Scene& scene)
