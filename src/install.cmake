@@ -39,7 +39,7 @@ install(SCRIPT ${CMAKE_CURRENT_SOURCE_DIR}/install_headers.cmake COMPONENT libra
 
 install(TARGETS flying RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
 
-# The module of Python, by the preset `python`: the same library as code that a shared library may hold
+# The module of Python, by the preset `python`
 option(FLYING_PYTHON "Build the module flying of Python (needs pybind11 and NumPy)" OFF)
 if(FLYING_PYTHON)
     set(PYBIND11_FINDPYTHON ON)

@@ -12,7 +12,7 @@ namespace {
 
 /// Rounds of compression, after which the best is given back that was found. Most take four, one in a hundred some
 /// dozens.
-constexpr int k_rounds = 128;
+constexpr int k_push_rounds = 128;
 
 /// Stiffness of a damper, at most, by the inertia that its point moves. What so stiff a damper leaves of an approach is
 /// about what rounding leaves of its equations, and the next round takes that off.
@@ -49,7 +49,7 @@ void PushTogether::compress()
         return speed_along(p.frame.normal, motion_of(p)) > std::max(tolerance::k_approach * top_speed_, rests_);
     };
     std::erase_if(points_, parts);
-    static_cast<void>(find_impulses(0.0, k_rounds, k_rounds));
+    static_cast<void>(find_impulses(0.0, k_push_rounds, k_push_rounds));
     end_together();
     take_back();
 }

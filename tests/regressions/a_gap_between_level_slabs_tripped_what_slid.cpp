@@ -35,7 +35,7 @@ struct Floor
 };
 
 constexpr double k_first = 4.0; // length of the first [m]
-constexpr int k_tiles = 6;
+constexpr int k_slabs = 6;
 constexpr double k_depth = 0.5; // [m]
 
 double begin_of(const Floor& floor, int tile)
@@ -49,11 +49,11 @@ Scene on_floor(const Floor& floor, const BodyDef& body, double restitution, doub
     scene.world.field = UniformField{{0.0, -k_downwards}};
     scene.world.restitution = restitution;
     scene.world.friction = friction;
-    const double end = begin_of(floor, k_tiles);
+    const double end = begin_of(floor, k_slabs);
     if (floor.laid == Laid::notches) {
         PolygonDef comb;
         comb.vertices = {{-k_first, -2.0 * k_depth}, {end - floor.gap, -2.0 * k_depth}};
-        for (int k = k_tiles - 1; k >= 0; --k) {
+        for (int k = k_slabs - 1; k >= 0; --k) {
             const double from = begin_of(floor, k);
             const double to = k == 0 ? 0.0 : from + floor.tile;
             comb.vertices.insert(comb.vertices.end(), {{to, 0.0}, {from, 0.0}});
@@ -69,7 +69,7 @@ Scene on_floor(const Floor& floor, const BodyDef& body, double restitution, doub
     } else {
         if (floor.laid == Laid::bricks)
             scene.bodies.push_back(still(rectangle(4.0 * end + 20.0, 1.0, Vec2(0.0, -k_depth - 0.5))));
-        for (int k = 0; k < k_tiles; ++k) {
+        for (int k = 0; k < k_slabs; ++k) {
             const double length = k == 0 ? k_first : floor.tile;
             const Rotation turned = Rotation::of(floor.slope);
             scene.bodies.push_back(

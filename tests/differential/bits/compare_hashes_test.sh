@@ -30,19 +30,19 @@ for kind in one another other-hash other-scene fails silent; do cp "$work/flying
 failures=0
 expect() { # status last-line programs...
     local status=0 said
-    said=$(cd "$work" && FLYING_SCENES=$work/scenes "$script" "${@:3}" 2>&1) || status=$?
+    said=$(cd "$work" && FLYING_SCENES=$work/scenes FLYING_GENERATED=2 "$script" "${@:3}" 2>&1) || status=$?
     if [[ $status != "$1" || ${said##*$'\n'} != "$2" ]]; then
         echo "programs ${*:3}: expected status $1 and '$2', found status $status and:"
         echo "$said"
         failures=$((failures + 1))
     fi
 }
-expect 0 "20 scenes agree, 0 differ" ./one ./another
-expect 1 "19 scenes agree, 1 differ" ./one ./another ./other-hash
-expect 1 "2 scenes agree, 18 differ" ./one ./other-scene
-expect 1 "0 scenes agree, 20 differ" ./one ./fails
-expect 1 "0 scenes agree, 20 differ" ./fails ./fails
-expect 1 "0 scenes agree, 20 differ" ./silent ./silent
+expect 0 "4 scenes agree, 0 differ" ./one ./another
+expect 1 "3 scenes agree, 1 differ" ./one ./another ./other-hash
+expect 1 "2 scenes agree, 2 differ" ./one ./other-scene
+expect 1 "0 scenes agree, 4 differ" ./one ./fails
+expect 1 "0 scenes agree, 4 differ" ./fails ./fails
+expect 1 "0 scenes agree, 4 differ" ./silent ./silent
 expect 2 "compare_hashes.sh: at least two programs; found 1" ./one
 expect 2 "compare_hashes.sh: not a program: ./none" ./one ./none
 ((failures == 0))
