@@ -47,8 +47,6 @@ void AlternatingDirections::start(PieceSystem& pieces, ContactProblem& problem)
         const double u_n = problem.slip[2 * k];
         const double u_t = problem.slip[2 * k + 1];
         const bool slips = std::abs(c.tangent) >= c.friction * c.normal && c.tangent * u_t <= 0.0;
-        problem.impulse[2 * k] = c.normal;
-        problem.impulse[2 * k + 1] = c.tangent;
         asked_[2 * k] = c.normal > 0.0 ? c.normal : -spring_[2 * k] * std::max(u_n, 0.0);
         asked_[2 * k + 1] = c.tangent - (slips ? spring_[2 * k + 1] * u_t : 0.0);
         pieces.set_mode(k, c.friction > 0.0 ? PieceSystem::Mode::stuck : PieceSystem::Mode::slips_forwards);

@@ -112,8 +112,8 @@ bool IslandSolver::improve(const Task& task, From from)
     double before = std::numeric_limits<double>::infinity();
     for (int k = 0; k < rest_tolerance::k_patience; ++k) {
         measure_slips(problem_, task.movers);
-        if (!(k == 0 ? find_pieces(task, from) : find_from_here(task))) return false;
-        take_impulses(task);
+        const bool is_found = k == 0 ? find_pieces(task, from) : find_from_here(task);
+        take_impulses(task); // less may be left by what isn't the end of the way
         const double now = worst_residual(task.points, task.movers);
         const bool content = now <= enough(task) || (now >= 0.5 * before && now <= most_left(task));
         if (now < best_) {
@@ -121,7 +121,7 @@ bool IslandSolver::improve(const Task& task, From from)
             kept_.assign(task.points.begin(), task.points.end());
         } else if (content) go_back_to_best(task);
         if (content) return true;
-        if (!(now < before)) return false;
+        if (!is_found || !(now < before)) return false;
         before = now;
     }
     return false;

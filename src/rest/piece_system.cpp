@@ -145,6 +145,8 @@ void measure_slips(ContactProblem& problem, std::span<const Mover> movers)
         const ContactPoint& c = problem.points[k];
         problem.slip[2 * k] = normal_speed(c, movers[c.a], movers[c.b]) - c.bound;
         problem.slip[2 * k + 1] = tangent_speed(c, movers[c.a], movers[c.b]);
+        problem.impulse[2 * k] = c.normal;
+        problem.impulse[2 * k + 1] = c.tangent;
     }
 }
 

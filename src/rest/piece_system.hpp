@@ -89,7 +89,8 @@ private:
 };
 
 /// Normal speed less the bound, and tangential speed, of each point, filled into the problem: all that follows is in
-/// changes from here, so that rounding takes its share of the changes only.
+/// changes from here, so that rounding takes its share of the changes only. The answer begins with the impulses that
+/// are there.
 void measure_slips(ContactProblem& problem, std::span<const Mover> movers);
 
 /// What is tried before a search for impulses gives up.
