@@ -106,7 +106,7 @@ Vec2 corner_normal(const Vec2& a_in, const Vec2& a_out, const Vec2& b_in, const 
     // A direction parts them if both edges of A lie on its side, and both edges of B on the other
     constexpr double k_facing = 1e-9; // [rad] edges this close to parallel face each other
     const auto parts = [&](const Vec2& n) {
-        return n.dot(a_out) >= -k_facing && -n.dot(a_in) >= -k_parallel && n.dot(b_out) <= k_parallel &&
+        return n.dot(a_out) >= -k_facing && -n.dot(a_in) >= -k_facing && n.dot(b_out) <= k_facing &&
                -n.dot(b_in) <= k_facing;
     };
     const auto outwards = [](const Vec2& tangent) { return Vec2(tangent.y(), -tangent.x()); };
