@@ -15,7 +15,7 @@ using namespace flying;
 
 namespace {
 
-constexpr double k_epsilon = std::numeric_limits<double>::epsilon();
+constexpr double k_ulp = std::numeric_limits<double>::epsilon();
 
 } // namespace
 
@@ -43,7 +43,7 @@ TEST_CASE("between its impacts, too, the billiard is where the folded line is")
         }
     }
     // Each of up to 314 impacts rounds a time of 3 s at most, at a speed of 100 m/s at most
-    CHECK(worst < 314 * 100.0 * 1.5 * k_epsilon);
+    CHECK(worst < 314 * 100.0 * 1.5 * k_ulp);
     RECORD_VALUE("discs.wedge.off", worst);
 }
 
